@@ -1,0 +1,1 @@
+"""Elastic collisions in two dimensions: exact answers, worked solutions."""

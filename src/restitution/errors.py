@@ -1,0 +1,74 @@
+"""What can go wrong, as one small tree.
+
+    RestitutionError
+    ├── StatementError      the text cannot be read                      (kind "syntax")
+    ├── MissingError        too little is known                          (kind "missing")
+    ├── ContradictionError  the facts clash                              (kind "contradiction")
+    ├── ImpossibleError     it cannot happen, for a physical reason      (kind "impossible")
+    ├── UnsupportedError    well stated, but beyond what is solved here  (kind "unsupported")
+    └── TimeLimitError      the solving was stopped                      (kind "time limit")
+
+Each names the quantity, its value, the rule and, where it was said in a text, the place.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+
+class RestitutionError(Exception):
+    """Any mistake in what was asked for; ``line`` and ``column`` count from 1, or are None."""
+
+    kind: ClassVar[str] = "error"
+
+    def __init__(self, message: str, line: int | None = None, column: int | None = None) -> None:
+        super().__init__(message)
+        self.message = message
+        self.line = line
+        self.column = column
+
+    def __str__(self) -> str:
+        if self.line is None:
+            return self.message
+        if self.column is None:
+            return f"line {self.line}: {self.message}"
+        return f"line {self.line}, column {self.column}: {self.message}"
+
+    def __reduce__(self) -> tuple[type[RestitutionError], tuple[str, int | None, int | None]]:
+        return type(self), (self.message, self.line, self.column)
+
+
+class StatementError(RestitutionError):
+    """A text that cannot be read, or that contradicts the rules of the language."""
+
+    kind = "syntax"
+
+
+class MissingError(RestitutionError):
+    """An answer depends on something that was not said."""
+
+    kind = "missing"
+
+
+class ContradictionError(RestitutionError):
+    """No values satisfy all that was said."""
+
+    kind = "contradiction"
+
+
+class ImpossibleError(RestitutionError):
+    """What was told cannot happen."""
+
+    kind = "impossible"
+
+
+class UnsupportedError(RestitutionError):
+    """A question that is well stated but that cannot be solved here."""
+
+    kind = "unsupported"
+
+
+class TimeLimitError(RestitutionError):
+    """Solving took longer than its limit."""
+
+    kind = "time limit"

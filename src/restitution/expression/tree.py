@@ -1,0 +1,251 @@
+"""Expressions as immutable trees: what a statement says, before any algebra is done with it.
+
+A tree remembers how it was written (``1/2 u`` is not ``u/2``) and where (line and column);
+two trees are equal when they say the same, wherever they stood. No number library is needed
+to hold one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+from fractions import Fraction
+from typing import Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where something was said: line and column, both counted from 1."""
+
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An exact number as typed: ``3``, ``0.6``, ``60%``; never negative."""
+
+    value: Fraction
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Degrees:
+    """A number of degrees: ``60°``."""
+
+    value: Fraction
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Pi:
+    """The number π."""
+
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """A letter, by its canonical name: ``u``, ``alpha``, ``e_1``, ``v_A``."""
+
+    name: str
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit vector, **i** or **j**."""
+
+    axis: Literal["i", "j"]
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """The name of a sphere, a wall or a point of the statement."""
+
+    name: str
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Components or coordinates: ``(3, -4)``."""
+
+    x: Expression
+    y: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Polar:
+    """A vector by size and direction: ``5 at 60°``.
+
+    The angle is measured anticlockwise from ``origin`` (**i** if None), or, where ``wall`` is
+    given instead, towards that wall from its left.
+    """
+
+    size: Expression
+    angle: Expression
+    origin: Expression | None = None
+    wall: Expression | None = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Negate:
+    """``-x``."""
+
+    operand: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """``left op right``; multiplication left out is ``*`` all the same."""
+
+    op: Literal["+", "-", "*", "/", "^"]
+    left: Expression
+    right: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Apply:
+    """A function of one argument: ``sqrt sin cos tan cot sec cosec arcsin arccos arctan abs``."""
+
+    function: str
+    argument: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class AtTime:
+    """The stage ``at t`` of ``position(A, at t)``."""
+
+    time: Expression
+
+
+Stage = int | Literal["before"] | AtTime | None
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A quantity of the motion: ``speed(P, 2)`` is ``Quantity("speed", (Name("P"),), 2)``.
+
+    ``stage`` None means *now*: after the events told where the quantity stands.
+    """
+
+    kind: str
+    arguments: tuple[Expression, ...] = ()
+    stage: Stage = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+Expression = (
+    Number
+    | Degrees
+    | Pi
+    | Letter
+    | Unit
+    | Name
+    | Pair
+    | Polar
+    | Negate
+    | Binary
+    | Apply
+    | Quantity
+)
+
+FUNCTIONS = (
+    "sqrt",
+    "sin",
+    "cos",
+    "tan",
+    "cot",
+    "sec",
+    "cosec",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "abs",
+)
+
+QUANTITIES = (
+    "velocity",
+    "speed",
+    "direction",
+    "along",
+    "across",
+    "angle",
+    "deflection",
+    "impulse",
+    "energy",
+    "energy_lost",
+    "total_energy_lost",
+    "momentum",
+    "line_of_centres",
+    "mass",
+    "position",
+    "time",
+    "distance",
+    "dot",
+)
+
+GREEK = (
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "rho",
+    "sigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "chi",
+    "psi",
+    "omega",
+)
+
+
+def children(node: Expression) -> tuple[Expression, ...]:
+    """The expressions directly inside a node, in the order written."""
+    found: list[Expression] = []
+    for each in fields(node):
+        value = getattr(node, each.name)
+        if isinstance(value, Expression):
+            found.append(value)
+        elif isinstance(value, AtTime):
+            found.append(value.time)
+        elif isinstance(value, tuple):
+            found.extend(item for item in value if isinstance(item, Expression))
+    return tuple(found)
+
+
+def walk(node: Expression) -> Iterator[Expression]:
+    """A node and all that stands inside it, outermost first."""
+    pending = [node]
+    while pending:
+        current = pending.pop()
+        yield current
+        pending.extend(reversed(children(current)))
+
+
+def letters(node: Expression) -> frozenset[str]:
+    """The names of the letters in an expression."""
+    return frozenset(each.name for each in walk(node) if isinstance(each, Letter))
+
+
+def has_quantity(node: Expression) -> bool:
+    """Whether an expression speaks of the motion, not of letters and numbers alone."""
+    return any(isinstance(each, Quantity) for each in walk(node))

@@ -1,0 +1,256 @@
+"""A problem as a value: bodies, the story of events, what is given and what is asked.
+
+Everything here is frozen; a change is a new value. Text given for a quantity is read by the
+grammar of expressions when a body is made, so that ``Sphere("A", velocity="3i - 4j")`` and the
+line ``sphere A: velocity 3i - 4j`` of a statement are the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from restitution.expression.tree import Expression, Name, Place
+
+# --- bodies -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """A smooth uniform sphere.
+
+    Each of ``mass``, ``velocity``, ``position`` (of its centre at time 0) and ``radius`` is None
+    where nothing is known. Units are SI.
+    """
+
+    name: str
+    mass: Any = None
+    velocity: Any = None
+    position: Any = None
+    radius: Any = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A fixed smooth vertical wall.
+
+    Straight (``along`` a vector or an angle, ``through`` a point), a segment (``start``,
+    ``end``), or a circle (``centre``, ``radius``).
+    """
+
+    name: str
+    along: Any = None
+    through: Any = None
+    start: Any = None
+    end: Any = None
+    centre: Any = None
+    radius: Any = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Point:
+    """A named point of the plane."""
+
+    name: str
+    position: Any
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+# --- relations --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Compare:
+    """A chain such as ``0 < e <= 1``; ``figures`` is the 3 of ``to 3 s.f.`` (in ``show`` only)."""
+
+    operands: tuple[Expression, ...]
+    operators: tuple[Literal["=", "<", "<=", ">", ">="], ...]
+    figures: int | None = None
+
+
+@dataclass(frozen=True)
+class Aligned:
+    """A relation between two directions: vectors, angles, walls or lines of centres."""
+
+    left: Expression
+    relation: Literal["perpendicular to", "parallel to", "in the direction of", "opposite to"]
+    right: Expression
+
+
+@dataclass(frozen=True)
+class AtRest:
+    """``A at rest``, now."""
+
+    body: Name
+
+
+@dataclass(frozen=True)
+class Meets:
+    """``A and B collide again``, ``A does not hit W again``, ``A will hit W`` and their kin."""
+
+    first: Name
+    second: Name
+    again: bool
+    happens: bool
+
+
+Relation = Compare | Aligned | AtRest | Meets
+
+# --- items ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Value:
+    """``find X``, perhaps ``as a percentage``."""
+
+    expression: Expression
+    percentage: bool = False
+    text: str = field(default="", compare=False)
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Range:
+    """``range of X``: all values that the facts allow."""
+
+    expression: Expression
+    percentage: bool = False
+    text: str = field(default="", compare=False)
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Extremum:
+    """``maximum of Q over X`` or ``minimum of Q over X``."""
+
+    kind: Literal["maximum", "minimum"]
+    expression: Expression
+    over: Expression
+    percentage: bool = False
+    text: str = field(default="", compare=False)
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+Item = Value | Range | Extremum
+
+# --- steps of the story -----------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Impact:
+    """``A hits B``: the next event. ``e`` None is the letter e; ``along`` the line of centres."""
+
+    first: str
+    second: str
+    e: Expression | None = None
+    along: Expression | None = None
+    offset: Expression | None = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Kick:
+    """``A receives J``: an impulse given to A from outside."""
+
+    body: str
+    impulse: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """``A reaches X``: A's centre comes to a point, or A comes to a wall."""
+
+    body: str
+    target: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+Event = Impact | Kick | Arrival
+
+
+@dataclass(frozen=True)
+class Let:
+    """``let beta = …``: a name for a quantity or for an expression of quantities."""
+
+    letter: str
+    expression: Expression
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Given:
+    """Facts about the motion or about the letters."""
+
+    relations: tuple[Relation, ...]
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """Letters that are neither data nor asked for: to be eliminated."""
+
+    letters: tuple[str, ...]
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Find:
+    """What is asked; ``in_terms_of`` lists letters, or is None where nothing was said."""
+
+    items: tuple[Item, ...]
+    in_terms_of: tuple[str, ...] | None = None
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Show:
+    """A result to be derived: a relation, or what a range or an extremum is.
+
+    ``show RELATION`` has ``subject`` None; ``show range of e: 0 < e < 1/2`` has the Range as
+    subject and the chain as relation; ``show maximum of Q over X = V`` has the Extremum as
+    subject, and as relation a Compare of Q and V.
+    """
+
+    relation: Relation
+    subject: Range | Extremum | None = None
+    in_terms_of: tuple[str, ...] | None = None
+    text: str = field(default="", compare=False)
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+Step = Event | Let | Given | Unknown | Find | Show
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the question; the steps before the first ``part`` line have the label None."""
+
+    label: str | None
+    steps: tuple[Step, ...]
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A whole question. ``parts[0]`` holds what stands before the first ``part`` line.
+
+    ``warnings`` tells how doubtful notation was read. Spheres, walls and points stand in the
+    order of their first declaration, each with everything said of it anywhere.
+    """
+
+    title: str | None = None
+    spheres: tuple[Sphere, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    points: tuple[Point, ...] = ()
+    parts: tuple[Part, ...] = (Part(None, ()),)
+    warnings: tuple[str, ...] = field(default=(), compare=False)
+
+    def steps(self) -> Iterator[tuple[Part, Step]]:
+        """Every step of the story with its part, in the order told."""
+        for part in self.parts:
+            for step in part.steps:
+                yield part, step
