@@ -1,1 +1,113 @@
-"""Elastic collisions in two dimensions: exact answers, worked solutions."""
+"""Elastic collisions in two dimensions: exact answers, worked solutions.
+
+    >>> import restitution as r
+    >>> A = r.Sphere("A", mass=2, velocity=(3, -4))
+    >>> B = r.Sphere("B", mass=3, velocity=(2, 3))
+    >>> r.impact(A, B, line_of_centres=(0, 1), e="3/7").after.A.velocity
+    Vector(x=3, y=2)
+
+Every name below is loaded when it is first used, so that importing the package costs next to
+nothing: algebra comes in with the first question.
+"""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from restitution.errors import (
+        ContradictionError,
+        ImpossibleError,
+        MissingError,
+        RestitutionError,
+        StatementError,
+        TimeLimitError,
+        UnsupportedError,
+    )
+    from restitution.explain import explain
+    from restitution.impact import impact
+    from restitution.language import parse, read, to_statement
+    from restitution.problem import Point, Problem, Sphere, Wall
+    from restitution.solve import solve
+    from restitution.vector import Vector
+
+    __version__: str
+
+__all__ = [
+    "ContradictionError",
+    "ImpossibleError",
+    "MissingError",
+    "Point",
+    "Problem",
+    "RestitutionError",
+    "Sphere",
+    "StatementError",
+    "TimeLimitError",
+    "UnsupportedError",
+    "Vector",
+    "Wall",
+    "__version__",
+    "explain",
+    "impact",
+    "parse",
+    "read",
+    "solve",
+    "to_statement",
+]
+
+_NAMES_OF_MODULES = {
+    "errors": (
+        "ContradictionError",
+        "ImpossibleError",
+        "MissingError",
+        "RestitutionError",
+        "StatementError",
+        "TimeLimitError",
+        "UnsupportedError",
+    ),
+    "explain": ("explain",),
+    "impact": ("impact",),
+    "language": ("parse", "read", "to_statement"),
+    "problem": ("Point", "Problem", "Sphere", "Wall"),
+    "solve": ("solve",),
+    "vector": ("Vector",),
+}
+_MODULE_OF_NAME = {name: module for module, names in _NAMES_OF_MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        value: Any = version(__name__)
+    elif name in _MODULE_OF_NAME:
+        from importlib import import_module
+
+        value = getattr(import_module(f"{__name__}.{_MODULE_OF_NAME[name]}"), name)
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+class _Package(ModuleType):
+    """This package, on which a module does not hide the function of the same name.
+
+    When ``restitution.solve`` is first imported, by whomever, Python's import system binds the
+    module to the name ``solve`` of the package. Here the name means the function, whatever was
+    imported before: ``r.solve(problem)``. The module is still found by every
+    ``from restitution.solve import …``.
+    """
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not (name in _MODULE_OF_NAME and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package

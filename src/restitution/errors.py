@@ -39,9 +39,13 @@ class RestitutionError(Exception):
 
 
 class StatementError(RestitutionError):
-    """A text that cannot be read, or that contradicts the rules of the language."""
+    """A text that cannot be read, or that contradicts the rules of the language.
+
+    ``others`` are further mistakes in the same text.
+    """
 
     kind = "syntax"
+    others: tuple[StatementError, ...] = ()
 
 
 class MissingError(RestitutionError):

@@ -7,11 +7,57 @@ line ``sphere A: velocity 3i - 4j`` of a statement are the same.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any, Literal
 
-from restitution.expression.tree import Expression, Name, Place
+from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Pair, Place
+
+_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+_TO_A_WALL = re.compile(r"\bto\s+([A-Z][A-Za-z0-9]*)")
+
+
+def _exact(value: Any, *, place: bool = False) -> Any:
+    """What a user gives for a quantity: text, whole numbers, fractions and pairs of these as an
+    expression; anything else (floats, arrays, SymPy's objects) as it is.
+
+    The names that a text may hold are not known here: a wall follows ``to``, and where a place
+    is wanted a name alone is that of a point. Raises StatementError for a text that is no
+    expression.
+    """
+    if isinstance(value, str):
+        from restitution.expression import read_expression
+
+        names = set(_TO_A_WALL.findall(value))
+        if place and _NAME.fullmatch(value.strip()):
+            names.add(value.strip())
+        return read_expression(value, names=names)
+    if isinstance(value, int | Fraction) and not isinstance(value, bool):
+        return _tree_of(Fraction(value))
+    if type(value) is tuple and len(value) == 2:
+        x, y = _exact(value[0]), _exact(value[1])
+        if isinstance(x, Expression) and isinstance(y, Expression):
+            return Pair(x, y)
+    return value
+
+
+def _tree_of(value: Fraction) -> Expression:
+    if value < 0:
+        return Negate(_tree_of(-value))
+    whole = Number(Fraction(value.numerator))
+    return (
+        whole if value.denominator == 1 else Binary("/", whole, Number(Fraction(value.denominator)))
+    )
+
+
+def _convert(body: Any, quantities: tuple[str, ...], places: tuple[str, ...]) -> None:
+    for each in (*quantities, *places):
+        value = getattr(body, each)
+        if not isinstance(value, Expression):
+            object.__setattr__(body, each, _exact(value, place=each in places))
+
 
 # --- bodies -----------------------------------------------------------------------------------
 
@@ -31,6 +77,9 @@ class Sphere:
     radius: Any = None
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
+    def __post_init__(self) -> None:
+        _convert(self, ("mass", "velocity", "radius"), ("position",))
+
 
 @dataclass(frozen=True)
 class Wall:
@@ -49,6 +98,9 @@ class Wall:
     radius: Any = None
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
+    def __post_init__(self) -> None:
+        _convert(self, ("along", "radius"), ("through", "start", "end", "centre"))
+
 
 @dataclass(frozen=True)
 class Point:
@@ -57,6 +109,9 @@ class Point:
     name: str
     position: Any
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+    def __post_init__(self) -> None:
+        _convert(self, (), ("position",))
 
 
 # --- relations --------------------------------------------------------------------------------

@@ -1,0 +1,558 @@
+"""The scanner: a logical line of text to tokens.
+
+It is written by hand because what a run of letters is depends on the names the text declares.
+Multiplication that was left out becomes a token of its own (IMPLICIT), so that the grammar is
+one of ordinary operators.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import chain
+
+from lark import Token
+
+from restitution.errors import StatementError
+from restitution.expression.limits import MAX_DIGITS, MAX_NESTING, MAX_TOKENS_PER_LINE
+from restitution.expression.quantities import stands_alone
+from restitution.expression.tree import FUNCTIONS, QUANTITIES, Place
+from restitution.expression.words import (
+    FRAGMENTS,
+    GREEK_BY_NAME,
+    GREEK_SIGNS,
+    KEYWORDS,
+    MEANT,
+    PHRASES,
+    PROPERTY_WORDS,
+    UNIT,
+    UNIT_OF_A_PROPERTY,
+    WORDS,
+    guess,
+    near,
+    one_slip,
+)
+
+NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+
+_WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
+_NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
+_PERCENT = re.compile(r"\s*%")
+_DEGREES = re.compile(r"\s*(?:[°º˚]|deg(?!\w))")
+_SUBSCRIPT = re.compile(r"_?([0-9]+)|_([A-Za-z])(?![A-Za-z0-9])|([₀-₉]+)")
+_SUPERSCRIPT = re.compile(r"([⁺⁻]?)([⁰¹²³⁴-⁹]+)")
+_FUNCTION_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(\d+)|([⁰¹²³⁴-⁹]+)")
+_INVERSE = re.compile(r"\s*(?:\^|\*\*)\s*[({]?\s*[-−–]\s*1\s*[)}]?|⁻¹")
+_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])")
+_NEXT = re.compile(r"\s*(.?)", re.DOTALL)
+_UNIT = re.compile(rf"\s*({UNIT})\s*(?=$|[,)<>=≤≥])|\s*({UNIT})\s+(?=at\b|from\b)")
+_UNIT_OF_A_PROPERTY = re.compile(rf"\s*({UNIT_OF_A_PROPERTY})\s*(?=$|,|at\b|from\b)")
+_FUNCTION = re.compile("|".join(sorted(FUNCTIONS, key=len, reverse=True)))
+_MISSING_UNDERSCORE = re.compile(
+    r"(?:total\s+)?energy\s+lost(?!\w)|line\s+of\s+cent(?:re|er)s(?!\w)"
+)
+
+_SIGNS = {
+    "+": "PLUS",
+    "-": "MINUS",
+    "*": "STAR",
+    "**": "POW",
+    "^": "POW",
+    "/": "SLASH",
+    "(": "LPAR",
+    ")": "RPAR",
+    ",": "COMMA",
+    ":": "COLON",
+    "=": "EQUAL",
+    "<": "ORDER",
+    ">": "ORDER",
+    "<=": "ORDER",
+    ">=": "ORDER",
+}
+_PASTED = {
+    **dict.fromkeys("−–‐‑", "-"),
+    **dict.fromkeys("×·⋅∙•∗", "*"),
+    **dict.fromkeys("÷∕⁄", "/"),
+    **dict.fromkeys("≤⩽", "<="),
+    **dict.fromkeys("≥⩾", ">="),
+}
+_FRACTIONS = {
+    "½": "1/2",
+    "⅓": "1/3",
+    "⅔": "2/3",
+    "¼": "1/4",
+    "¾": "3/4",
+    "⅕": "1/5",
+    "⅖": "2/5",
+    "⅗": "3/5",
+    "⅘": "4/5",
+    "⅙": "1/6",
+    "⅚": "5/6",
+    "⅐": "1/7",
+    "⅛": "1/8",
+    "⅜": "3/8",
+    "⅝": "5/8",
+    "⅞": "7/8",
+    "⅑": "1/9",
+    "⅒": "1/10",
+}
+_HINTS = {
+    **dict.fromkeys("[]{}", "use round brackets"),
+    **dict.fromkeys("|‖", "write abs(x) for a size"),
+    **dict.fromkeys("'’′", "a letter has no dash: use another letter or a subscript"),
+    **dict.fromkeys("°º˚", "a degree sign stands directly after a number"),
+    "%": "a percent sign stands directly after a number",
+    "_": "a subscript follows a letter directly and is digits or one letter",
+    "≠": "the relations are =, <, <=, > and >=",
+    "!": "the relations are =, <, <=, > and >=",
+    "\\": "a backslash stands at the end of a line that goes on in the next",
+    ".": "a decimal point stands between digits",
+    "#": "a comment cannot stand here",
+}
+
+_SUBSCRIPT_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_SUPERSCRIPT_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+
+_STARTS_OPERAND = frozenset(
+    "NUMBER DEGREES FRACTION COEFFICIENT PI LETTER UNIT NAME LPAR FUNCTION FUNCTION_CALL "
+    "QUANTITY QUANTITY_CALL".split()
+)
+_ENDS_OPERAND = frozenset("NUMBER DEGREES FRACTION PI LETTER UNIT NAME RPAR QUANTITY".split())
+_NUMERIC = frozenset(("NUMBER", "DEGREES", "FRACTION"))
+_BODY_LINES = frozenset(("SPHERE", "WALL", "POINT"))
+
+
+@dataclass(frozen=True)
+class Source:
+    """A logical line: its text, and where each stretch of it stands in the file.
+
+    ``plain`` is the text with typographical variants of letters and digits made ordinary,
+    character by character, so that offsets agree.
+    """
+
+    text: str
+    pieces: tuple[tuple[int, int, int], ...] = ((0, 1, 1),)  # offset, line, column
+    plain: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        plain = self.text if self.text.isascii() else "".join(map(_plain, self.text))
+        object.__setattr__(self, "plain", plain)
+
+    def place(self, offset: int) -> Place:
+        """The line and column of an offset of the text."""
+        start, line, column = self.pieces[bisect_right(self.pieces, (offset, 10**9, 0)) - 1]
+        return Place(line, column + offset - start)
+
+    def error(self, message: str, offset: int) -> StatementError:
+        """A mistake at an offset of the text."""
+        place = self.place(offset)
+        return StatementError(message, place.line, place.column)
+
+
+@dataclass(frozen=True)
+class Scan:
+    """The tokens of a logical line, and the runs of letters that were split into products."""
+
+    source: Source
+    names: Mapping[str, str]
+    tokens: tuple[Token, ...]
+    runs: tuple[tuple[int, str], ...]
+
+
+def _plain(character: str) -> str:
+    """A letter or digit in ordinary type for one in bold, italic or full-width type."""
+    code = ord(character)
+    if code < 0x80:
+        return character
+    if 0x1D400 <= code <= 0x1D7FF or 0xFF01 <= code <= 0xFF5E or code == 0x210E:
+        normal = unicodedata.normalize("NFKC", character)
+        return normal if len(normal) == 1 else character
+    if character in "îĵ":
+        return "i" if character == "î" else "j"
+    if character.isspace() or unicodedata.category(character) == "Cf":
+        return " "
+    return character
+
+
+def scan(source: Source, names: Mapping[str, str]) -> Scan:
+    """The tokens of a line; ``names`` maps each declared name to what it is (``sphere``, …).
+
+    Raises StatementError for a character or a word that means nothing, with its place.
+    """
+    found: list[Token] = []
+    runs: list[tuple[int, str]] = []
+    depth = 0
+    for token in _raw_tokens(source, names, found, runs):
+        if token.type == "LPAR":
+            depth += 1
+            if depth > MAX_NESTING:
+                raise source.error(
+                    f"brackets are nested more than {MAX_NESTING} deep", _start(token)
+                )
+        elif token.type == "RPAR":
+            depth -= 1
+        found.append(token)
+        if len(found) > MAX_TOKENS_PER_LINE:
+            raise source.error(
+                f"the line is too long: at most {MAX_TOKENS_PER_LINE} words and signs",
+                _start(token),
+            )
+    return Scan(source, names, tuple(_with_products(source, found)), tuple(runs))
+
+
+def _start(token: Token) -> int:
+    return token.start_pos or 0
+
+
+def _end(token: Token) -> int:
+    return token.end_pos or 0
+
+
+def _raw_tokens(
+    source: Source,
+    names: Mapping[str, str],
+    before: list[Token],
+    runs: list[tuple[int, str]],
+) -> Iterator[Token]:
+    """The tokens as they stand; ``before`` is what has been taken so far."""
+    text = source.plain
+    at = 0
+    while at < len(text):
+        character = text[at]
+        if character.isspace():
+            at += 1
+            continue
+        if character.isascii() and character.isalpha():
+            tokens = _letters(source, names, at, before, runs)
+        elif character in GREEK_SIGNS:
+            tokens = [_letter(source, GREEK_SIGNS[character], at, at + 1)]
+        elif character == "π":
+            tokens = [_token(source, "PI", "pi", at, at + 1)]
+        elif number := _NUMBER.match(text, at):
+            tokens = [_number(source, number, before)]
+        elif character in _FRACTIONS:
+            if before and before[-1].type == "NUMBER" and _end(before[-1]) == at:
+                raise source.error(
+                    "a mixed number is not read: write it as one fraction, such as 5/2", at
+                )
+            tokens = [_token(source, "FRACTION", _FRACTIONS[character], at, at + 1)]
+        elif character == "√":
+            tokens = [_root(source, at)]
+        elif power := _SUPERSCRIPT.match(text, at):
+            tokens = _superscript(source, power)
+        else:
+            tokens = [_sign(source, at)]
+        yield from tokens
+        at = _end(tokens[-1])
+
+
+def _token(source: Source, kind: str, value: str, start: int, end: int) -> Token:
+    place = source.place(start)
+    return Token(kind, value, start, place.line, place.column, end_pos=end)
+
+
+def _sign(source: Source, at: int) -> Token:
+    text = source.plain
+    for sign in (text[at : at + 2], _PASTED.get(text[at], text[at])):
+        if sign in _SIGNS:
+            length = len(sign) if text.startswith(sign, at) else 1
+            return _token(source, _SIGNS[sign], sign, at, at + length)
+    character = text[at]
+    shown = repr(character) if character.isprintable() else f"U+{ord(character):04X}"
+    hint = _HINTS.get(character)
+    raise source.error(f"unexpected character {shown}" + (f": {hint}" if hint else ""), at)
+
+
+def _number(source: Source, match: re.Match[str], before: list[Token]) -> Token:
+    text, start, end = source.plain, match.start(), match.end()
+    if end - start > MAX_DIGITS:
+        raise source.error(f"a number has at most {MAX_DIGITS} digits", start)
+    digits = match.group()
+    if percent := _PERCENT.match(text, end):
+        return _token(source, "NUMBER", digits + "%", start, percent.end())
+    if degrees := _DEGREES.match(text, end):
+        return _token(source, "DEGREES", digits, start, degrees.end())
+    exponent = bool(before) and before[-1].type == "POW"
+    unit = None if exponent else _unit(text, end, before)
+    if unit:
+        offset = unit.start(unit.lastindex or 0)
+        raise source.error(_unit_message(unit.group(unit.lastindex or 0)), offset)
+    return _token(source, "NUMBER", digits, start, end)
+
+
+def _unit(text: str, at: int, before: list[Token]) -> re.Match[str] | None:
+    """A unit directly after a number, where it ends a property or a side of a relation."""
+    if _tells_properties(before):
+        return _UNIT_OF_A_PROPERTY.match(text, at)
+    return _UNIT.match(text, at)
+
+
+def _unit_message(unit: str) -> str:
+    if unit == "rad":
+        return "no units are typed: leave out 'rad' (an angle without ° is in radians)"
+    return f"no units are typed (all is in SI): leave out '{unit}'"
+
+
+def _tells_properties(before: list[Token]) -> bool:
+    """Whether a line is one whose properties stand behind a colon."""
+    return bool(before) and (
+        before[0].type in _BODY_LINES
+        or (len(before) > 1 and before[1].type in ("HITS", "RECEIVES") and before[0].type == "NAME")
+    )
+
+
+def _superscript(source: Source, match: re.Match[str]) -> list[Token]:
+    start, end = match.span()
+    sign, digits = match.groups()
+    if len(digits) > MAX_DIGITS:
+        raise source.error(f"a number has at most {MAX_DIGITS} digits", start)
+    tokens = [_token(source, "POW", "^", start, end)]
+    if sign == "⁻":
+        tokens.append(_token(source, "MINUS", "-", start, end))
+    tokens.append(_token(source, "NUMBER", digits.translate(_SUPERSCRIPT_DIGITS), start, end))
+    return tokens
+
+
+def _root(source: Source, at: int) -> Token:
+    following = _next_character(source.plain, at + 1)
+    kind = "FUNCTION_CALL" if following == "(" else "FUNCTION"
+    return _token(source, kind, "√" if kind == "FUNCTION" else "sqrt", at, at + 1)
+
+
+def _next_character(text: str, at: int) -> str:
+    match = _NEXT.match(text, at)
+    return match.group(1) if match else ""
+
+
+def _letter(source: Source, name: str, start: int, end: int) -> Token:
+    """A letter that ends at ``end``, with the subscript that may follow."""
+    match = _SUBSCRIPT.match(source.plain, end)
+    if match:
+        digits, letter, low = match.groups()
+        subscript = digits or letter or low.translate(_SUBSCRIPT_DIGITS)
+        if len(subscript) > MAX_DIGITS:
+            raise source.error(f"a subscript has at most {MAX_DIGITS} digits", end)
+        return _token(source, "LETTER", f"{name}_{subscript}", start, match.end())
+    if source.plain.startswith("_", end):
+        raise source.error("a subscript is digits or one letter", end)
+    return _token(source, "LETTER", name, start, end)
+
+
+def _letters(
+    source: Source,
+    names: Mapping[str, str],
+    at: int,
+    before: list[Token],
+    runs: list[tuple[int, str]],
+) -> list[Token]:
+    """What stands at a Latin letter: a name, a phrase, a word, a function, letters."""
+    text = source.plain
+    name = NAME.match(text, at)
+    if name and name.group() in names and not text.startswith("_", name.end()):
+        return [_token(source, "NAME", name.group(), at, name.end())]
+    for pattern, kind in PHRASES:
+        phrase = pattern.match(text, at)
+        if phrase:
+            return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
+    loose = _MISSING_UNDERSCORE.match(text, at)
+    if loose:
+        words = " ".join(loose.group().split())
+        raise source.error(f"unknown words '{words}': did you mean '{MEANT[words]}'?", at)
+    word = _WORD.match(text, at)
+    assert word is not None
+    run, end = word.group(), word.end()
+    if run in PROPERTY_WORDS and _property_stands_here(before):
+        return [_token(source, run.upper(), run, at, end)]
+    if run in QUANTITIES:
+        return [_quantity(source, run, at, end)]
+    if run in KEYWORDS:
+        return [_token(source, KEYWORDS[run], run, at, end)]
+    if run in FRAGMENTS:
+        return [_token(source, "WORD", run, at, end)]
+    return _run(source, names, run, at, runs)
+
+
+def _property_stands_here(before: list[Token]) -> bool:
+    """Whether the next word is a property: after the colon, or after a comma not in brackets."""
+    if not before or before[-1].type not in ("COLON", "COMMA") or not _tells_properties(before):
+        return False
+    depth = 0
+    colon = False
+    for token in before:
+        if token.type == "COLON":
+            colon = True
+        elif token.type in ("LPAR", "RPAR"):
+            depth += 1 if token.type == "LPAR" else -1
+    return colon and depth == 0
+
+
+def _quantity(source: Source, kind: str, start: int, end: int) -> Token:
+    call = source.plain.startswith("(", end)
+    if not stands_alone(kind):
+        # A blank before the bracket is harmless here: without arguments it means nothing.
+        call = call or _next_character(source.plain, end) == "("
+    return _token(source, "QUANTITY_CALL" if call else "QUANTITY", kind, start, end)
+
+
+def _run(
+    source: Source, names: Mapping[str, str], run: str, at: int, runs: list[tuple[int, str]]
+) -> list[Token]:
+    """A run of letters that is neither a name nor a keyword."""
+    called = source.plain.startswith("(", at + len(run))
+    if "_" in run:
+        raise source.error(_unknown(run, names), at)
+    pieces = _split(run)
+    if pieces is None or (len(run) > 2 and _is_a_slip(run, called)):
+        raise source.error(_unknown(run, names), at)
+    tokens: list[Token] = []
+    for piece in pieces:
+        end = at + len(piece)
+        if piece in FUNCTIONS:
+            tokens.append(_function(source, piece, at, end))
+        elif piece == "pi":
+            tokens.append(_token(source, "PI", "pi", at, end))
+        elif piece in names and not source.plain.startswith("_", end):
+            if run[0].isupper() and len(run) > 1:
+                raise source.error(_unknown(run, names), at - run.index(piece))
+            raise source.error(
+                f"'{piece}' is the name of a {names[piece]} and cannot be a letter too", at
+            )
+        elif piece in ("i", "j"):
+            if _SUBSCRIPT.match(source.plain, end):
+                raise source.error(f"'{piece}' is a unit vector and never a letter", at)
+            tokens.append(_token(source, "UNIT", piece, at, end))
+        else:
+            tokens.append(_letter(source, piece, at, end))
+        at = end
+    if len(run) > 1 and len(tokens) > 1:
+        runs.append((_start(tokens[0]), run))
+    return tokens
+
+
+def _split(run: str) -> list[str] | None:
+    """A run of letters as functions, Greek letters and single letters; None if it is no such run.
+
+    >>> _split("eusintheta")
+    ['e', 'u', 'sin', 'theta']
+    """
+    pieces: list[str] = []
+    at = 0
+    after_function = False
+    while at < len(run) or not pieces:
+        match = _FUNCTION.search(run, at)
+        end = match.start() if match else len(run)
+        between = run[at:end]
+        if between in GREEK_BY_NAME or between == "pi":
+            pieces.append(between)
+        elif len(between) <= (1 if after_function else 4):
+            pieces.extend(between)
+        else:
+            return None
+        if match is None:
+            break
+        pieces.append(match.group())
+        after_function = True
+        at = match.end()
+    return pieces
+
+
+def _is_a_slip(run: str, called: bool) -> bool:
+    """Whether a short run is so near a word of the language that it is surely a mistake.
+
+    Ordinary products (``emu``, ``mgh``, ``kmu``) must not be taken for one.
+    """
+    if run in GREEK_BY_NAME or (called and run in FUNCTIONS):
+        return False
+    if any(piece in FUNCTIONS for piece in _split(run) or ()):
+        return False
+    if len(run) == 4 and any(
+        one_slip(run, word) and len(word) >= 4 for word in WORDS if len(word) in (4, 5)
+    ):
+        return True
+    return called and any(
+        one_slip(run, word)
+        for word in chain(FUNCTIONS, QUANTITIES)
+        if len(word) >= 4 or len(word) == len(run)
+    )
+
+
+def _unknown(run: str, names: Mapping[str, str]) -> str:
+    if run[0].isupper() and run.lower() not in WORDS:
+        return unknown_name(run, names)
+    meant = guess(run)
+    if meant is None:
+        for greek in sorted(GREEK_BY_NAME, key=len, reverse=True):
+            rest = run.removesuffix(greek)
+            if rest != run and 0 < len(rest) <= 4:
+                meant = f"{' '.join(rest)} {greek}"
+                break
+    return f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
+
+
+def unknown_name(name: str, names: Mapping[str, str]) -> str:
+    """What to say of a name that no line declares."""
+    meant = near(name, sorted(names))
+    if meant is None and len(names) == 1:
+        meant = next(iter(names))
+    said = f"unknown name '{name}': no sphere, wall or point is called that"
+    return said + (f"; did you mean '{meant}'?" if meant else "")
+
+
+def _function(source: Source, function: str, start: int, end: int) -> Token:
+    """A function with the power that may stand between it and its argument."""
+    text = source.plain
+    if inverse := _INVERSE.match(text, end):
+        remedy = (
+            f"write arc{function}(x)"
+            if f"arc{function}" in FUNCTIONS
+            else f"write 1/{function}(x), or use an arc function"
+        )
+        shown = text[start : inverse.end()]
+        raise source.error(f"'{shown}' can be misunderstood: {remedy}", start)
+    power = _FUNCTION_POWER.match(text, end)
+    if power:
+        digits = (power.group(1) or power.group(2)).translate(_SUPERSCRIPT_DIGITS)
+        if len(digits) > MAX_DIGITS:
+            raise source.error(f"a number has at most {MAX_DIGITS} digits", end)
+        value, end = f"{function}^{digits}", power.end()
+    elif _POWER_SIGN.match(text, end):
+        raise source.error(
+            f"the power after '{function}' is a whole number: otherwise write ({function}(x))^n",
+            end,
+        )
+    else:
+        value = function
+    kind = "FUNCTION_CALL" if _next_character(text, end) == "(" else "FUNCTION"
+    return _token(source, kind, value, start, end)
+
+
+def _with_products(source: Source, tokens: list[Token]) -> Iterator[Token]:
+    """The tokens with IMPLICIT wherever multiplication was left out."""
+    previous: Token | None = None
+    for index, token in enumerate(tokens):
+        if previous is not None and _joins(previous, token):
+            if token.type in _NUMERIC and previous.type in _NUMERIC:
+                raise source.error(
+                    "two numbers stand side by side: an operator is missing", _start(token)
+                )
+            gap = source.plain[_end(previous) : _start(token)]
+            yield _token(source, "IMPLICIT", gap, _end(previous), _start(token))
+        if (
+            previous is not None
+            and previous.type == "FUNCTION"
+            and previous != "√"
+            and token.type == "NUMBER"
+            and index + 1 < len(tokens)
+            and tokens[index + 1].type in ("LETTER", "PI")
+        ):
+            # ``sin 2θ``: the number belongs to the one letter after it.
+            token = Token.new_borrow_pos("COEFFICIENT", str(token), token)
+        yield token
+        previous = token
+
+
+def _joins(left: Token, right: Token) -> bool:
+    return left.type in _ENDS_OPERAND and right.type in _STARTS_OPERAND

@@ -1,0 +1,519 @@
+"""Text to expression trees: the scanner, lark's LALR parser, and the building of the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from lark import Lark, Token, Tree, UnexpectedToken
+from lark.lexer import Lexer
+
+from restitution.errors import StatementError
+from restitution.expression.grammar import RULES, TERMINALS
+from restitution.expression.lexer import Scan, Source, scan, unknown_name
+from restitution.expression.limits import MAX_ERRORS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
+from restitution.expression.quantities import SIGNATURES, stands_alone
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Place,
+    Polar,
+    Quantity,
+    Stage,
+    Unit,
+    has_quantity,
+    letters,
+)
+from restitution.expression.words import (
+    EVENT_WORDS,
+    LINE_WORDS,
+    PROPERTY_WORDS,
+    WORDS,
+    guess,
+    near,
+)
+from restitution.expression.writing import write_expression
+
+
+class Tokens(Lexer):
+    """Hands lark the tokens that the scanner has made already."""
+
+    def __init__(self, lexer_conf: Any) -> None:
+        """Nothing to prepare: the terminals are declared, not defined."""
+
+    def lex(self, data: Any) -> Iterator[Token]:  # type: ignore[override]
+        """The tokens, one after another."""
+        return iter(data)
+
+
+@dataclass(frozen=True)
+class Span:
+    """Something read, with the first and the last token it was read from."""
+
+    value: Any
+    first: Token
+    last: Token
+    depth: int = 1
+
+    @property
+    def place(self) -> Place:
+        """Where it begins."""
+        return Place(self.first.line or 1, self.first.column or 1)
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One reading of a line: what was scanned, and the warnings met on the way."""
+
+    scan: Scan
+    warnings: list[str] = field(default_factory=list)
+
+    def text(self, first: Token, last: Token) -> str:
+        """The text from one token to another, as typed."""
+        return self.scan.source.text[first.start_pos or 0 : last.end_pos or 0].strip()
+
+    def error(self, message: str, place: Place) -> StatementError:
+        """A mistake at a place."""
+        return StatementError(message, place.line, place.column)
+
+
+Builder = Callable[[Reading, Tree[Token], list[Span]], Any]
+
+
+def read_expression(
+    text: str,
+    *,
+    names: AbstractSet[str] | Mapping[str, str] = frozenset(),
+    line: int = 1,
+    column: int = 1,
+) -> Expression:
+    """The expression that a text says.
+
+    ``names`` are the declared spheres, walls and points (or a mapping of each to ``"sphere"``,
+    ``"wall"`` or ``"point"``); ``line`` and ``column`` say where the text begins, for messages.
+    Raises StatementError, with line and column, where the text is not an expression.
+
+    >>> read_expression("1/2u") == read_expression("(1/2) * u")
+    True
+    """
+    kinds = names if isinstance(names, Mapping) else dict.fromkeys(names, "body")
+    if len(text) > MAX_LINE_LENGTH:
+        raise StatementError(
+            f"the text is too long: at most {MAX_LINE_LENGTH} characters", line, column
+        )
+    source = Source(text, ((0, line, column),))
+    reading = Reading(scan(source, kinds))
+    span = parse_tokens(expression_parser(), reading, BUILDERS)
+    result: Expression = span.value
+    return result
+
+
+@cache
+def expression_parser() -> Lark:
+    """The parser of expressions; its table is built at first use."""
+    return make_parser(TERMINALS + RULES, "expression")
+
+
+def make_parser(grammar: str, start: str) -> Lark:
+    """An LALR parser that takes its tokens ready-made."""
+    return Lark(grammar, parser="lalr", lexer=Tokens, start=start)
+
+
+def parse_tokens(parser: Lark, reading: Reading, builders: Mapping[str, Builder]) -> Span:
+    """What a line of tokens says. Raises StatementError with what was expected where."""
+    try:
+        tree: Any = parser.parse(reading.scan.tokens)  # type: ignore[arg-type]
+    except UnexpectedToken as error:
+        raise _explain(reading, error) from None
+    return _fold(reading, tree, builders)
+
+
+def _fold(reading: Reading, tree: Any, builders: Mapping[str, Builder]) -> Span:
+    """Build the value of each node from those below it; a loop, for trees may be deep."""
+    done: list[Span] = []
+    pending: list[tuple[Any, bool]] = [(tree, False)]
+    while pending:
+        node, ready = pending.pop()
+        if isinstance(node, Token):
+            done.append(Span(_leaf(node), node, node))
+        elif not ready:
+            pending.append((node, True))
+            pending.extend((child, False) for child in reversed(node.children))
+        else:
+            count = len(node.children)
+            spans = done[len(done) - count :]
+            del done[len(done) - count :]
+            depth = 1 + max(span.depth for span in spans)
+            if depth > MAX_TREE_DEPTH:
+                raise reading.error(
+                    "the expression is too long or nested too deeply: at most "
+                    f"{MAX_TREE_DEPTH} operations one upon another",
+                    spans[0].place,
+                )
+            value = builders[node.data](reading, node, spans)
+            done.append(Span(value, spans[0].first, spans[-1].last, depth))
+    return done[0]
+
+
+def _leaf(token: Token) -> Any:
+    """The value of a token: an expression where it is one, else the token itself."""
+    place = Place(token.line or 1, token.column or 1)
+    text = str(token)
+    match token.type:
+        case "NUMBER" | "COEFFICIENT":
+            if text.endswith("%"):
+                return Number(Fraction(text[:-1]) / 100, place=place)
+            return Number(Fraction(text), place=place)
+        case "DEGREES":
+            return Degrees(Fraction(text), place=place)
+        case "FRACTION":
+            above, below = (Number(Fraction(part), place=place) for part in text.split("/"))
+            return Binary("/", above, below, place=place)
+        case "PI":
+            return Pi(place=place)
+        case "LETTER":
+            return Letter(text, place=place)
+        case "UNIT":
+            return Unit("i" if text == "i" else "j", place=place)
+        case "NAME":
+            return Name(text, place=place)
+        case "QUANTITY":
+            if not stands_alone(text):
+                raise StatementError(
+                    f"'{text}' needs brackets: {SIGNATURES[text].usage}", place.line, place.column
+                )
+            return Quantity(text, place=place)
+    return token
+
+
+# --- building ---------------------------------------------------------------------------------
+
+
+def _binary(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    left, sign, right = spans
+    signs: dict[str, Any] = {"PLUS": "+", "MINUS": "-", "STAR": "*", "SLASH": "/", "POW": "^"}
+    return Binary(signs[sign.value.type], left.value, right.value, place=left.place)
+
+
+def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    left, gap, right = spans
+    product = Binary("*", left.value, right.value, place=left.place)
+    below = node.children[0]
+    if (
+        isinstance(below, Tree)
+        and below.data == "quotient"
+        and gap.value == ""
+        and letters(left.value) | _quantities(left.value)
+    ):
+        typed = reading.text(left.first, right.last)
+        quotient = left.value
+        other = Binary("/", quotient.left, Binary("*", quotient.right, right.value))
+        reading.warnings.append(
+            f"line {left.place.line}, column {left.place.column}: '{typed}' was read as "
+            f"({write_expression(quotient)}) {_bracketed(right.value)}; "
+            f"if you mean all of it below the line, write {write_expression(other)}"
+        )
+    bare = node.children[2]
+    if (
+        isinstance(below, Tree)
+        and below.data == "bare"
+        and below.children[0] != "√"
+        and isinstance(below.children[1], Token)
+        and below.children[1].type == "NUMBER"
+        and isinstance(bare, Tree)
+        and bare.data == "group"
+    ):
+        reading.warnings.append(
+            f"line {left.place.line}, column {left.place.column}: "
+            f"'{reading.text(left.first, right.last)}' was read as "
+            f"{write_expression(product)}; a function without brackets takes one factor"
+        )
+    return product
+
+
+def _bracketed(tree: Expression) -> str:
+    text = write_expression(tree)
+    return f"({text})" if isinstance(tree, Binary) and tree.op in "+-" else text
+
+
+def _quantities(tree: Expression) -> frozenset[str]:
+    return frozenset(("quantity",)) if has_quantity(tree) else frozenset()
+
+
+def _negate(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    return Negate(spans[1].value, place=spans[0].place)
+
+
+def _second(reading: Reading, node: Tree[Token], spans: list[Span]) -> Any:
+    return spans[1].value
+
+
+def _pair(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    return Pair(spans[1].value, spans[3].value, place=spans[0].place)
+
+
+def _apply(reading: Reading, token: Token, argument: Expression) -> Expression:
+    place = Place(token.line or 1, token.column or 1)
+    function, _, power = str(token).partition("^")
+    applied = Apply("sqrt" if function == "√" else function, argument, place=place)
+    if not power:
+        return applied
+    return Binary("^", applied, Number(Fraction(power), place=place), place=place)
+
+
+def _call(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    return _apply(reading, spans[0].value, spans[2].value)
+
+
+def _bare(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    return _apply(reading, spans[0].value, spans[1].value)
+
+
+def _multiple(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    number, symbol = spans[0], spans[1].value
+    if len(spans) == 4:
+        symbol = Binary("^", symbol, spans[3].value, place=spans[1].place)
+    return Binary("*", number.value, symbol, place=number.place)
+
+
+def _polar(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    size, angle = spans[0], spans[2]
+    if isinstance(angle.value, Pair):
+        raise reading.error(
+            "expected an angle after 'at' (a place, at (x, y), stands after a comma)", angle.place
+        )
+    origin = wall = None
+    if len(spans) == 5:
+        if spans[3].value.type == "FROM":
+            origin = spans[4].value
+        else:
+            wall = spans[4].value
+    return Polar(size.value, angle.value, origin, wall, place=size.place)
+
+
+def _before(reading: Reading, node: Tree[Token], spans: list[Span]) -> str:
+    return "before"
+
+
+def _at_time(reading: Reading, node: Tree[Token], spans: list[Span]) -> AtTime:
+    return AtTime(spans[1].value)
+
+
+def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    kind = str(spans[0].value)
+    signature = SIGNATURES[kind]
+    place = spans[0].place
+    given = spans[2:-1:2]
+    last = given[-1].value
+    stage: Stage = None
+    if last == "before" or isinstance(last, AtTime):
+        stage = last
+        given = given[:-1]
+    elif (
+        signature.staged
+        and isinstance(last, Number)
+        and last.value.denominator == 1
+        and "%" not in reading.text(given[-1].first, given[-1].last)
+        and "." not in reading.text(given[-1].first, given[-1].last)
+    ):
+        if last.value > 10**6:
+            raise reading.error("there is no such event", given[-1].place)
+        stage = int(last.value)
+        given = given[:-1]
+    for span in given:
+        if span.value == "before" or isinstance(span.value, AtTime):
+            raise reading.error("a stage stands last, after what it is the stage of", span.place)
+    if not signature.fewest <= len(given) <= signature.most:
+        raise reading.error(f"'{kind}' is written {signature.usage}", place)
+    if signature.stage_needed and stage is None:
+        raise reading.error(f"'{kind}' is written {signature.usage}", place)
+    if stage == "before" and not (signature.before and given):
+        raise reading.error(f"'{kind}' takes no 'before': it is written {signature.usage}", place)
+    if isinstance(stage, AtTime) and not signature.at_time:
+        raise reading.error(f"'{kind}' takes no time: it is written {signature.usage}", place)
+    return Quantity(kind, tuple(span.value for span in given), stage, place=place)
+
+
+BUILDERS: Mapping[str, Builder] = {
+    "binary": _binary,
+    "quotient": _binary,
+    "implicit": _implicit,
+    "negate": _negate,
+    "positive": _second,
+    "group": _second,
+    "pair": _pair,
+    "call": _call,
+    "bare": _bare,
+    "multiple": _multiple,
+    "polar": _polar,
+    "before": _before,
+    "at_time": _at_time,
+    "quantity": _quantity,
+}
+
+
+# --- what was expected ------------------------------------------------------------------------
+
+_AFTER = {
+    "SPHERE": "the name of a sphere: a capital, then letters or digits,",
+    "WALL": "the name of a wall: a capital, then letters or digits,",
+    "POINT": "the name of a point: a capital, then letters or digits,",
+    "MASS": "a mass",
+    "VELOCITY": "a vector",
+    "ALONG": "a vector or an angle",
+    "AT": "an angle or a point",
+    "RADIUS": "a length",
+    "OFFSET": "a length",
+    "THROUGH": "a point",
+    "FROM": "a point or a vector",
+    "CIRCLE": "'centre'",
+    "CENTRE": "a point",
+    "HITS": "the name of a sphere or a wall",
+    "RECEIVES": "an impulse, as a vector,",
+    "REACHES": "a point or a wall",
+    "LET": "a letter",
+    "GIVEN": "a relation",
+    "UNKNOWN": "a letter",
+    "FIND": "what is to be found",
+    "SHOW": "a relation",
+    "IN_TERMS_OF": "a letter",
+    "EQUAL": "a value",
+    "ORDER": "a value",
+    "ALIGN": "a direction",
+    "AND": "the name of a sphere",
+}
+
+_NAMES_OF_TOKENS = {
+    "RPAR": "')'",
+    "COMMA": "','",
+    "COLON": "':'",
+    "EQUAL": "'='",
+    "LETTER": "a letter",
+    "NAME": "a declared name",
+    "CENTRE": "'centre'",
+    "OVER": "'over'",
+    "TO": "'to'",
+    "AGAIN": "'again'",
+    "AND": "'and'",
+    "HITS": "'hits'",
+    "LPAR": "'('",
+    "$END": "the end of the line",
+}
+
+
+def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
+    """The mistake in a line: what was expected, what stands there, what was probably meant."""
+    tokens = reading.scan.tokens
+    token = error.token
+    expected = set(error.accepts or error.expected)
+    ended = token.type == "$END"
+    index = len(tokens) if ended else next(k for k, each in enumerate(tokens) if each is token)
+    # A product that was left out is no thing to point at: what follows it is.
+    if token.type == "IMPLICIT":
+        token = tokens[index + 1]
+    previous = tokens[index - 1] if index else None
+    source = reading.scan.source
+    if ended:
+        end = (previous.end_pos or 0) if previous is not None else len(source.text)
+        place = source.place(end)
+    else:
+        place = Place(token.line or 1, token.column or 1)
+    typed = "" if ended else reading.text(token, token)
+    run = None if ended else _run_at(reading, token)
+    meant = _meant(reading, run or typed, token, previous, expected)
+    if meant:
+        start = source.place(_run_start(reading, token)) if run else place
+        return reading.error(meant, start)
+    said = f"expected {_wanted(expected, previous)}"
+    if previous is not None:
+        said += f" after '{reading.text(previous, previous) or previous}'"
+    if not ended:
+        said += f", not '{typed}'"
+    before = _run_at(reading, previous) if previous is not None else None
+    for each in (run, before):
+        if each:
+            said += f" ('{each}' was read as {' '.join(each)})"
+            break
+    return reading.error(said, place)
+
+
+def _run_at(reading: Reading, token: Token) -> str | None:
+    for start, run in reading.scan.runs:
+        if start <= (token.start_pos or 0) < start + len(run):
+            return run
+    return None
+
+
+def _run_start(reading: Reading, token: Token) -> int:
+    at = token.start_pos or 0
+    for start, run in reading.scan.runs:
+        if start <= at < start + len(run):
+            return start
+    return at
+
+
+def _meant(
+    reading: Reading, word: str, token: Token, previous: Token | None, expected: set[str]
+) -> str | None:
+    """What to say where a word was probably meant to be another."""
+    if not word or not word.replace("_", "").isalnum() or not word[0].isalpha():
+        return None
+    names = reading.scan.names
+    if token.type == "LETTER" and "NAME" in expected and word[0].isupper():
+        return unknown_name(word, names)
+    if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:
+        meant = near(word, PROPERTY_WORDS)
+        return f"unknown property '{word}'" + (f": did you mean '{meant}'?" if meant else "")
+    if previous is None and "FIND" in expected:
+        meant = near(word, LINE_WORDS) or guess(word)
+        if meant and meant != word:
+            return f"unknown word '{word}': did you mean '{meant}'?"
+        return None
+    if token.type in ("WORD", "LETTER") and "HITS" in expected:
+        meant = near(word, EVENT_WORDS)
+        return f"unknown word '{word}': did you mean '{meant}'?" if meant else None
+    if token.type == "WORD" or (len(word) > 2 and word not in WORDS and token.type == "LETTER"):
+        meant = near(word, sorted(WORDS - {word})) if len(word) > 2 else None
+        if meant:
+            return f"unknown word '{word}': did you mean '{meant}'?"
+    return None
+
+
+def _wanted(expected: set[str], previous: Token | None) -> str:
+    if previous is None and "FIND" in expected:
+        return (
+            "a line that begins with title, sphere, wall, point, let, given, unknown, find, "
+            "show, part or the name of a sphere"
+        )
+    if "NUMBER" in expected:
+        return _AFTER.get(previous.type, "a number, a letter or '('") if previous else "a value"
+    if (
+        previous is not None
+        and previous.type in _AFTER
+        and expected <= {"NAME", "LETTER", "CENTRE"}
+    ):
+        return _AFTER[previous.type]
+    if expected & {"MASS", "THROUGH", "OFFSET"}:
+        return "a property"
+    named = [text for kind, text in _NAMES_OF_TOKENS.items() if kind in expected]
+    if "ORDER" in expected and "$END" not in expected:
+        named.insert(0, "a relation (=, <, perpendicular to, …)")
+        named = [each for each in named if each != "'='"]
+    elif "PLUS" in expected:
+        named.insert(0, "an operator")
+    return (
+        " or ".join(([", ".join(named[:-1])] if named[1:] else []) + named[-1:]) or "something else"
+    )

@@ -1,0 +1,140 @@
+"""Expression trees back to text, with no more brackets than needed."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Polar,
+    Quantity,
+    Unit,
+)
+from restitution.expression.words import UNIT_OF_A_PROPERTY
+
+# How tightly a text binds: what it may stand in without brackets.
+_POLAR, _SUM, _PRODUCT, _POWER, _PRIMARY = range(5)
+
+_SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
+
+# What would be taken for a unit after a number (``2m/s``) is written as a product.
+_UNIT = re.compile(rf"(?<=\d)\s*(?={UNIT_OF_A_PROPERTY})")
+
+
+def write_expression(tree: Expression) -> str:
+    """The text of an expression, which reads back as an equal tree.
+
+    >>> from restitution.expression.tree import Binary, Letter, Number
+    >>> write_expression(Binary("*", Binary("/", Number(1), Number(2)), Letter("u")))
+    '1/2 u'
+    """
+    return _UNIT.sub("*", _write(tree)[0])
+
+
+def write_sum(tree: Expression) -> str:
+    """The text of an expression where ``at`` cannot stand without brackets."""
+    return _UNIT.sub("*", _at_least(tree, _SUM))
+
+
+def _at_least(tree: Expression, level: int) -> str:
+    text, own = _write(tree)
+    return text if own >= level else f"({text})"
+
+
+def _write(tree: Expression) -> tuple[str, int]:
+    match tree:
+        case Number(value):
+            return _number(value)
+        case Degrees(value):
+            return f"{_decimal(value) or value}°", _PRIMARY
+        case Pi():
+            return "pi", _PRIMARY
+        case Letter(name):
+            head, line, subscript = name.partition("_")
+            return _SIGNS.get(head, head) + line + subscript, _PRIMARY
+        case Unit(axis):
+            return axis, _PRIMARY
+        case Name(name):
+            return name, _PRIMARY
+        case Pair(x, y):
+            return f"({_write(x)[0]}, {_write(y)[0]})", _PRIMARY
+        case Polar():
+            return _polar(tree), _POLAR
+        case Negate(operand):
+            return f"-{_at_least(operand, _PRODUCT)}", _SUM
+        case Binary("+" | "-", left, right):
+            return f"{_at_least(left, _SUM)} {tree.op} {_at_least(right, _PRODUCT)}", _SUM
+        case Binary("*", left, right):
+            return _product(left, right), _PRODUCT
+        case Binary("/", left, right):
+            return f"{_at_least(left, _PRODUCT)}/{_at_least(right, _POWER)}", _PRODUCT
+        case Binary(_, Apply(function, argument), Number(value)) if (
+            function not in ("sqrt", "abs") and value.denominator == 1
+        ):
+            return f"{function}^{value}({_write(argument)[0]})", _POWER
+        case Binary(_, left, right):
+            return f"{_at_least(left, _PRIMARY)}^{_at_least(right, _POWER)}", _POWER
+        case Apply(function, argument):
+            return f"{function}({_write(argument)[0]})", _PRIMARY
+        case Quantity():
+            return _quantity(tree), _PRIMARY
+
+
+def _number(value: Fraction | int) -> tuple[str, int]:
+    text = _decimal(Fraction(value))
+    return (text, _PRIMARY) if text else (str(value), _PRODUCT)
+
+
+def _decimal(value: Fraction | int) -> str | None:
+    """An exact decimal, or None where there is none."""
+    value = Fraction(value)
+    rest, places = value.denominator, 0
+    for prime in (2, 5):
+        count = 0
+        while rest % prime == 0:
+            rest //= prime
+            count += 1
+        places = max(places, count)
+    if rest != 1:
+        return None
+    whole = value.numerator * 10**places // value.denominator
+    digits = str(abs(whole)).rjust(places + 1, "0")
+    sign = "-" if whole < 0 else ""
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+
+
+def _product(left: Expression, right: Expression) -> str:
+    before, after = _at_least(left, _PRODUCT), _at_least(right, _POWER)
+    if after[0].isdigit():
+        return f"{before}*{after}"
+    close = isinstance(left, Number) and before[-1].isdigit()
+    return before + ("" if close else " ") + after
+
+
+def _polar(tree: Polar) -> str:
+    text = f"{_at_least(tree.size, _SUM)} at {_at_least(tree.angle, _SUM)}"
+    if tree.origin is not None:
+        return f"{text} from {_at_least(tree.origin, _SUM)}"
+    if tree.wall is not None:
+        return f"{text} to {_at_least(tree.wall, _PRIMARY)}"
+    return text
+
+
+def _quantity(tree: Quantity) -> str:
+    arguments = [_write(each)[0] for each in tree.arguments]
+    if isinstance(tree.stage, AtTime):
+        arguments.append(f"at {_at_least(tree.stage.time, _SUM)}")
+    elif tree.stage is not None:
+        arguments.append(str(tree.stage))
+    return f"{tree.kind}({', '.join(arguments)})" if arguments else tree.kind

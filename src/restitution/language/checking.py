@@ -1,0 +1,363 @@
+"""What a problem must be to make sense: the bodies exist, and names stand only where they may."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+from typing import Any
+
+from restitution.errors import StatementError
+from restitution.expression.lexer import unknown_name
+from restitution.expression.quantities import SIGNATURES
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Place,
+    Polar,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Meets,
+    Point,
+    Problem,
+    Range,
+    Relation,
+    Show,
+    Sphere,
+    Step,
+    Unknown,
+    Value,
+    Wall,
+)
+
+_POINT = frozenset(("point",))
+_WALL = frozenset(("wall",))
+_NOTHING: frozenset[str] = frozenset()
+
+# What the name may be that stands as an argument of a quantity.
+_ARGUMENTS: Mapping[str, AbstractSet[str]] = {
+    "direction": frozenset(("sphere", "wall")),
+    "along": _WALL,
+    "across": _WALL,
+    "angle": _WALL,
+    "dot": _NOTHING,
+    "distance": frozenset(("sphere", "point")),
+}
+_SPHERE = frozenset(("sphere",))
+
+# Quantities of one event: they need at least event 1.
+_OF_AN_EVENT = frozenset(("deflection", "impulse", "energy_lost", "line_of_centres", "time"))
+
+
+@dataclass(frozen=True)
+class _Bodies:
+    """The declared names with what each is, and how many events are told in all."""
+
+    kinds: Mapping[str, str]
+    events: int
+
+
+def check(problem: Problem) -> None:
+    """Look for the mistakes in a problem that its grammar cannot show.
+
+    Raises StatementError for the first, with its place where the problem was read from a text;
+    the rest are its ``others``.
+    """
+    mistakes = list(_mistakes(problem))
+    if mistakes:
+        mistakes[0].others = tuple(mistakes[1:20])
+        raise mistakes[0]
+
+
+def _error(message: str, place: Place | None) -> StatementError:
+    return StatementError(message, *((place.line, place.column) if place else (None, None)))
+
+
+def _mistakes(problem: Problem) -> Iterator[StatementError]:
+    kinds: dict[str, str] = {}
+    for body in (*problem.spheres, *problem.walls, *problem.points):
+        if body.name in kinds:
+            yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
+        kinds.setdefault(body.name, _kind(body))
+    told = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
+    bodies = _Bodies(kinds, told)
+    for sphere in problem.spheres:
+        for value, what in ((sphere.mass, "mass"), (sphere.radius, "radius")):
+            yield from _scalar(bodies, value, what)
+        yield from _vector(bodies, sphere.velocity, "velocity")
+        yield from _in(bodies, sphere.position, _POINT)
+    for wall in problem.walls:
+        yield from _wall(bodies, wall)
+    for point in problem.points:
+        yield from _in(bodies, point.position, _POINT)
+    lets: list[dict[str, Let]] = [{}]
+    for part in problem.parts:
+        if part.label is not None:
+            lets = [lets[0], {}]
+        for step in part.steps:
+            yield from _step(bodies, step)
+            if isinstance(step, Let):
+                yield from _let(lets, step)
+
+
+def _kind(body: Sphere | Wall | Point) -> str:
+    return {Sphere: "sphere", Wall: "wall", Point: "point"}[type(body)]
+
+
+def _let(lets: list[dict[str, Let]], step: Let) -> Iterator[StatementError]:
+    for known in lets:
+        if step.letter in known:
+            yield _error(f"'{step.letter}' names something already", step.place)
+    lets[-1][step.letter] = step
+
+
+def _wall(bodies: _Bodies, wall: Wall) -> Iterator[StatementError]:
+    straight = wall.along is not None or wall.through is not None
+    segment = wall.start is not None or wall.end is not None
+    circle = wall.centre is not None or wall.radius is not None
+    if straight + segment + circle > 1:
+        yield _error(
+            f"the wall {wall.name} is either along a direction, or from a point to a point, or a "
+            "circle",
+            wall.place,
+        )
+    if (wall.centre is None) != (wall.radius is None):
+        yield _error(f"a circle has a centre and a radius: wall {wall.name}", wall.place)
+    if (wall.start is None) != (wall.end is None):
+        yield _error(f"a segment goes from a point to a point: wall {wall.name}", wall.place)
+    yield from _vector(bodies, wall.along, "along", angle=True)
+    yield from _scalar(bodies, wall.radius, "radius")
+    for point in (wall.through, wall.start, wall.end, wall.centre):
+        yield from _in(bodies, point, _POINT)
+
+
+def _step(bodies: _Bodies, step: Step) -> Iterator[StatementError]:
+    match step:
+        case Impact():
+            yield from _impact(bodies, step)
+        case Kick(body, impulse):
+            yield from _body(bodies, body, _SPHERE, step.place)
+            yield from _vector(bodies, impulse, "receives")
+        case Arrival(body, target):
+            yield from _body(bodies, body, _SPHERE, step.place)
+            if isinstance(target, Number):
+                yield _error("expected a point or a wall after 'reaches'", target.place)
+            yield from _in(bodies, target, _POINT | _WALL)
+        case Let(_, expression):
+            yield from _in(bodies, expression, _POINT)
+        case Given(relations):
+            for relation in relations:
+                yield from _relation(bodies, relation)
+        case Find(items):
+            for item in items:
+                yield from _item(bodies, item)
+        case Show(relation, subject):
+            if subject is not None:
+                yield from _item(bodies, subject)
+            yield from _relation(bodies, relation)
+        case Unknown():
+            pass
+
+
+def _impact(bodies: _Bodies, step: Impact) -> Iterator[StatementError]:
+    yield from _body(bodies, step.first, _SPHERE, step.place)
+    yield from _body(bodies, step.second, _SPHERE | _WALL, step.place)
+    if step.first == step.second:
+        yield _error(f"{step.first} cannot hit itself", step.place)
+    elif bodies.kinds.get(step.second) == "wall":
+        for value, word in ((step.along, "along"), (step.offset, "offset")):
+            if value is not None:
+                yield _error(
+                    f"an impact with a wall takes no '{word}': its line is the normal of the wall",
+                    _place_of(value) or step.place,
+                )
+    elif step.along is not None and step.offset is not None:
+        yield _error("an impact takes 'along' or 'offset', not both", step.place)
+    yield from _scalar(bodies, step.e, "e")
+    yield from _vector(bodies, step.along, "along", angle=True)
+    yield from _scalar(bodies, step.offset, "offset")
+
+
+def _relation(bodies: _Bodies, relation: Relation) -> Iterator[StatementError]:
+    match relation:
+        case Compare(operands):
+            for each in operands:
+                yield from _in(bodies, each, _POINT)
+        case Aligned(left, _, right):
+            yield from _in(bodies, left, _WALL)
+            yield from _in(bodies, right, _WALL)
+        case AtRest(body):
+            yield from _body(bodies, body.name, _SPHERE, body.place)
+        case Meets(first, second):
+            yield from _body(bodies, first.name, _SPHERE, first.place)
+            yield from _body(bodies, second.name, _SPHERE | _WALL, second.place)
+            if first.name == second.name:
+                yield _error(f"{first.name} cannot hit itself", first.place)
+
+
+def _item(bodies: _Bodies, item: Any) -> Iterator[StatementError]:
+    match item:
+        case Extremum(_, expression, over):
+            yield from _in(bodies, expression, _NOTHING)
+            yield from _in(bodies, over, _NOTHING)
+        case Range(expression):
+            yield from _in(bodies, expression, _NOTHING)
+        case Value(expression):
+            yield from _in(bodies, expression, _POINT)
+
+
+def _body(
+    bodies: _Bodies, name: str, may_be: AbstractSet[str], place: Place | None
+) -> Iterator[StatementError]:
+    kind = bodies.kinds.get(name)
+    if kind is None:
+        yield _error(unknown_name(name, bodies.kinds), place)
+    elif kind not in may_be:
+        wanted = " or a ".join(sorted(may_be))
+        yield _error(f"'{name}' is the name of a {kind}: expected a {wanted} here", place)
+
+
+def _place_of(value: Any) -> Place | None:
+    return getattr(value, "place", None)
+
+
+def _scalar(bodies: _Bodies, value: Any, what: str) -> Iterator[StatementError]:
+    if _is_vector(value):
+        yield _error(f"expected a number after '{what}', not a vector", _place_of(value))
+    yield from _in(bodies, value, _NOTHING)
+
+
+def _vector(
+    bodies: _Bodies, value: Any, what: str, *, angle: bool = False
+) -> Iterator[StatementError]:
+    if isinstance(value, Name):
+        wanted = "a vector or an angle" if angle else "a vector"
+        kind = bodies.kinds.get(value.name)
+        remedy = f": write direction({value.name})" if kind == "wall" else ""
+        yield _error(
+            f"expected {wanted} after '{what}', not the name {value.name}{remedy}", value.place
+        )
+        return
+    if not angle and isinstance(value, Expression) and _is_number(value):
+        yield _error(f"expected a vector after '{what}', such as 3i - 4j", _place_of(value))
+    yield from _in(bodies, value, _NOTHING)
+
+
+def _is_vector(tree: Any) -> bool:
+    """Whether an expression is surely a vector, from the way it is written."""
+    match tree:
+        case Pair() | Polar():
+            return True
+        case Negate(operand):
+            return _is_vector(operand)
+        case Binary("+" | "-", left, right):
+            return _is_vector(left) or _is_vector(right)
+    return False
+
+
+def _is_number(tree: Expression) -> bool:
+    """Whether an expression holds numbers and letters alone, but is not zero."""
+    if isinstance(tree, Number) and tree.value == 0:
+        return False
+    for each in walk(tree):
+        if isinstance(each, Quantity | Pair | Polar | Name) or type(each).__name__ == "Unit":
+            return False
+        if isinstance(each, Letter):
+            return False  # it may name a vector
+    return True
+
+
+def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[StatementError]:
+    """Mistakes in an expression that may itself be the name of a body of the given kinds."""
+    if not isinstance(tree, Expression):
+        return
+    pending: list[tuple[Expression, AbstractSet[str], Expression | None]] = [(tree, may_be, None)]
+    while pending:
+        node, allowed, parent = pending.pop()
+        if isinstance(node, Name):
+            yield from _name(bodies, node, allowed, parent)
+        elif isinstance(node, Quantity):
+            yield from _quantity(bodies, node)
+        pending.extend((child, _allowed(node, child), node) for child in reversed(children(node)))
+
+
+def _allowed(parent: Expression, child: Expression) -> AbstractSet[str]:
+    """What a name may be that stands directly inside ``parent``."""
+    match parent:
+        case Quantity(kind, arguments):
+            return _ARGUMENTS.get(kind, _SPHERE) if child in arguments else _NOTHING
+        case Polar():
+            return _WALL if child is parent.wall else _NOTHING
+        case Binary() | Negate():
+            return _POINT
+        case _:
+            return _POINT if type(parent).__name__ == "Apply" else _NOTHING
+
+
+def _name(
+    bodies: _Bodies, node: Name, allowed: AbstractSet[str], parent: Expression | None
+) -> Iterator[StatementError]:
+    kind = bodies.kinds.get(node.name)
+    if kind is None:
+        yield _error(unknown_name(node.name, bodies.kinds), node.place)
+    elif kind not in allowed:
+        if isinstance(parent, Polar) and parent.origin is node and kind == "wall":
+            said = f"to measure an angle to a wall, write 'to {node.name}'"
+        elif isinstance(parent, Quantity) and parent.kind in _ARGUMENTS and kind == "sphere":
+            said = (
+                f"'{parent.kind}' takes no sphere itself: perhaps velocity({node.name}); "
+                f"it is written {SIGNATURES[parent.kind].usage}"
+            )
+        elif isinstance(parent, Quantity):
+            wanted = " or a ".join(sorted(allowed)) or "vector"
+            said = f"'{node.name}' is the name of a {kind}: '{parent.kind}' takes a {wanted}"
+        elif parent is None and kind == "sphere":
+            said = (
+                f"'{node.name}' is the name of a sphere: write which quantity, "
+                f"such as velocity({node.name})"
+            )
+        else:
+            said = (
+                f"'{node.name}' is the name of a {kind} and cannot stand for a letter or a vector"
+            )
+        yield _error(said, node.place)
+
+
+def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
+    """The arguments that must be bodies, and the event that must have been told."""
+    takes_a_body = node.kind not in _ARGUMENTS or node.kind == "direction"
+    for argument in node.arguments if takes_a_body else ():
+        if isinstance(argument, Letter) and argument.name[0].isupper():
+            name = argument.name.replace("_", "")
+            yield _error(unknown_name(name, bodies.kinds), argument.place)
+        elif not isinstance(argument, Name):
+            yield _error(
+                f"expected the name of a sphere: {SIGNATURES[node.kind].usage}"
+                if node.kind in SIGNATURES
+                else "expected the name of a sphere",
+                _place_of(argument) or node.place,
+            )
+    if isinstance(node.stage, int):
+        if node.stage > bodies.events:
+            told = f"{bodies.events} {'event is' if bodies.events == 1 else 'events are'} told"
+            yield _error(f"there is no event {node.stage}: {told}", node.place)
+        elif node.stage == 0 and node.kind in _OF_AN_EVENT:
+            yield _error(f"events are numbered from 1: there is no {node.kind} at 0", node.place)

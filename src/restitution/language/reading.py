@@ -1,0 +1,522 @@
+"""The text of a statement to a Problem."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cache
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from lark import Lark, Token, Tree
+
+from restitution.errors import StatementError
+from restitution.expression.lexer import scan
+from restitution.expression.limits import (
+    MAX_BODIES,
+    MAX_ERRORS,
+    MAX_EVENTS,
+    MAX_TEXT_BYTES,
+)
+from restitution.expression.reading import (
+    BUILDERS,
+    Builder,
+    Reading,
+    Span,
+    make_parser,
+    parse_tokens,
+)
+from restitution.expression.tree import Expression, Number, Pair, Place
+from restitution.language.checking import check
+from restitution.language.grammar import STATEMENT
+from restitution.language.lines import Line, declared_names, decode, logical_lines
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Meets,
+    Part,
+    Point,
+    Problem,
+    Range,
+    Relation,
+    Show,
+    Sphere,
+    Step,
+    Unknown,
+    Value,
+    Wall,
+)
+
+_LABEL = re.compile(r"\(?([^\W_](?:[\w.'-]*\w)?)\)?:?")
+
+
+def read(path: str | PathLike[str]) -> Problem:
+    """The problem that a file states.
+
+    Raises StatementError, with line and column, for a mistake in the text, and OSError where
+    the file cannot be read.
+    """
+    with Path(path).open("rb") as file:
+        return parse(file.read(MAX_TEXT_BYTES + 1))
+
+
+def parse(text: str | bytes) -> Problem:
+    """The problem that a text states; bytes are UTF-8.
+
+    Raises StatementError for the first mistake, with its line and column; further ones are
+    its ``others``.
+
+    >>> parse("sphere P: velocity 3i").spheres[0].name
+    'P'
+    """
+    lines = list(logical_lines(decode(text)))
+    names = declared_names(lines)
+    story = _Story(names)
+    mistakes: list[StatementError] = []
+    for line in lines:
+        try:
+            _tell(story, line)
+        except StatementError as mistake:
+            mistakes.append(mistake)
+            if len(mistakes) >= MAX_ERRORS:
+                break
+    if not mistakes:
+        problem = story.problem()
+        try:
+            check(problem)
+        except StatementError as mistake:
+            mistakes.append(mistake)
+        else:
+            return problem
+    first = mistakes[0]
+    first.others = (*mistakes[1:], *first.others)
+    raise first
+
+
+@cache
+def statement_parser() -> Lark:
+    """The parser of lines; its table is built at first use."""
+    return make_parser(STATEMENT, "line")
+
+
+@dataclass(frozen=True)
+class _Said:
+    """What a line says of bodies: of which, and which properties."""
+
+    kind: str
+    names: tuple[Token, ...]
+    properties: tuple[tuple[str, Any, Place], ...]
+
+
+@dataclass
+class _Story:
+    """The statement as far as it is read. It lives only while ``parse`` runs."""
+
+    names: Mapping[str, str]
+    title: str | None = None
+    bodies: dict[str, Sphere | Wall | Point] = field(default_factory=dict)
+    said: dict[tuple[str, str], int] = field(default_factory=dict)
+    parts: list[tuple[str | None, Place | None, list[Step]]] = field(
+        default_factory=lambda: [(None, None, [])]
+    )
+    events: int = 0
+    warnings: list[str] = field(default_factory=list)
+
+    def problem(self) -> Problem:
+        """All that was said, as a value."""
+        bodies = self.bodies.values()
+        return Problem(
+            title=self.title,
+            spheres=tuple(body for body in bodies if isinstance(body, Sphere)),
+            walls=tuple(body for body in bodies if isinstance(body, Wall)),
+            points=tuple(body for body in bodies if isinstance(body, Point)),
+            parts=tuple(
+                Part(label, tuple(steps), place=place) for label, place, steps in self.parts
+            ),
+            warnings=tuple(self.warnings),
+        )
+
+
+def _tell(story: _Story, line: Line) -> None:
+    """Add one line to the story."""
+    place = line.source.place(line.start)
+    if line.word == "title":
+        _tell_title(story, line, place)
+        return
+    if line.word == "part":
+        _tell_part(story, line, place)
+        return
+    reading = Reading(scan(line.source, story.names))
+    said = parse_tokens(statement_parser(), reading, _BUILDERS).value
+    story.warnings.extend(reading.warnings)
+    if isinstance(said, _Said):
+        for name in said.names:
+            _declare(story, said, name)
+        if len(story.bodies) > MAX_BODIES:
+            raise StatementError(
+                f"a statement has at most {MAX_BODIES} spheres, walls and points",
+                place.line,
+                place.column,
+            )
+        return
+    if isinstance(said, Impact | Kick | Arrival):
+        story.events += 1
+        if story.events > MAX_EVENTS:
+            raise StatementError(
+                f"a statement tells at most {MAX_EVENTS} events", place.line, place.column
+            )
+    story.parts[-1][2].append(said)
+
+
+def _tell_title(story: _Story, line: Line, place: Place) -> None:
+    title = line.rest.strip()
+    if story.title is not None:
+        raise StatementError("the statement has a title already", place.line, place.column)
+    if not title:
+        raise StatementError("expected a text after 'title'", place.line, place.column)
+    for offset, character in enumerate(line.source.text):
+        if not character.isprintable() and not character.isspace():
+            raise line.source.error(f"unexpected character U+{ord(character):04X}", offset)
+    story.title = " ".join(title.split())
+
+
+def _tell_part(story: _Story, line: Line, place: Place) -> None:
+    text = line.rest.strip()
+    match = _LABEL.fullmatch(text)
+    if not match:
+        raise StatementError(
+            "expected one word as a label after 'part'" + (f", not '{text[:40]}'" if text else ""),
+            place.line,
+            place.column,
+        )
+    label = match.group(1)
+    if any(label == known for known, _, _ in story.parts):
+        raise StatementError(f"there is a part '{label}' already", place.line, place.column)
+    story.parts.append((label, place, []))
+
+
+# --- bodies -----------------------------------------------------------------------------------
+
+_SPHERE_FIELDS = {
+    "MASS": "mass",
+    "VELOCITY": "velocity",
+    "AT_REST": "velocity",
+    "AT": "position",
+    "RADIUS": "radius",
+}
+_WALL_FIELDS = {"ALONG": "along", "THROUGH": "through", "RADIUS": "radius"}
+
+
+def _declare(story: _Story, said: _Said, token: Token) -> None:
+    """Add what a line says of one body to what is known of it."""
+    name, place = str(token), _place(token)
+    known = story.names.get(name)
+    if known != said.kind:
+        raise _error(f"'{name}' is the name of a {known} already", place)
+    body = story.bodies.get(name)
+    if body is None:
+        match said.kind:
+            case "sphere":
+                body = Sphere(name, place=place)
+            case "wall":
+                body = Wall(name, place=place)
+            case _:
+                body = Point(name, None, place=place)
+    changes: dict[str, Any] = {}
+    for key, value, where in said.properties:
+        line = story.said.get((name, key))
+        if line is not None:
+            raise _error(f"the {_PROPERTY[key]} of {name} was given already, in line {line}", where)
+        story.said[name, key] = where.line
+        changes[key] = value
+    story.bodies[name] = replace(body, **changes)
+
+
+_PROPERTY = {
+    "mass": "mass",
+    "velocity": "velocity",
+    "position": "place",
+    "radius": "radius",
+    "along": "direction",
+    "through": "place",
+    "start": "place",
+    "end": "end",
+    "centre": "centre",
+}
+
+
+def _place(token: Token) -> Place:
+    return Place(token.line or 1, token.column or 1)
+
+
+def _error(message: str, place: Place | None) -> StatementError:
+    return StatementError(message, *((place.line, place.column) if place else (None, None)))
+
+
+def _names(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[Token, ...]:
+    return tuple(span.first for span in spans[::2])
+
+
+def _spheres(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+    properties = spans[3].value if len(spans) > 3 else ()
+    return _Said("sphere", spans[1].value, _once_each(properties))
+
+
+def _walls(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+    properties = spans[3].value if len(spans) > 3 else ()
+    return _Said("wall", spans[1].value, _once_each(properties))
+
+
+def _point(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+    place = spans[3].place
+    return _Said("point", (spans[1].first,), (("position", spans[3].value, place),))
+
+
+_Property = tuple[str, Any, Place]
+
+
+def _once_each(properties: tuple[_Property, ...]) -> tuple[_Property, ...]:
+    seen: set[str] = set()
+    for key, _, place in properties:
+        if key in seen:
+            raise _error(f"the {_PROPERTY[key]} is given twice", place)
+        seen.add(key)
+    return properties
+
+
+def _sphere_properties(
+    reading: Reading, node: Tree[Token], spans: list[Span]
+) -> tuple[_Property, ...]:
+    return tuple(span.value for span in spans[::2])
+
+
+def _sphere_property(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Property:
+    key = _SPHERE_FIELDS[spans[0].first.type]
+    value = spans[1].value if len(spans) > 1 else Pair(Number(Fraction(0)), Number(Fraction(0)))
+    return key, value, spans[0].place
+
+
+def _wall_properties(
+    reading: Reading, node: Tree[Token], spans: list[Span]
+) -> tuple[_Property, ...]:
+    first = spans[0].value
+    if len(spans) == 1:
+        return tuple(first)
+    if spans[1].first.type == "COMMA":
+        return (*first, *spans[2].value)
+    return (*first, (_WALL_FIELDS[spans[1].first.type], spans[2].value, spans[1].place))
+
+
+def _wall_property(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[_Property, ...]:
+    place = spans[0].place
+    match spans[0].first.type:
+        case "FROM":
+            return ("start", spans[1].value, place), ("end", spans[3].value, place)
+        case "CIRCLE":
+            return (("centre", spans[2].value, place),)
+        case kind:
+            return ((_WALL_FIELDS[kind], spans[1].value, place),)
+
+
+# --- events -----------------------------------------------------------------------------------
+
+
+def _impact_property(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Property:
+    first = spans[0]
+    if first.first.type != "LETTER":
+        return str(first.first), spans[1].value, first.place
+    if str(first.first) != "e":
+        typed = reading.text(first.first, first.first)
+        raise reading.error(
+            f"unknown property '{typed}': the coefficient of restitution is given as e = {typed}",
+            first.place,
+        )
+    return "e", spans[2].value, first.place
+
+
+def _impact(reading: Reading, node: Tree[Token], spans: list[Span]) -> Impact:
+    first, second = str(spans[0].first), str(spans[2].first)
+    properties: dict[str, Expression] = {}
+    for key, value, place in spans[4].value if len(spans) > 4 else ():
+        if key in properties:
+            raise reading.error(f"'{key}' is given twice", place)
+        properties[key] = value
+    return Impact(first, second, **properties, place=spans[0].place)
+
+
+def _kick(reading: Reading, node: Tree[Token], spans: list[Span]) -> Kick:
+    return Kick(str(spans[0].first), spans[2].value, place=spans[0].place)
+
+
+def _arrival(reading: Reading, node: Tree[Token], spans: list[Span]) -> Arrival:
+    return Arrival(str(spans[0].first), spans[2].value, place=spans[0].place)
+
+
+# --- facts ------------------------------------------------------------------------------------
+
+
+def _let(reading: Reading, node: Tree[Token], spans: list[Span]) -> Let:
+    return Let(spans[1].value.name, spans[3].value, place=spans[0].place)
+
+
+def _given(reading: Reading, node: Tree[Token], spans: list[Span]) -> Given:
+    return Given(tuple(span.value for span in spans[1::2]), place=spans[0].place)
+
+
+def _unknown(reading: Reading, node: Tree[Token], spans: list[Span]) -> Unknown:
+    return Unknown(_each_once(reading, spans[1::2]), place=spans[0].place)
+
+
+def _each_once(reading: Reading, spans: list[Span]) -> tuple[str, ...]:
+    found: list[str] = []
+    for span in spans:
+        if span.value.name in found:
+            raise reading.error(f"'{span.value.name}' is listed twice", span.place)
+        found.append(span.value.name)
+    return tuple(found)
+
+
+def _terms(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[str, ...]:
+    return _each_once(reading, spans[1::2])
+
+
+def _compare(reading: Reading, node: Tree[Token], spans: list[Span]) -> Compare:
+    operators: Any = tuple(str(span.first) for span in spans[1::2])
+    return Compare(tuple(span.value for span in spans[::2]), operators)
+
+
+def _aligned(reading: Reading, node: Tree[Token], spans: list[Span]) -> Aligned:
+    relation: Any = str(spans[1].first)
+    return Aligned(spans[0].value, relation, spans[2].value)
+
+
+def _at_rest(reading: Reading, node: Tree[Token], spans: list[Span]) -> AtRest:
+    return AtRest(spans[0].value)
+
+
+def _collide_again(reading: Reading, node: Tree[Token], spans: list[Span]) -> Meets:
+    happens = str(spans[3].first) == "collide again"
+    return Meets(spans[0].value, spans[2].value, again=True, happens=happens)
+
+
+def _hits_again(reading: Reading, node: Tree[Token], spans: list[Span]) -> Meets:
+    happens = spans[1].first.type == "HITS"
+    return Meets(spans[0].value, spans[2].value, again=True, happens=happens)
+
+
+def _will_hit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Meets:
+    happens = str(spans[1].first) == "will hit"
+    return Meets(spans[0].value, spans[2].value, again=False, happens=happens)
+
+
+# --- questions --------------------------------------------------------------------------------
+
+
+def _percentage(spans: list[Span]) -> bool:
+    return spans[-1].first.type == "PERCENTAGE"
+
+
+def _value(reading: Reading, node: Tree[Token], spans: list[Span]) -> Value:
+    text = reading.text(spans[0].first, spans[-1].last)
+    return Value(spans[0].value, _percentage(spans), text, place=spans[0].place)
+
+
+def _range(reading: Reading, node: Tree[Token], spans: list[Span]) -> Range:
+    text = reading.text(spans[0].first, spans[-1].last)
+    return Range(spans[1].value, _percentage(spans), text, place=spans[0].place)
+
+
+def _extremum(reading: Reading, node: Tree[Token], spans: list[Span]) -> Extremum:
+    kind: Any = str(spans[0].first).split()[0]
+    text = reading.text(spans[0].first, spans[-1].last)
+    return Extremum(
+        kind, spans[1].value, spans[3].value, _percentage(spans), text, place=spans[0].place
+    )
+
+
+def _find(reading: Reading, node: Tree[Token], spans: list[Span]) -> Find:
+    terms = spans[-1].value if isinstance(spans[-1].value, tuple) else None
+    items = spans[1:-1:2] if terms is not None else spans[1::2]
+    return Find(tuple(span.value for span in items), terms, place=spans[0].place)
+
+
+def _show_with(reading: Reading, spans: list[Span], relation: Relation, subject: Any) -> Show:
+    terms = None
+    last = spans[-1]
+    if isinstance(last.value, tuple):
+        terms = last.value
+        last = spans[-2]
+    text = reading.text(spans[1].first, last.last)
+    for span in spans:
+        if span.first.type == "FIGURES":
+            figures = int(str(span.first).split()[1].rstrip("sf."))
+            if not isinstance(relation, Compare) or relation.operators[-1] != "=":
+                raise reading.error("'s.f.' stands after a value, as in '= 0.236u'", span.place)
+            if figures < 1:
+                raise reading.error("expected at least 1 significant figure", span.place)
+            relation = replace(relation, figures=figures)
+    return Show(relation, subject, terms, text, place=spans[0].place)
+
+
+def _show(reading: Reading, node: Tree[Token], spans: list[Span]) -> Show:
+    return _show_with(reading, spans, spans[1].value, None)
+
+
+def _show_range(reading: Reading, node: Tree[Token], spans: list[Span]) -> Show:
+    text = reading.text(spans[1].first, spans[2].last)
+    subject = Range(spans[2].value, False, text, place=spans[1].place)
+    return _show_with(reading, spans, spans[4].value, subject)
+
+
+def _show_extremum(reading: Reading, node: Tree[Token], spans: list[Span]) -> Show:
+    kind: Any = str(spans[1].first).split()[0]
+    text = reading.text(spans[1].first, spans[4].last)
+    subject = Extremum(kind, spans[2].value, spans[4].value, False, text, place=spans[1].place)
+    relation = Compare((spans[2].value, spans[6].value), ("=",))
+    return _show_with(reading, spans, relation, subject)
+
+
+_BUILDERS: Mapping[str, Builder] = {
+    **BUILDERS,
+    "names": _names,
+    "spheres": _spheres,
+    "walls": _walls,
+    "point": _point,
+    "sphere_properties": _sphere_properties,
+    "sphere_property": _sphere_property,
+    "wall_properties": _wall_properties,
+    "wall_property": _wall_property,
+    "impact_properties": _sphere_properties,
+    "impact_property": _impact_property,
+    "impact": _impact,
+    "kick": _kick,
+    "arrival": _arrival,
+    "let": _let,
+    "given": _given,
+    "unknown": _unknown,
+    "terms": _terms,
+    "compare": _compare,
+    "aligned": _aligned,
+    "at_rest": _at_rest,
+    "collide_again": _collide_again,
+    "hits_again": _hits_again,
+    "will_hit": _will_hit,
+    "value": _value,
+    "range": _range,
+    "extremum": _extremum,
+    "find": _find,
+    "show": _show,
+    "show_range": _show_range,
+    "show_extremum": _show_extremum,
+}

@@ -1,0 +1,258 @@
+"""Mathematics on one line of Unicode text: ``½mu²(1 − e²) sin²α``, ``√103 u/16``, ``3𝐢 − 4𝐣``.
+
+Written so that it can be read in one way only: whatever a fraction bar or a root would join in
+print is put in brackets here.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+
+from restitution.render.layout import (
+    Bold,
+    Brackets,
+    Coordinates,
+    Degrees,
+    Fraction,
+    Function,
+    Layout,
+    Letter,
+    Number,
+    Percent,
+    Phrase,
+    Power,
+    Product,
+    Relation,
+    Root,
+    Sum,
+    Words,
+)
+
+GREEK = {
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "iota": "ι",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "pi": "π",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "upsilon": "υ",
+    "phi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+}
+VULGAR = {
+    ("1", "2"): "½",
+    ("1", "3"): "⅓",
+    ("2", "3"): "⅔",
+    ("1", "4"): "¼",
+    ("3", "4"): "¾",
+    ("1", "5"): "⅕",
+    ("2", "5"): "⅖",
+    ("3", "5"): "⅗",
+    ("4", "5"): "⅘",
+    ("1", "6"): "⅙",
+    ("5", "6"): "⅚",
+    ("1", "8"): "⅛",
+    ("3", "8"): "⅜",
+    ("5", "8"): "⅝",
+    ("7", "8"): "⅞",
+}
+MINUS = "\u2212"
+_UP = dict(zip("0123456789+-n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ", strict=True))
+_UP[MINUS] = "⁻"
+_DOWN = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+_ROOTS = {2: "√", 3: "∛", 4: "∜"}
+
+
+def to_text(layout: Layout) -> str:
+    """The layout on one line of Unicode text."""
+    match layout:
+        case Number(digits):
+            return digits
+        case Letter(name, subscript):
+            return GREEK.get(name, name) + _subscript(subscript)
+        case Bold(name, subscript):
+            return bold(name) + _subscript(subscript)
+        case Words(text):
+            return text
+        case Sum(terms):
+            return _sum(terms)
+        case Product():
+            return _product(layout)
+        case Fraction(Number(a), Number(b)) if (a, b) in VULGAR:
+            return VULGAR[a, b]
+        case Fraction():
+            return _slash(layout)
+        case Root(inside, index):
+            return _root(inside, index)
+        case Power(base, exponent):
+            return to_text(base) + _superscript(exponent)
+        case Function():
+            return _function(layout)
+        case Brackets(Fraction() as inside, "()"):
+            return f"({_slash(inside)})"
+        case Brackets(inside, kind):
+            return f"{kind[0]}{to_text(inside)}{kind[1]}"
+        case Degrees(inside):
+            return f"{_unit_number(inside)}°"
+        case Percent(inside):
+            return f"{_unit_number(inside)}%"
+        case Coordinates(items):
+            return f"({', '.join(to_text(each) for each in items)})"
+        case Relation(operands, signs):
+            parts = [to_text(operands[0])]
+            for sign, operand in zip(signs, operands[1:], strict=True):
+                parts += [sign, to_text(operand)]
+            return " ".join(parts)
+        case Phrase(items, separator):
+            return separator.join(to_text(each) for each in items)
+
+
+def width(text: str) -> int:
+    """The number of columns that a text takes in a terminal."""
+    columns = 0
+    for character in text:
+        if unicodedata.combining(character) or unicodedata.category(character) in (
+            "Cf",
+            "Mn",
+        ):
+            continue
+        columns += 2 if unicodedata.east_asian_width(character) in ("W", "F") else 1
+    return columns
+
+
+def bold(name: str) -> str:
+    """Upright bold letters and digits of Unicode's mathematical alphabet."""
+    out = []
+    for character in name:
+        if "a" <= character <= "z":
+            out.append(chr(0x1D41A + ord(character) - ord("a")))
+        elif "A" <= character <= "Z":
+            out.append(chr(0x1D400 + ord(character) - ord("A")))
+        elif character.isdigit() and character.isascii():
+            out.append(chr(0x1D7CE + int(character)))
+        else:
+            out.append(character)
+    return "".join(out)
+
+
+def _subscript(subscript: str) -> str:
+    if not subscript:
+        return ""
+    if all(each in _DOWN for each in subscript):
+        return "".join(_DOWN[each] for each in subscript)
+    return f"_{GREEK.get(subscript, subscript)}"
+
+
+def _superscript(exponent: Layout) -> str:
+    text = to_text(exponent)
+    if all(each in _UP for each in text):
+        return "".join(_UP[each] for each in text)
+    return f"^({_slash(exponent) if isinstance(exponent, Fraction) else text})"
+
+
+def _sum(terms: tuple[tuple[str, Layout], ...]) -> str:
+    out = ""
+    for index, (sign, term) in enumerate(terms):
+        text = to_text(term)
+        if index == 0:
+            out = (MINUS if sign == "-" else "") + text
+        else:
+            out += f" {MINUS if sign == '-' else '+'} {text}"
+    return out
+
+
+def _product(layout: Product) -> str:
+    texts = [_factor(each, layout.sign) for each in layout.factors]
+    if layout.sign:
+        return f" {layout.sign} ".join(texts)
+    out = texts[0]
+    for before, factor, text in zip(layout.factors, layout.factors[1:], texts[1:], strict=False):
+        out += (" " if _apart(before, factor, out, text) else "") + text
+    return out
+
+
+def _apart(before: Layout, factor: Layout, left: str, right: str) -> bool:
+    """Whether a space is needed between two factors."""
+    if isinstance(factor, Function) or isinstance(before, Words) or isinstance(factor, Words):
+        return True
+    if isinstance(before, Function):
+        return not left.endswith(")") or not right.startswith("(")
+    if isinstance(before, Root):
+        return not left.endswith(")") and not right.startswith(("(", "√"))
+    if left[-1:].isdigit() and right[:1].isdigit():
+        return True
+    # A subscript that could not be lowered, as in v_A, would run into the next letter.
+    return isinstance(before, Letter | Bold) and "_" in _subscript(before.subscript)
+
+
+def _factor(factor: Layout, sign: str) -> str:
+    if isinstance(factor, Fraction):
+        text = to_text(factor)
+        return text if len(text) == 1 else f"({_slash(factor)})"
+    if isinstance(factor, Product) and factor.sign and not sign:
+        return f"({to_text(factor)})"
+    return to_text(factor)
+
+
+def _slash(fraction: Fraction) -> str:
+    above, below = to_text(fraction.above), to_text(fraction.below)
+    if isinstance(fraction.above, Fraction):
+        above = f"({_slash(fraction.above)})"
+    elif isinstance(fraction.above, Sum | Relation | Phrase) or _open_ended(fraction.above):
+        above = f"({above})"
+    simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function)
+    if not simple and not (isinstance(fraction.below, Root) and "(" not in below):
+        below = f"({_slash(fraction.below) if isinstance(fraction.below, Fraction) else below})"
+    return f"{above}/{below}"
+
+
+def _open_ended(layout: Layout) -> bool:
+    """Whether a slash after the layout would seem to belong to its last part only."""
+    if isinstance(layout, Function):
+        return not isinstance(layout.argument, Brackets)
+    if isinstance(layout, Product):
+        return bool(layout.sign) or _open_ended(layout.factors[-1])
+    return False
+
+
+def _root(inside: Layout, index: int) -> str:
+    sign = _ROOTS.get(index)
+    text = to_text(inside)
+    if sign is None:
+        return f"({text})^(1/{index})"
+    if isinstance(inside, Number) or (isinstance(inside, Letter) and "_" not in text):
+        return sign + text
+    if isinstance(inside, Fraction):
+        text = _slash(inside)
+    return f"{sign}({text})"
+
+
+def _function(layout: Function) -> str:
+    power = "" if layout.power is None else _superscript(layout.power)
+    argument = to_text(layout.argument)
+    if isinstance(layout.argument, Brackets):
+        return f"{layout.name}{power}{argument}"
+    if power and isinstance(layout.argument, Letter):
+        return f"{layout.name}{power}{argument}"
+    return f"{layout.name}{power} {argument}"
+
+
+def _unit_number(inside: Layout) -> str:
+    """A number before ° or %, in brackets if it is more than one thing."""
+    if isinstance(inside, Fraction):
+        return f"({_slash(inside)})"
+    return to_text(inside)

@@ -1,0 +1,493 @@
+"""What each letter of a problem may be: a mass, a speed, an acute angle, a coefficient, …
+
+A letter's range follows from the places where it stands, as the page on the statement language
+says; a fact such as ``given k > 1`` narrows it, and one such as ``given v < 0`` overrules the
+default that letters are positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import sympy as sp
+
+from restitution.errors import StatementError
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.problem import (
+    Aligned,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Part,
+    Problem,
+    Range,
+    Relation,
+    Show,
+    Step,
+    Unknown,
+    Wall,
+)
+
+Kind = Literal["positive", "real", "angle", "restitution"]
+TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
+VECTOR_QUANTITIES = frozenset({"velocity", "momentum", "line_of_centres", "position"})
+ANGLE_QUANTITIES = frozenset({"angle", "deflection"})
+SIGNED_QUANTITIES = frozenset({"along", "across", "dot", "energy_lost", "total_energy_lost"})
+
+
+@dataclass(frozen=True)
+class Role:
+    """A letter's kind and the interval in which its values lie (None is no bound)."""
+
+    kind: Kind
+    low: sp.Expr | None
+    high: sp.Expr | None
+    closed: tuple[bool, bool] = (False, False)
+
+    def symbol(self, name: str) -> sp.Symbol:
+        """The letter as a SymPy symbol that knows its sign."""
+        if self.low is not None and self.low.is_nonnegative:
+            if self.low == 0 and self.closed[0]:
+                return sp.Symbol(name, nonnegative=True)
+            return sp.Symbol(name, positive=True)
+        return sp.Symbol(name, real=True)
+
+
+POSITIVE = Role("positive", sp.Integer(0), None)
+REAL = Role("real", None, None)
+ACUTE = Role("angle", sp.Integer(0), sp.pi / 2)
+TO_180 = Role("angle", sp.Integer(0), sp.pi, (True, True))
+DIRECTION = Role("angle", -sp.pi, sp.pi, (False, True))
+COEFFICIENT = Role("restitution", sp.Integer(0), sp.Integer(1), (True, True))
+
+
+def roles(problem: Problem) -> dict[str, Role]:
+    """The role of every letter of a problem, by its canonical name."""
+    names = {letter for tree in trees(problem) for letter in letters(tree)}
+    for _, step in problem.steps():
+        if isinstance(step, Let):
+            names.add(step.letter)
+        elif isinstance(step, Unknown):
+            names.update(step.letters)
+        elif isinstance(step, Find | Show) and step.in_terms_of:
+            names.update(step.in_terms_of)
+        elif isinstance(step, Impact) and step.e is None:
+            names.add("e")
+    angles = _angles(problem)
+    coefficients = _coefficients(problem)
+    positive, real = _components(problem)
+    measured = _measured(problem)
+    found: dict[str, Role] = {}
+    for name in sorted(names):
+        if name in coefficients:
+            role = COEFFICIENT
+        elif name in angles:
+            role = ACUTE if name in angles["used"] or name not in measured else measured[name]
+        elif name in real and name not in positive:
+            role = REAL
+        elif name in measured and name not in positive:
+            role = measured[name]
+        else:
+            role = POSITIVE
+        found[name] = role
+    return {name: _narrowed(role, name, problem) for name, role in found.items()}
+
+
+def trees(problem: Problem) -> Iterator[Expression]:
+    """Every expression of a problem."""
+    for sphere in problem.spheres:
+        for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
+            if isinstance(value, Expression):
+                yield value
+    for wall in problem.walls:
+        for value in (
+            wall.along,
+            wall.through,
+            wall.start,
+            wall.end,
+            wall.centre,
+            wall.radius,
+        ):
+            if isinstance(value, Expression):
+                yield value
+    for point in problem.points:
+        yield point.position
+    for _, step in problem.steps():
+        yield from trees_of_step(step)
+
+
+def trees_of_step(step: Step) -> Iterator[Expression]:
+    """Every expression of one step."""
+    match step:
+        case Impact():
+            yield from (
+                tree for tree in (step.e, step.along, step.offset) if tree is not None
+            )
+        case Kick():
+            yield step.impulse
+        case Let():
+            yield step.expression
+        case Given():
+            for relation in step.relations:
+                yield from trees_of_relation(relation)
+        case Find():
+            for item in step.items:
+                yield item.expression
+                if isinstance(item, Extremum):
+                    yield item.over
+        case Show():
+            yield from trees_of_relation(step.relation)
+            if isinstance(step.subject, Range | Extremum):
+                yield step.subject.expression
+                if isinstance(step.subject, Extremum):
+                    yield step.subject.over
+        case _:
+            target = getattr(step, "target", None)
+            if isinstance(target, Expression):
+                yield target
+
+
+def trees_of_relation(relation: Relation) -> Iterator[Expression]:
+    """The expressions of a relation."""
+    if isinstance(relation, Compare):
+        yield from relation.operands
+    elif isinstance(relation, Aligned):
+        yield relation.left
+        yield relation.right
+
+
+def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
+    """Whether a tree is a vector, as far as its form tells."""
+    match tree:
+        case Unit() | Pair() | Polar() | Name():
+            return True
+        case Quantity(kind, arguments):
+            if kind == "impulse":
+                return bool(arguments)
+            if kind == "direction":
+                return bool(arguments) and _name(arguments[0]) in walls
+            return kind in VECTOR_QUANTITIES
+        case Negate(operand):
+            return is_vector(operand, walls)
+        case Binary(op, left, right):
+            if op == "/":
+                return is_vector(left, walls)
+            return op != "^" and (is_vector(left, walls) or is_vector(right, walls))
+    return False
+
+
+def _name(tree: Expression) -> str | None:
+    return tree.name if isinstance(tree, Name) else None
+
+
+# --- angles -----------------------------------------------------------------------------------
+
+
+def _angles(problem: Problem) -> dict[str, set[str]]:
+    """Letters that are angles: ``used`` as directions or under a sine, and ``named``."""
+    used: set[str] = set()
+    walls = frozenset(wall.name for wall in problem.walls)
+
+    def direction(tree: Expression | None) -> None:
+        if tree is not None and isinstance(tree, Expression) and not is_vector(tree, walls):
+            used.update(_linear_letters(tree))
+
+    lets = {s.letter: s.expression for _, s in problem.steps() if isinstance(s, Let)}
+    for tree in trees(problem):
+        for node in walk(tree):
+            if isinstance(node, Apply) and node.function in TRIGONOMETRIC:
+                used.update(_linear_letters(node.argument))
+            elif isinstance(node, Polar):
+                used.update(_linear_letters(node.angle))
+            elif isinstance(node, Quantity) and node.kind in ("along", "across"):
+                direction(node.arguments[1] if len(node.arguments) > 1 else None)
+            elif isinstance(node, Quantity) and node.kind == "angle":
+                for argument in node.arguments:
+                    direction(argument)
+    for wall in problem.walls:
+        direction(wall.along)
+    for _, step in problem.steps():
+        if isinstance(step, Impact):
+            direction(step.along)
+        for relation in _relations(step):
+            if isinstance(relation, Aligned):
+                direction(relation.left)
+                direction(relation.right)
+    used = {name for name in used if name not in lets or not is_vector(lets[name], walls)}
+    named: set[str] = set()
+    while True:
+        before = len(named)
+        known = used | named
+        for name, tree in lets.items():
+            if is_angle(tree, known, walls):
+                named.add(name)
+        for _, step in problem.steps():
+            for relation in _relations(step):
+                if isinstance(relation, Compare) and any(
+                    is_angle(tree, known, walls) for tree in relation.operands
+                ):
+                    for tree in relation.operands:
+                        named.update(_linear_letters(tree))
+        if len(named) == before:
+            break
+    return {**dict.fromkeys(used | named, set()), "used": used, "named": named}
+
+
+def _relations(step: Step) -> Iterator[Relation]:
+    if isinstance(step, Given):
+        yield from step.relations
+    elif isinstance(step, Show) and step.subject is None:
+        yield step.relation
+
+
+def is_angle(tree: Expression, angles: set[str], walls: frozenset[str]) -> bool:
+    """Whether a tree is a plain angle: not a ratio of sines, but what one takes the sine of."""
+    match tree:
+        case Degrees():
+            return True
+        case Letter(name):
+            return name in angles
+        case Quantity(kind, arguments):
+            if kind == "direction":
+                return not (arguments and _name(arguments[0]) in walls)
+            return kind in ANGLE_QUANTITIES
+        case Apply(function):
+            return function.startswith("arc")
+        case Negate(operand):
+            return is_angle(operand, angles, walls)
+        case Binary(op, left, right):
+            if op in "+-":
+                return is_angle(left, angles, walls) or is_angle(right, angles, walls)
+            if op == "*":
+                return is_angle(left, angles, walls) != is_angle(right, angles, walls)
+            if op == "/":
+                return is_angle(left, angles, walls) and not is_angle(right, angles, walls)
+    return False
+
+
+def _linear_letters(tree: Expression) -> set[str]:
+    """The letters of a sum of angles: α and β in 2α + β − 90°."""
+    match tree:
+        case Letter(name):
+            return {name}
+        case Negate(operand):
+            return _linear_letters(operand)
+        case Binary(op, left, right) if op in "+-":
+            return _linear_letters(left) | _linear_letters(right)
+        case Binary("*", left, right):
+            both = _linear_letters(left) | _linear_letters(right)
+            greek = {name for name in both if len(name.split("_")[0]) > 1}
+            return greek or (both if len(both) == 1 else set())
+        case Binary("/", left, _):
+            return _linear_letters(left)
+    return set()
+
+
+# --- other roles ------------------------------------------------------------------------------
+
+
+def _coefficients(problem: Problem) -> set[str]:
+    found = set()
+    for _, step in problem.steps():
+        if isinstance(step, Impact):
+            if step.e is None:
+                found.add("e")
+            elif isinstance(step.e, Letter):
+                found.add(step.e.name)
+    return found
+
+
+def _components(problem: Problem) -> tuple[set[str], set[str]]:
+    """Letters in a positive role, and those that are a signed component or coordinate."""
+    positive: set[str] = set()
+    real: set[str] = set()
+    for sphere in problem.spheres:
+        for value in (sphere.mass, sphere.radius):
+            if isinstance(value, Expression):
+                positive.update(letters(value))
+        if isinstance(sphere.position, Pair):
+            for part in (sphere.position.x, sphere.position.y):
+                (real if _lone(part) else positive).update(letters(part))
+    for wall in problem.walls:
+        for value in (wall.through, wall.start, wall.end, wall.centre, wall.radius):
+            if isinstance(value, Expression):
+                positive.update(letters(value))
+    for point in problem.points:
+        positive.update(letters(point.position))
+    bodies_at = {id(sphere.position) for sphere in problem.spheres}
+    places = {id(point.position) for point in problem.points} | {
+        id(value) for wall in problem.walls for value in (wall.through, wall.start, wall.end)
+    }
+    for tree in trees(problem):
+        if id(tree) in bodies_at or id(tree) in places:
+            continue
+        if is_vector(tree) and not has_quantity(tree):
+            _vector_roles(tree, positive, real)
+        for node in walk(tree):
+            if isinstance(node, Pair) and node is not tree:
+                _vector_roles(node, positive, real)
+            elif isinstance(node, Polar):
+                positive.update(letters(node.size))
+    for _, step in problem.steps():
+        if isinstance(step, Impact) and step.e is not None and not isinstance(step.e, Letter):
+            positive.update(letters(step.e))
+    return positive, real
+
+
+def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
+    """``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + u sin α j`` u is a speed."""
+    try:
+        vector = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    except StatementError:
+        return
+    if not isinstance(vector, tuple):
+        return
+    x, y = (sp.expand(part) for part in vector)
+    for one, other in ((x, y), (y, x)):
+        coefficient, rest = one.as_coeff_Mul()
+        if rest.is_Symbol and other != 0 and not other.has(rest):
+            real.add(rest.name)
+        else:
+            positive.update(symbol.name for symbol in one.free_symbols)
+
+
+def _lone(tree: Expression) -> bool:
+    """Whether a tree is a letter, up to a number."""
+    match tree:
+        case Letter():
+            return True
+        case Negate(operand):
+            return _lone(operand)
+        case Binary("*", Number(), right):
+            return _lone(right)
+        case Binary("/", left, Number()):
+            return _lone(left)
+    return False
+
+
+def _measured(problem: Problem) -> dict[str, Role]:
+    """Letters that name a quantity have that quantity's range."""
+    found: dict[str, Role] = {}
+    walls = frozenset(wall.name for wall in problem.walls)
+
+    def name_it(letter: str, tree: Expression) -> None:
+        if isinstance(tree, Negate):
+            tree = tree.operand
+        if not isinstance(tree, Quantity):
+            return
+        if tree.kind in ("along", "across", "dot"):
+            role = REAL
+        elif tree.kind == "direction":
+            role = DIRECTION
+        elif tree.kind == "deflection":
+            role = TO_180
+        elif tree.kind == "angle":
+            sharp = any(
+                _name(each) in walls
+                or (isinstance(each, Quantity) and each.kind == "line_of_centres")
+                for each in tree.arguments
+            )
+            role = Role("angle", sp.Integer(0), sp.pi / 2, (True, True)) if sharp else TO_180
+        else:
+            role = POSITIVE
+        old = found.get(letter)
+        if old is None or (old is REAL and role is not REAL):
+            found[letter] = role
+
+    for _, step in problem.steps():
+        if isinstance(step, Let):
+            name_it(step.letter, step.expression)
+        for relation in _relations(step):
+            if isinstance(relation, Compare) and set(relation.operators) == {"="}:
+                for one in relation.operands:
+                    if isinstance(one, Letter):
+                        for other in relation.operands:
+                            name_it(one.name, other)
+    return found
+
+
+def _narrowed(role: Role, name: str, problem: Problem) -> Role:
+    """A role with the numerical bounds that the facts of the whole statement put on a letter."""
+    for part, step in problem.steps():
+        if not isinstance(step, Given) or part.label is not None:
+            continue
+        role = narrowed_by(role, name, step)
+    return role
+
+
+def narrowed_by(role: Role, name: str, step: Given) -> Role:
+    """A role with the numerical bounds of one line of facts."""
+    for relation in step.relations:
+        if not isinstance(relation, Compare) or set(relation.operators) == {"="}:
+            continue
+        for left, op, right in zip(
+            relation.operands, relation.operators, relation.operands[1:], strict=False
+        ):
+            if op == "=":
+                continue
+            if isinstance(left, Letter) and left.name == name and _constant(right):
+                role = _bounded(role, evaluate(right, sp.Symbol), op)
+            elif isinstance(right, Letter) and right.name == name and _constant(left):
+                flipped = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[op]
+                role = _bounded(role, evaluate(left, sp.Symbol), flipped)
+    return role
+
+
+def _constant(tree: Expression) -> bool:
+    return all(
+        isinstance(node, Number | Degrees | Pi | Negate | Binary | Apply) for node in walk(tree)
+    )
+
+
+def _bounded(role: Role, bound: sp.Expr, op: str) -> Role:
+    closed = op.endswith("=")
+    if role.kind == "restitution":
+        # A coefficient outside [0, 1] stays impossible, whatever is said of it.
+        if op.startswith("<") and role.high is not None and bool(bound < role.high):
+            return replace(role, high=bound, closed=(role.closed[0], closed))
+        if op.startswith(">") and role.low is not None and bool(bound > role.low):
+            return replace(role, low=bound, closed=(closed, role.closed[1]))
+        return role
+    if op.startswith("<"):
+        role = replace(role, high=bound, closed=(role.closed[0], closed))
+        if role.low is not None and bool(bound <= role.low):
+            role = replace(role, low=None if role.kind != "angle" else -sp.pi)
+    else:
+        role = replace(role, low=bound, closed=(closed, role.closed[1]))
+        if role.high is not None and bool(bound >= role.high):
+            role = replace(role, high=None if role.kind != "angle" else sp.pi)
+    return role
+
+
+def parts_until(problem: Problem, part: Part) -> tuple[Part, ...]:
+    """The parts told up to and with a given one."""
+    return problem.parts[: problem.parts.index(part) + 1]
+
+
+def wall_named(problem: Problem, name: str) -> Wall | None:
+    """The wall of that name."""
+    return next((wall for wall in problem.walls if wall.name == name), None)

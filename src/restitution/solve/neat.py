@@ -1,0 +1,65 @@
+"""Keeping exact expressions small while a story is told: one fraction, nothing left to cancel.
+
+This is about size and equality, not about beauty: the textbook form is ``exact.tidy``'s.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+_LARGE = 400
+
+
+def neat(x: sp.Expr) -> sp.Expr:
+    """The same value as one reduced fraction, with sin² + cos² = 1 used where it stands."""
+    x = sp.sympify(x, strict=True)
+    if x.is_Number or x.is_Symbol:
+        return x
+    x = pythagoras(x)
+    if not x.free_symbols:
+        if x.has(sp.Pow):
+            return sp.radsimp(sp.expand(x), max_terms=6)
+        return x
+    if not _needs_work(x):
+        return x
+    if sp.count_ops(x) > _LARGE:
+        return sp.together(x)
+    try:
+        result = sp.cancel(sp.together(x))
+    except (sp.PolynomialError, NotImplementedError):
+        return sp.together(x)
+    return pythagoras(sp.factor_terms(result))
+
+
+def pythagoras(x: sp.Expr) -> sp.Expr:
+    """Replaces every sum a cos²θ + a sin²θ that stands as such by a."""
+    if not x.has(sp.sin):
+        return x
+    return x.replace(lambda node: node.is_Add and node.has(sp.sin), _pythagoras_in_sum)
+
+
+def _pythagoras_in_sum(node: sp.Add) -> sp.Expr:
+    terms = list(node.args)
+    for i, term in enumerate(terms):
+        for angle in [f.args[0] for f in term.atoms(sp.sin)]:
+            square = sp.sin(angle) ** 2
+            factors = sp.Mul.make_args(term)
+            if square not in factors:
+                continue
+            rest = term / square
+            partner = rest * sp.cos(angle) ** 2
+            for k, other in enumerate(terms):
+                if k != i and other == partner:
+                    kept = [t for n, t in enumerate(terms) if n not in (i, k)]
+                    return _pythagoras_in_sum(sp.Add(*kept, rest)) if kept else rest
+    return node
+
+
+def _needs_work(x: sp.Expr) -> bool:
+    """Whether there is a sum in a denominator, or a product or power of sums."""
+    for node in sp.preorder_traversal(x):
+        if node.is_Pow and (node.exp.is_negative or node.base.is_Add):
+            return True
+        if node.is_Mul and sum(1 for arg in node.args if arg.is_Add) >= 1 and len(node.args) > 1:
+            return True
+    return False

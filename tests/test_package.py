@@ -1,0 +1,99 @@
+"""The package's front door: light, lazy, and the same whatever was imported first."""
+
+from __future__ import annotations
+
+import ast
+import itertools
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import restitution
+
+HEAVY = ("sympy", "lark", "numpy", "typer", "rich", "ziamath", "pebble", "mpmath")
+NAMESAKES = ("impact", "solve", "explain")
+
+
+def run(code: str) -> str:
+    """What a fresh interpreter prints."""
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_import_loads_nothing_heavy():
+    assert run(f"import sys, restitution; print([m for m in {HEAVY} if m in sys.modules])") == "[]"
+
+
+def test_naming_what_is_offered_loads_nothing_heavy():
+    code = f"import sys, restitution as r; dir(r); r.__version__; r.Sphere('A'); r.Vector(1, 2);\
+    print([m for m in {HEAVY} if m in sys.modules])"
+    assert run(code) == "[]"
+
+
+@pytest.mark.parametrize("name", restitution.__all__)
+def test_every_name_is_there(name):
+    assert name in dir(restitution)
+    assert run(f"import restitution as r; print(type(r.{name}).__name__ != 'module')") == "True"
+
+
+def test_unknown_name():
+    with pytest.raises(AttributeError, match="no attribute 'colour'"):
+        _ = restitution.colour
+
+
+@pytest.mark.parametrize("name", NAMESAKES)
+@pytest.mark.parametrize(
+    "before",
+    [
+        "import restitution",
+        "import restitution.{0}",
+        "import restitution.{0} as module",
+        "from restitution.{0} import {0} as again",
+        "import importlib; importlib.import_module('restitution.{0}')",
+        "from restitution import {0}",
+        "from restitution import *",
+        "import restitution; restitution.{0}; import restitution.{0}",
+    ],
+)
+def test_function_is_not_hidden_by_the_module_of_its_name(name, before):
+    code = f"""{before.format(name)}
+import importlib, pickle, sys, types
+import restitution as r
+from restitution import {name} as found
+assert isinstance(r.{name}, types.FunctionType), r.{name}
+assert found is r.{name}
+module = importlib.import_module("restitution.{name}")
+assert isinstance(module, types.ModuleType) and module.{name} is found
+assert pickle.loads(pickle.dumps(found)) is found
+print("good")"""
+    assert run(code) == "good"
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(NAMESAKES)))
+def test_functions_in_every_order_of_import(order):
+    imports = "; ".join(f"import restitution.{name}" for name in order)
+    names = ", ".join(f"type(restitution.{name}).__name__" for name in NAMESAKES)
+    assert run(f"{imports}; print({{{names}}})") == "{'function'}"
+
+
+def test_what_type_checkers_see_is_what_is_offered():
+    """The imports under TYPE_CHECKING, the table of names and ``__all__`` say the same."""
+    tree = ast.parse(Path(restitution.__file__).read_text(encoding="utf-8"))
+    seen = {
+        alias.name: node.module
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module and "restitution." in node.module
+        for alias in node.names
+    }
+    offered = {name: f"restitution.{module}" for name, module in table().items()}
+    assert seen == offered
+    assert sorted([*offered, "__version__"]) == sorted(restitution.__all__)
+
+
+def table() -> dict[str, str]:
+    return restitution._MODULE_OF_NAME
