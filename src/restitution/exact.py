@@ -31,7 +31,7 @@ from sympy import Add, Expr, Float, Integer, Mul, Pow, Rational, S, Symbol
 # A tree above the first size is not searched for better forms, above the second not touched.
 SEARCHED = 260
 TOUCHED = 1500
-TERMS = 30
+TERMS = 20
 # The terms that an expression may have when multiplied out, if it is to be searched.
 EXPANDED = 200
 
@@ -534,8 +534,10 @@ def _core(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
         restored = _into_root(restored, angle)
     # As it was given may be much shorter, where it was collected by hand.
     if cost(value) < cost(restored) - (3 if _has_fractions(value) else 1):
-        terms = Add(*[_core(each, angles) for each in Add.make_args(value)])
-        return terms if isinstance(value, Add) and cost(terms) <= cost(value) else value
+        if not isinstance(value, Add):
+            return value
+        terms = Add(*[_core(each, angles) for each in value.args])
+        return terms if cost(terms) <= cost(value) else value
     return restored
 
 
@@ -823,7 +825,7 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
     surds = {x for x in total.atoms(Pow) if _is_surd(x)}
     content, rest = total.primitive()
     plain: tuple[Expr, list[tuple[Expr, Expr]]] = (content, [(rest, S.One)])
-    if not surds or len(total.args) > TERMS:
+    if not surds or len(total.args) > 10:
         return plain
     letters = sorted(total.free_symbols, key=sympy.default_sort_key)
     try:

@@ -31,7 +31,6 @@ from restitution.problem import Sphere, Wall
 from restitution.vector import Vector
 
 Body = Sphere | Wall
-LETTER_E = Letter("e")
 
 
 def impact(
@@ -68,11 +67,11 @@ def impact(
     c, e = read.line_of_centres(), read.e()
     c = _towards_second((u1 - u2).dot(c), c, first, second)
     v1, v2 = (_tidied(v) for v in law.impact(u1, u2, w1, w2, c, e))
-    before = _Pair(
+    before = Bodies(
         replace(first, mass=m1, velocity=u1),
         second if isinstance(second, Wall) else replace(second, mass=m2, velocity=u2),
     )
-    after = _Pair(
+    after = Bodies(
         replace(before.first, velocity=v1, position=None),
         second
         if isinstance(second, Wall)
@@ -82,8 +81,8 @@ def impact(
 
 
 @dataclass(frozen=True)
-class _Pair:
-    """Two bodies at one moment: by name (``pair.A``, ``pair["A"]``), or one after the other."""
+class Bodies:
+    """The two bodies at one moment: by name (``after.A``, ``after["A"]``), or one by one."""
 
     first: Sphere
     second: Any
@@ -116,8 +115,8 @@ class Hit:
     ``hit.after.A.velocity``; each is a ``Sphere`` that can go into the next impact.
     """
 
-    before: _Pair
-    after: _Pair
+    before: Bodies
+    after: Bodies
     e: Any
     # from the first body to the second, of any length, so that no root is taken without need
     _centres: Vector = field(repr=False)
@@ -131,7 +130,8 @@ class Hit:
     def impulse(self) -> Any:
         """The magnitude of the impulse, in N s. Raises MissingError without the masses."""
         c = self._centres
-        return _tidied(abs(self._law(law.impulse, "the impulse").dot(c)) / measure.speed(c))
+        along = self._law(law.impulse, "the impulse").dot(c)
+        return _tidied(_size(along) / measure.speed(c))
 
     def impulse_on(self, body: str | Body) -> Vector:
         """The impulse on one of the bodies: a vector, in N s. Raises MissingError as above."""
@@ -154,7 +154,7 @@ class Hit:
         """
         velocity = self._velocity(body, when)
         self._check_moving(body, when, velocity)
-        return _tidied_angle(measure.direction(velocity))
+        return _tidied_angle(measure.direction(_tidied(velocity)))
 
     def deflection(self, body: str | Body) -> Any:
         """The angle between a body's directions before and after, from 0 to π, in radians.
@@ -164,7 +164,7 @@ class Hit:
         before, after = self._velocity(body, "before"), self._velocity(body, "after")
         self._check_moving(body, "before", before)
         self._check_moving(body, "after", after)
-        return _tidied_angle(measure.deflection(before, after))
+        return _angle(before, after)
 
     def _law(self, function: Callable[..., Any], what: str) -> Any:
         first, second = self.before
@@ -214,7 +214,7 @@ class Hit:
             lines.append(f"  {error.message}")
         return "\n".join(lines)
 
-    def _moments(self) -> tuple[_Pair, _Pair]:
+    def _moments(self) -> tuple[Bodies, Bodies]:
         return self.before, self.after
 
 
@@ -376,13 +376,12 @@ def _symbols(trees: dict[str, Any]) -> dict[str, Any]:
             except StatementError:  # told by a wall, perhaps: then by its size
                 vector = None
         if isinstance(vector, Vector):
-            x, y = (sympy.sympify(part) if not _is_array(part) else part for part in vector)
-            for one, other in ((x, y), (y, x)):
+            for one, other in (tuple(vector), tuple(vector)[::-1]):
                 lone = _lone_letter(one)
-                if lone is not None and other != 0 and lone not in other.free_symbols:
+                if lone is not None and other != 0 and lone not in _free_symbols(other):
                     signed.add(lone.name)
                 else:
-                    unsigned.update(symbol.name for symbol in one.free_symbols)
+                    unsigned.update(symbol.name for symbol in _free_symbols(one))
         else:
             for tree in _leaves([value]):
                 unsigned.update(letters(tree) if isinstance(tree, Expression) else ())
@@ -397,7 +396,13 @@ def _symbols(trees: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
+def _free_symbols(value: Any) -> Any:
+    return getattr(value, "free_symbols", frozenset())
+
+
 def _lone_letter(component: Any) -> Any:
+    if not hasattr(component, "free_symbols"):
+        return None
     _, rest = component.as_coeff_Mul()
     return rest if rest.is_Symbol else None
 
@@ -428,7 +433,7 @@ def _is_inexact(value: Any) -> bool:
 def _one_kind(values: dict[str, Any]) -> dict[str, Any]:
     """All numbers exact, or, if any is a float or an array, all of them floats."""
     leaves = [each for each in _leaves(values.values()) if each is not None]
-    symbols = any(getattr(each, "free_symbols", ()) for each in leaves)
+    symbols = any(_free_symbols(each) for each in leaves)
     if symbols and any(_is_array(each) for each in leaves):
         raise UnsupportedError("letters and arrays cannot be mixed in one impact")
     inexact = any(_is_inexact(each) for each in leaves)
@@ -452,7 +457,7 @@ def _as_float(value: Any, what: str) -> Any:
 
 
 def _as_exact(value: Any, what: str) -> Any:
-    if hasattr(value, "free_symbols"):
+    if getattr(value, "is_real", False) is not False:  # SymPy; None where its letters are unknown
         return value
     if isinstance(value, Decimal) and value.is_finite():
         value = Fraction(value)
@@ -542,15 +547,12 @@ def _towards_second(approach: Any, c: Vector, first: Body, second: Body) -> Vect
     """The line of centres from the first body to the second: they approach along it."""
     if _is_array(approach):
         return c * (1 - 2 * (approach < 0))
-    if _is_zero(approach):
+    if _is_zero(approach):  # in either sense of c the bodies approach, but not if it is zero
         raise ImpossibleError(
             f"{first.name} and {second.name} do not approach each other along the line of "
             "centres: they have the same velocity along it"
         )
-    negative = approach < 0
-    if hasattr(approach, "free_symbols"):
-        negative = _tidied(approach).is_negative
-    return -c if negative else c
+    return -c if _sign(approach) == -1 else c
 
 
 # --- results -------------------------------------------------------------------------------------
@@ -575,49 +577,86 @@ def _tidied_angle(value: Any) -> Any:
     return tidy_angle(value)
 
 
+def _sign(value: Any) -> int | None:
+    """1 or -1, or None where the letters leave it open. A positive letter as an angle is acute."""
+    if not hasattr(value, "free_symbols"):
+        return None if value == 0 else 1 if value > 0 else -1
+    import sympy
+
+    acute = {
+        ratio: sympy.Dummy(positive=True)
+        for ratio in value.atoms(sympy.sin, sympy.cos, sympy.tan)
+        if ratio.args[0].is_Symbol and ratio.args[0].is_positive
+    }
+    known = sympy.factor_terms(_tidied(value).xreplace(acute))
+    return 1 if known.is_positive else -1 if known.is_negative else None
+
+
+def _size(value: Any) -> Any:
+    """The absolute value, without its bars where the sign is known."""
+    if not hasattr(value, "free_symbols"):
+        return abs(value)
+    return {1: value, -1: -value, None: abs(value)}[_sign(value)]
+
+
+def _angle(first: Vector, second: Vector) -> Any:
+    """The angle between two vectors, from 0 to π; exact ones without common factors."""
+    cross, dot = (_tidied(each) for each in (first.cross(second), first.dot(second)))
+    if not any(hasattr(each, "free_symbols") for each in (cross, dot)):
+        return measure.angle_between(first, second)
+    import sympy
+
+    cross = _size(sympy.sympify(cross, strict=True))
+    if dot == 0 or _is_zero(cross):
+        return _tidied_angle(sympy.atan2(cross, dot))
+    above, below = sympy.fraction(_tidied(cross / dot))
+    if _sign(dot / below) != 1:
+        above, below = cross, dot
+    return _tidied_angle(sympy.atan2(above, below))
+
+
+# --- showing -------------------------------------------------------------------------------------
+
+
+def _text(value: Any) -> str:
+    return str(value).replace("**", "^")
+
+
 def _shown(value: Any) -> str:
-    if hasattr(value, "free_symbols"):
+    """A number as text; an exact one also to 3 significant figures."""
+    if _is_array(value):
+        low, high = (f"{float(end):.6g}" for end in (value.min(), value.max()))
+        return f"[{value.size} values from {low} to {high}]" if value.size else "[no values]"
+    if hasattr(value, "free_symbols") and not (value.free_symbols or value.is_Rational):
         from restitution.exact import significant
 
-        short = str(value).replace("**", "^")
-        if value.free_symbols or value.is_Rational:
-            return short
-        return f"{short} = {significant(value)}"
-    if _is_array(value):
-        return f"[array of shape {tuple(value.shape)}]"
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+        return f"{_text(value)} = {significant(value)}"
+    return f"{value:.6g}" if isinstance(value, float) else _text(value)
 
 
 def _shown_angle(value: Any) -> str:
-    if hasattr(value, "free_symbols"):
-        if value.free_symbols:
-            return str(value).replace("**", "^")
-        return f"{value} = {measure_in_degrees(value)}"
-    if _is_array(value):
+    if _is_array(value) or getattr(value, "free_symbols", ()):
         return _shown(value)
-    return f"{math.degrees(value):.6g}°"
-
-
-def measure_in_degrees(value: Any) -> str:
-    from restitution.exact import significant
-
+    if not hasattr(value, "free_symbols"):
+        return f"{math.degrees(value):.6g}°"
     import sympy
 
-    return f"{significant(value * 180 / sympy.pi)}°"
+    from restitution.exact import significant
+
+    return f"{_text(value)} = {significant(value * 180 / sympy.pi)}°"
 
 
 def _shown_vector(vector: Vector) -> str:
+    if any(_is_array(component) for component in vector):
+        return "(" + ", ".join(_shown(component) for component in vector) + ")"
     terms = []
     for component, axis in zip(vector, "ij", strict=True):
         if _is_zero(component):
             continue
-        text = _component(component)
-        terms.append({"1": axis, "-1": f"-{axis}"}.get(text, f"{text}{axis}"))
+        if getattr(component, "is_Add", False):
+            terms.append(f"({_text(component)}) {axis}")
+            continue
+        text = f"{component:.6g}" if isinstance(component, float) else _text(component)
+        space = "" if text.lstrip("-").isdigit() else " "
+        terms.append({"1": axis, "-1": f"-{axis}"}.get(text, f"{text}{space}{axis}"))
     return " + ".join(terms).replace("+ -", "- ") or "0"
-
-
-def _component(value: Any) -> str:
-    if hasattr(value, "free_symbols"):
-        text = str(value).replace("**", "^")
-        return text if value.is_Integer else f"({text})"
-    return _shown(value)

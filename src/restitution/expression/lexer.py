@@ -117,10 +117,25 @@ _SUBSCRIPT_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789"
 _SUPERSCRIPT_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
 _STARTS_OPERAND = frozenset(
-    "NUMBER DEGREES FRACTION COEFFICIENT PI LETTER UNIT NAME LPAR FUNCTION FUNCTION_CALL "
-    "QUANTITY QUANTITY_CALL".split()
+    [
+        "NUMBER",
+        "DEGREES",
+        "FRACTION",
+        "COEFFICIENT",
+        "PI",
+        "LETTER",
+        "UNIT",
+        "NAME",
+        "LPAR",
+        "FUNCTION",
+        "FUNCTION_CALL",
+        "QUANTITY",
+        "QUANTITY_CALL",
+    ]
 )
-_ENDS_OPERAND = frozenset("NUMBER DEGREES FRACTION PI LETTER UNIT NAME RPAR QUANTITY".split())
+_ENDS_OPERAND = frozenset(
+    ["NUMBER", "DEGREES", "FRACTION", "PI", "LETTER", "UNIT", "NAME", "RPAR", "QUANTITY"]
+)
 _NUMERIC = frozenset(("NUMBER", "DEGREES", "FRACTION"))
 _BODY_LINES = frozenset(("SPHERE", "WALL", "POINT"))
 

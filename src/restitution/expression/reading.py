@@ -15,7 +15,7 @@ from lark.lexer import Lexer
 from restitution.errors import StatementError
 from restitution.expression.grammar import RULES, TERMINALS
 from restitution.expression.lexer import Scan, Source, scan, unknown_name
-from restitution.expression.limits import MAX_ERRORS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
+from restitution.expression.limits import MAX_LINE_LENGTH, MAX_TREE_DEPTH
 from restitution.expression.quantities import SIGNATURES, stands_alone
 from restitution.expression.tree import (
     Apply,
@@ -135,7 +135,7 @@ def make_parser(grammar: str, start: str) -> Lark:
 def parse_tokens(parser: Lark, reading: Reading, builders: Mapping[str, Builder]) -> Span:
     """What a line of tokens says. Raises StatementError with what was expected where."""
     try:
-        tree: Any = parser.parse(reading.scan.tokens)  # type: ignore[arg-type]
+        tree: Any = parser.parse(reading.scan.tokens)
     except UnexpectedToken as error:
         raise _explain(reading, error) from None
     return _fold(reading, tree, builders)

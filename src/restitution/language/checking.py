@@ -93,7 +93,12 @@ def _error(message: str, place: Place | None) -> StatementError:
 
 def _mistakes(problem: Problem) -> Iterator[StatementError]:
     kinds: dict[str, str] = {}
-    for body in (*problem.spheres, *problem.walls, *problem.points):
+    bodies_told: list[Sphere | Wall | Point] = [
+        *problem.spheres,
+        *problem.walls,
+        *problem.points,
+    ]
+    for body in bodies_told:
         if body.name in kinds:
             yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
         kinds.setdefault(body.name, _kind(body))

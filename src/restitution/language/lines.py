@@ -39,9 +39,9 @@ def decode(text: str | bytes) -> str:
         try:
             text = text.decode("utf-8")
         except UnicodeDecodeError as error:
-            before = _BREAK.split(text[: error.start].decode("utf-8"))
+            before = _BREAK.split(error.object[: error.start].decode("utf-8"))
             raise StatementError(
-                f"the text is not UTF-8: byte {text[error.start]:#04x} cannot stand here",
+                f"the text is not UTF-8: byte {error.object[error.start]:#04x} cannot stand here",
                 len(before),
                 len(before[-1]) + 1,
             ) from None

@@ -50,7 +50,11 @@ def to_statement(problem: Problem) -> str:
     >>> to_statement(parse("sphere P: mass 2\\nsphere P: at rest"))
     'sphere P: mass 2, at rest\\n'
     """
-    bodies = [*problem.spheres, *problem.walls, *problem.points]
+    bodies: list[Sphere | Wall | Point] = [
+        *problem.spheres,
+        *problem.walls,
+        *problem.points,
+    ]
     lines: list[str] = []
     if problem.title is not None:
         lines.append(f"title {_title(problem.title)}")
@@ -173,8 +177,8 @@ def _relation(kinds: Mapping[str, str], relation: Relation) -> str:
             for sign, operand in zip(operators, operands[1:], strict=True):
                 text += f" {sign} {write_expression(operand)}"
             return text + (f" to {figures} s.f." if figures is not None else "")
-        case Aligned(left, word, right):
-            return f"{write_expression(left)} {word} {write_expression(right)}"
+        case Aligned(left, aligned, right):
+            return f"{write_expression(left)} {aligned} {write_expression(right)}"
         case AtRest(body):
             return f"{body.name} at rest"
         case Meets(first, second, again, happens):

@@ -1,0 +1,191 @@
+"""Facts as equations and conditions, in either arithmetic."""
+
+from __future__ import annotations
+
+from restitution.errors import StatementError
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import Name, Place
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Given,
+    Impact,
+    Kick,
+    Meets,
+    Part,
+    Problem,
+    Relation,
+)
+from restitution.solve.story import AnyOf, Condition, Equation, Story
+from restitution.vector import Vector
+
+Requirement = Equation | Condition | AnyOf
+
+
+def givens(problem: Problem, part: Part) -> list[tuple[Given, int]]:
+    """The lines of facts in force in a part, each with the number of events told before it."""
+    found = []
+    now = 0
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif isinstance(step, Given) and (each.label is None or each is part):
+                found.append((step, now))
+    return found
+
+
+def requirements(
+    relation: Relation, story: Story, now: int, place: Place | None = None
+) -> list[Requirement]:
+    """What a relation asks for. Raises StatementError where it makes no sense."""
+    try:
+        match relation:
+            case Compare():
+                return _compare(relation, story, now, place)
+            case Aligned():
+                return _aligned(relation, story, now, place)
+            case AtRest(body):
+                v = story.velocity(_sphere(story, body), now)
+                why = f"{body.name} is at rest"
+                return [Equation(v.x, why, place, True), Equation(v.y, why, place, True)]
+            case Meets():
+                return [_meets(relation, story, now)]
+    except StatementError as error:
+        if error.line is None and place is not None:
+            raise type(error)(error.message, place.line, place.column) from error
+        raise
+    raise TypeError(relation)  # pragma: no cover - the kinds of relation are all listed
+
+
+def _sphere(story: Story, name: Name) -> str:
+    if name.name not in story.spheres:
+        place = name.place
+        raise StatementError(
+            f"{name.name} is not a sphere",
+            None if place is None else place.line,
+            None if place is None else place.column,
+        )
+    return name.name
+
+
+def _compare(
+    relation: Compare, story: Story, now: int, place: Place | None
+) -> list[Requirement]:
+    evaluator = story.evaluator(now)
+    values = [evaluator.value(tree) for tree in relation.operands]
+    found: list[Requirement] = []
+    for left, op, right in zip(values, relation.operators, values[1:], strict=False):
+        if op == "=":
+            found.extend(equal(story, left, right, place))
+        else:
+            found.append(_ordered(story, left, op, right))
+    return found
+
+
+def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[Requirement]:
+    """Left = right, as equations free of inverse functions."""
+    zero = story.field.zero
+    why = "a fact"
+    if isinstance(left, Vector) or isinstance(right, Vector):
+        sides = []
+        for side in (left, right):
+            if isinstance(side, Vector):
+                sides.append(side)
+            elif not isinstance(side, Angle) and story.field.is_zero(side):
+                sides.append(Vector(zero, zero))
+            else:
+                raise StatementError("a vector cannot equal a number")
+        a, b = sides
+        return [Equation(a.x - b.x, why, place, True), Equation(a.y - b.y, why, place, True)]
+    if isinstance(left, Angle) or isinstance(right, Angle):
+        evaluator = story.evaluator(0)
+        a, b = evaluator.as_angle(left), evaluator.as_angle(right)
+        return [
+            Equation(a.y * b.x - a.x * b.y, why, place, True),
+            Condition(a.x * b.x + a.y * b.y, ">", "the angles would differ by 180°", "fact"),
+        ]
+    return [Equation(left - right, why, place, True)]
+
+
+def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
+    if isinstance(left, Vector) or isinstance(right, Vector):
+        raise StatementError("vectors cannot be compared by size: use abs(…)")
+    relation = ">=" if op.endswith("=") else ">"
+    small, large = (left, right) if op.startswith("<") else (right, left)
+    reason = "a given inequality does not hold"
+    if isinstance(small, Angle) or isinstance(large, Angle):
+        evaluator = story.evaluator(0)
+        a, b = evaluator.as_angle(small), evaluator.as_angle(large)
+        # Both lie in [0°, 180°], so the sign of the sine of the difference is that of it.
+        return Condition(b.y * a.x - b.x * a.y, relation, reason, "fact")
+    return Condition(large - small, relation, reason, "fact")
+
+
+def _aligned(
+    relation: Aligned, story: Story, now: int, place: Place | None
+) -> list[Requirement]:
+    a, b = story.direction(relation.left, now), story.direction(relation.right, now)
+    dot, cross = a.dot(b), a.cross(b)
+    why = "a fact"
+    if relation.relation == "perpendicular to":
+        return [Equation(dot, why, place, True)]
+    found: list[Requirement] = [Equation(cross, why, place, True)]
+    if relation.relation == "in the direction of":
+        found.append(Condition(dot, ">", "the directions would be opposite", "fact"))
+    elif relation.relation == "opposite to":
+        found.append(Condition(-dot, ">", "the directions would be the same", "fact"))
+    return found
+
+
+def _meets(relation: Meets, story: Story, now: int) -> Condition | AnyOf:
+    one, other = relation.first.name, relation.second.name
+    name = _sphere(story, relation.first)
+    if other in story.walls:
+        approach, reason = _towards_wall(relation, story, now, name)
+    else:
+        _sphere(story, relation.second)
+        event = next(
+            (h for h in reversed(story.happenings[:now]) if {one, other} == set(h.bodies)), None
+        )
+        if event is None:
+            raise StatementError(f"{one} and {other} have not collided before this line")
+        towards = event.oriented()
+        if event.bodies[0] == other:
+            towards = -towards
+        approach = (story.velocity(one, now) - story.velocity(other, now)).dot(towards)
+        reason = f"{one} and {other} do not collide again"
+    if relation.happens:
+        return Condition(approach, ">", reason, "fact")
+    return Condition(-approach, ">=", reason.replace("does not hit", "hits").replace(
+        "do not collide", "collide"
+    ), "fact")
+
+
+def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[object, str]:
+    """The component of a velocity towards a wall, the wall lying in front of the sphere."""
+    wall = relation.second.name
+    v = story.velocity(name, now)
+    struck = [h for h in story.happenings[:now] if isinstance(h.step, Impact)]
+    own = next((h for h in reversed(struck) if h.bodies == (name, wall)), None)
+    reason = f"{name} does not hit {wall}{' again' if relation.again else ''}"
+    if relation.again and own is None:
+        raise StatementError(f"{name} has not hit {wall} before this line")
+    event = own or next((h for h in reversed(struck) if h.bodies[1] == wall), None)
+    if event is not None:
+        return v.dot(event.oriented()), reason
+    normal = story.wall_direction(relation.second).turned_left()
+    for stage in range(now + 1):
+        first = story.velocity(name, stage).dot(normal)
+        if not story.field.is_zero(first):
+            if stage == now:
+                known = story.place(name, now)
+                origin = story.walls[wall].through or story.walls[wall].start
+                if known is not None and origin is not None:
+                    through = story.evaluator(0).vector(origin)
+                    return first * normal.dot(through - known[0]), reason
+                return first * first, reason
+            return v.dot(normal) * first, reason
+    return story.field.zero, reason
