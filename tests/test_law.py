@@ -169,7 +169,7 @@ def test_two_spheres_with_line_of_centres_along_j():
 
 
 def test_line_of_centres_from_the_change_of_velocity():
-    """6i - 5j becomes 3i - 9j: along 3i + 4j the component before is -2/5 of ... times 5."""
+    """6i - 5j becomes 3i - 9j: the line of centres is 3i + 4j, the component along it -2/5."""
     before, after = Vector(6, -5), Vector(3, -9)
     centres = Vector(3, 4)
     assert law.change_across_line_of_centres(before, after, centres) == 0

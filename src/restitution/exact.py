@@ -63,7 +63,7 @@ def tidy(expression: Any) -> Any:
 
 
 def tidy_angle(expression: Any) -> Any:
-    """An angle in radians in its usual form: ``pi/3``, ``atan(4/3)``, ``pi - atan(4/3)``, ``alpha``.
+    """An angle in radians in its usual form: ``pi/3``, ``pi - atan(4/3)``, ``alpha``.
 
     Recognised multiples of π/24 and π/10 are verified by exact algebra. Never raises.
     """
@@ -109,23 +109,27 @@ def is_zero(expression: Any) -> bool:
     if not isinstance(value, Expr):
         return False
     generator = random.Random(20)
-    seen = 0
-    for point in _points(value, generator, 8):
-        found = _evaluate(value, point, 30)
-        if found is None:
-            continue
-        number, scale = found
-        if abs(number) > scale * 1e-20:
-            return False
-        seen += 1
-        if seen == (4 if point else 1):
+    seen, real = 0, True
+    # Where no point tried gives a real value, complex values must do.
+    for real in (True, False):
+        for point in _points(value, generator, 8):
+            found = _evaluate(value, point, 30, real)
+            if found is None:
+                continue
+            number, scale = found
+            if abs(number) > scale * 1e-20:
+                return False
+            seen += 1
+            if seen == (4 if point else 1):
+                break
+        if seen:
             break
     if _proved_zero(value):
         return True
     return bool(seen) and all(
         found is None or abs(found[0]) <= found[1] * Float("1e-85", 20)
         for point in _points(value, generator, 3)
-        for found in [_evaluate(value, point, 100)]
+        for found in [_evaluate(value, point, 100, real)]
     )
 
 
@@ -175,7 +179,7 @@ def sympy_text(expression: Any) -> str:
 
 
 def canonical_name(name: str) -> str:
-    """The name of a letter in the JSON contract: ``lambda_``, ``mu_``, ``nu_``, ``xi_``, ``e_1``."""
+    """The name of a letter in the contract: ``lambda_``, ``mu_``, ``nu_``, ``xi_``, ``e_1``."""
     if name in ("lambda", "mu", "nu", "xi"):
         return name + "_"
     plain = re.fullmatch(r"([A-Za-z]+)(\d+)", name)
@@ -1204,8 +1208,12 @@ def _points(value: Expr, generator: random.Random, count: int) -> Iterator[dict[
         yield {x: _sample(x, generator, x in inside and bool(x.is_positive)) for x in letters}
 
 
-def _evaluate(value: Expr, point: dict[Symbol, Float], digits: int) -> tuple[Any, Any] | None:
-    """The value at a point and the scale on which it may be called zero; None if not real there.
+def _evaluate(
+    value: Expr, point: dict[Symbol, Float], digits: int, real_only: bool
+) -> tuple[Any, Any] | None:
+    """The value at a point and the scale on which it may be called zero.
+
+    None if there is no value there or, with ``real_only``, no real one.
 
     The scale is the size of the largest term, so that units do not matter.
     """
@@ -1224,11 +1232,12 @@ def _evaluate(value: Expr, point: dict[Symbol, Float], digits: int) -> tuple[Any
         return None
     if not number.is_real:
         real, imaginary = number.as_real_imag()
-        if abs(imaginary) > abs(real) * Float("1e-20") and point:
-            return None
-        if not point and abs(imaginary) > Float("1e-20"):
-            return abs(number), S.One
-        number = real
+        if abs(imaginary) > abs(real) * Float("1e-20"):
+            if point and real_only:
+                return None
+            number = abs(number)
+        else:
+            number = real
     sizes = [x for x in terms if x.is_real]
     scale = max([*sizes, Float("1e-60")]) if len(sizes) > 1 else Float("1e-10")
     return number, scale

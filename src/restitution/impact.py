@@ -66,7 +66,7 @@ def impact(
     w1 = 1 if m1 is None else 1 / m1
     c, e = read.line_of_centres(), read.e()
     c = _towards_second((u1 - u2).dot(c), c, first, second)
-    v1, v2 = (_tidied(v) for v in law.impact(u1, u2, w1, w2, c, e))
+    v1, v2 = (_tidied_vector(v) for v in law.impact(u1, u2, w1, w2, c, e))
     before = Bodies(
         replace(first, mass=m1, velocity=u1),
         second if isinstance(second, Wall) else replace(second, mass=m2, velocity=u2),
@@ -124,7 +124,7 @@ class Hit:
     @property
     def line_of_centres(self) -> Vector:
         """The unit vector from the first body to the second; for a wall, into the wall."""
-        return _tidied(measure.unit(self._centres))
+        return _tidied_vector(measure.unit(self._centres))
 
     @property
     def impulse(self) -> Any:
@@ -136,7 +136,9 @@ class Hit:
     def impulse_on(self, body: str | Body) -> Vector:
         """The impulse on one of the bodies: a vector, in N s. Raises MissingError as above."""
         on_second = self._law(law.impulse, "the impulse")
-        return _tidied(-on_second if self._name(body) == self.before.first.name else on_second)
+        return _tidied_vector(
+            -on_second if self._name(body) == self.before.first.name else on_second
+        )
 
     @property
     def kinetic_energy_lost(self) -> Any:
@@ -154,7 +156,7 @@ class Hit:
         """
         velocity = self._velocity(body, when)
         self._check_moving(body, when, velocity)
-        return _tidied_angle(measure.direction(_tidied(velocity)))
+        return _tidied_angle(measure.direction(_tidied_vector(velocity)))
 
     def deflection(self, body: str | Body) -> Any:
         """The angle between a body's directions before and after, from 0 to π, in radians.
@@ -371,8 +373,9 @@ def _symbols(trees: dict[str, Any]) -> dict[str, Any]:
             try:
                 vector = evaluate(value, positive) if isinstance(value, Expression) else value
                 if isinstance(value, tuple):
-                    parts = (evaluate(p, positive) if isinstance(p, Expression) else p for p in value)
-                    vector = Vector(*parts)
+                    vector = Vector(
+                        *(evaluate(p, positive) if isinstance(p, Expression) else p for p in value)
+                    )
             except StatementError:  # told by a wall, perhaps: then by its size
                 vector = None
         if isinstance(vector, Vector):
@@ -546,7 +549,8 @@ def _is_zero(value: Any) -> bool:
 def _towards_second(approach: Any, c: Vector, first: Body, second: Body) -> Vector:
     """The line of centres from the first body to the second: they approach along it."""
     if _is_array(approach):
-        return c * (1 - 2 * (approach < 0))
+        sense = 1 - 2 * (approach < 0)
+        return Vector(c.x * sense, c.y * sense)
     if _is_zero(approach):  # in either sense of c the bodies approach, but not if it is zero
         raise ImpossibleError(
             f"{first.name} and {second.name} do not approach each other along the line of "
@@ -559,14 +563,16 @@ def _towards_second(approach: Any, c: Vector, first: Body, second: Body) -> Vect
 
 
 def _tidied(value: Any) -> Any:
-    """An exact value, or each component of a vector, in its simplest usual form."""
-    if isinstance(value, Vector):
-        return Vector(*(_tidied(component) for component in value))
+    """An exact value in its simplest usual form; others as they are."""
     if not hasattr(value, "free_symbols"):
         return value
     from restitution.exact import tidy
 
     return tidy(value)
+
+
+def _tidied_vector(vector: Vector) -> Vector:
+    return Vector(_tidied(vector.x), _tidied(vector.y))
 
 
 def _tidied_angle(value: Any) -> Any:
@@ -625,7 +631,7 @@ def _text(value: Any) -> str:
 def _shown(value: Any) -> str:
     """A number as text; an exact one also to 3 significant figures."""
     if _is_array(value):
-        low, high = (f"{float(end):.6g}" for end in (value.min(), value.max()))
+        low, high = (f"{float(end) + 0.0:.6g}" for end in (value.min(), value.max()))
         return f"[{value.size} values from {low} to {high}]" if value.size else "[no values]"
     if hasattr(value, "free_symbols") and not (value.free_symbols or value.is_Rational):
         from restitution.exact import significant
@@ -635,7 +641,7 @@ def _shown(value: Any) -> str:
 
 
 def _shown_angle(value: Any) -> str:
-    if _is_array(value) or getattr(value, "free_symbols", ()):
+    if _is_array(value) or _free_symbols(value):
         return _shown(value)
     if not hasattr(value, "free_symbols"):
         return f"{math.degrees(value):.6g}°"

@@ -44,7 +44,8 @@ def deflection(before: Vector, after: Vector) -> Any:
 
 def unit(vector: Vector) -> Vector:
     """The vector of size 1 in the same direction. Divides by zero for the zero vector."""
-    return vector / speed(vector)
+    size = speed(vector)
+    return Vector(vector.x / size, vector.y / size)
 
 
 def at_angle(angle: Any) -> Vector:

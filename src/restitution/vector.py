@@ -19,10 +19,6 @@ class Vector(NamedTuple):
     x: Any
     y: Any
 
-    # Arrays on the left of an operator would take a pair for an array of two numbers and spread
-    # over it; this tells them to leave the operation to the vector.
-    __array_ufunc__ = None
-
     def __add__(self, other: tuple[Any, Any]) -> Vector:  # type: ignore[override]
         x, y = other
         return Vector(self.x + x, self.y + y)
@@ -73,3 +69,9 @@ class Vector(NamedTuple):
     def turned_left(self) -> Vector:
         """This vector turned by a right angle, anticlockwise."""
         return Vector(-self.y, self.x)
+
+
+# An array on the left of an operator would take a pair for an array of two numbers and spread
+# over it; this tells it to leave the operation to the vector. (Within the class it would be
+# taken for a third component.)
+Vector.__array_ufunc__ = None  # type: ignore[attr-defined]

@@ -381,6 +381,8 @@ def _letters(
     run, end = word.group(), word.end()
     if run in PROPERTY_WORDS and _property_stands_here(before):
         return [_token(source, run.upper(), run, at, end)]
+    if run in PROPERTY_WORDS and _tells_properties(before) and not text.startswith("(", end):
+        return [_token(source, run.upper(), run, at, end)]
     if run in QUANTITIES:
         return [_quantity(source, run, at, end)]
     if run in KEYWORDS:
@@ -497,19 +499,22 @@ def _is_a_slip(run: str, called: bool) -> bool:
 def _unknown(run: str, names: Mapping[str, str]) -> str:
     if run[0].isupper() and run.lower() not in WORDS:
         return unknown_name(run, names)
-    meant = guess(run)
-    if meant is None:
-        for greek in sorted(GREEK_BY_NAME, key=len, reverse=True):
-            rest = run.removesuffix(greek)
-            if rest != run and 0 < len(rest) <= 4:
-                meant = f"{' '.join(rest)} {greek}"
-                break
+    meant = MEANT.get(run) or _spaced(run) or guess(run)
     return f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
+
+
+def _spaced(run: str) -> str | None:
+    """Letters run together with the name of a Greek letter, put apart: ``mtheta``."""
+    for greek in sorted(GREEK_BY_NAME, key=len, reverse=True):
+        rest = run.removesuffix(greek)
+        if rest != run and 0 < len(rest) <= 3:
+            return f"{' '.join(rest)} {greek}"
+    return None
 
 
 def unknown_name(name: str, names: Mapping[str, str]) -> str:
     """What to say of a name that no line declares."""
-    meant = near(name, sorted(names))
+    meant = near(name, sorted(names), cutoff=0.5)
     if meant is None and len(names) == 1:
         meant = next(iter(names))
     said = f"unknown name '{name}': no sphere, wall or point is called that"

@@ -407,6 +407,7 @@ _NAMES_OF_TOKENS = {
     "OVER": "'over'",
     "TO": "'to'",
     "AGAIN": "'again'",
+    "COLLIDE_AGAIN": "'collide again' or 'do not collide again'",
     "AND": "'and'",
     "HITS": "'hits'",
     "LPAR": "'('",
@@ -472,6 +473,8 @@ def _meant(
     if not word or not word.replace("_", "").isalnum() or not word[0].isalpha():
         return None
     names = reading.scan.names
+    if previous is not None and previous.type in ("SPHERE", "WALL", "POINT"):
+        return None
     if token.type == "LETTER" and "NAME" in expected and word[0].isupper():
         return unknown_name(word, names)
     if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:
@@ -486,7 +489,7 @@ def _meant(
         meant = near(word, EVENT_WORDS)
         return f"unknown word '{word}': did you mean '{meant}'?" if meant else None
     if token.type == "WORD" or (len(word) > 2 and word not in WORDS and token.type == "LETTER"):
-        meant = near(word, sorted(WORDS - {word})) if len(word) > 2 else None
+        meant = guess(word) if len(word) > 2 else None
         if meant:
             return f"unknown word '{word}': did you mean '{meant}'?"
     return None

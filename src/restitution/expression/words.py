@@ -100,10 +100,12 @@ FRAGMENTS = (
     "when",
     "that",
     "then",
+    "lost",
 )
 
+# The words that may be suggested, and those near which a run of letters is a slip.
 WORDS = frozenset(
-    (*LINE_WORDS, *EVENT_WORDS, *PROPERTY_WORDS, *KEYWORDS, *FRAGMENTS)
+    (*LINE_WORDS, *EVENT_WORDS, *PROPERTY_WORDS, *KEYWORDS, "deg")
     + (*FUNCTIONS, *QUANTITIES, *GREEK_BY_NAME, "pi")
 )
 
@@ -149,6 +151,18 @@ MEANT: Mapping[str, str] = {
     "prove": "show",
     "magnitude": "abs",
     "csc": "cosec",
+    "range": "range of",
+    "maximum": "maximum of",
+    "minimum": "minimum of",
+    "max": "maximum of",
+    "min": "minimum of",
+    "perpendicular": "perpendicular to",
+    "parallel": "parallel to",
+    "opposite": "opposite to",
+    "collide": "collide again",
+    "terms": "in terms of",
+    "percentage": "as a percentage",
+    "rest": "at rest",
     "arcsine": "arcsin",
     "arccosine": "arccos",
     "arctangent": "arctan",
@@ -162,14 +176,14 @@ UNIT = (
 UNIT_OF_A_PROPERTY = rf"(?:{UNIT}|ms(?!\w))"
 
 
-def near(word: str, words: Iterable[str]) -> str | None:
+def near(word: str, words: Iterable[str], cutoff: float = 0.7) -> str | None:
     """The one of ``words`` that was probably meant, or None."""
     known = list(words)
     if word.lower() in known:
         return word.lower()
-    found = get_close_matches(word, known, n=1, cutoff=0.7)
+    found = get_close_matches(word, known, n=1, cutoff=cutoff)
     if not found and word.lower() != word:
-        found = get_close_matches(word.lower(), known, n=1, cutoff=0.7)
+        found = get_close_matches(word.lower(), known, n=1, cutoff=cutoff)
     return found[0] if found else None
 
 

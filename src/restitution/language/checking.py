@@ -73,6 +73,7 @@ class _Bodies:
 
     kinds: Mapping[str, str]
     events: int
+    lets: AbstractSet[str]
 
 
 def check(problem: Problem) -> None:
@@ -103,16 +104,17 @@ def _mistakes(problem: Problem) -> Iterator[StatementError]:
             yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
         kinds.setdefault(body.name, _kind(body))
     told = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
-    bodies = _Bodies(kinds, told)
+    named = frozenset(step.letter for _, step in problem.steps() if isinstance(step, Let))
+    bodies = _Bodies(kinds, told, named)
     for sphere in problem.spheres:
         for value, what in ((sphere.mass, "mass"), (sphere.radius, "radius")):
             yield from _scalar(bodies, value, what)
         yield from _vector(bodies, sphere.velocity, "velocity")
-        yield from _in(bodies, sphere.position, _POINT)
+        yield from _at(bodies, sphere.position, _POINT)
     for wall in problem.walls:
         yield from _wall(bodies, wall)
     for point in problem.points:
-        yield from _in(bodies, point.position, _POINT)
+        yield from _at(bodies, point.position, _POINT)
     lets: list[dict[str, Let]] = [{}]
     for part in problem.parts:
         if part.label is not None:
@@ -151,7 +153,7 @@ def _wall(bodies: _Bodies, wall: Wall) -> Iterator[StatementError]:
     yield from _vector(bodies, wall.along, "along", angle=True)
     yield from _scalar(bodies, wall.radius, "radius")
     for point in (wall.through, wall.start, wall.end, wall.centre):
-        yield from _in(bodies, point, _POINT)
+        yield from _at(bodies, point, _POINT)
 
 
 def _step(bodies: _Bodies, step: Step) -> Iterator[StatementError]:
@@ -163,9 +165,7 @@ def _step(bodies: _Bodies, step: Step) -> Iterator[StatementError]:
             yield from _vector(bodies, impulse, "receives")
         case Arrival(body, target):
             yield from _body(bodies, body, _SPHERE, step.place)
-            if isinstance(target, Number):
-                yield _error("expected a point or a wall after 'reaches'", target.place)
-            yield from _in(bodies, target, _POINT | _WALL)
+            yield from _at(bodies, target, _POINT | _WALL)
         case Let(_, expression):
             yield from _in(bodies, expression, _POINT)
         case Given(relations):
@@ -261,9 +261,16 @@ def _vector(
             f"expected {wanted} after '{what}', not the name {value.name}{remedy}", value.place
         )
         return
-    if not angle and isinstance(value, Expression) and _is_number(value):
+    if not angle and isinstance(value, Expression) and _is_number(bodies, value):
         yield _error(f"expected a vector after '{what}', such as 3i - 4j", _place_of(value))
     yield from _in(bodies, value, _NOTHING)
+
+
+def _at(bodies: _Bodies, value: Any, may_be: AbstractSet[str]) -> Iterator[StatementError]:
+    """Mistakes in what is a point, or the name of a body of the given kinds."""
+    if isinstance(value, Expression) and not isinstance(value, Name) and _is_number(bodies, value):
+        yield _error("expected a point, such as (2a, a)", _place_of(value))
+    yield from _in(bodies, value, may_be)
 
 
 def _is_vector(tree: Any) -> bool:
@@ -278,14 +285,14 @@ def _is_vector(tree: Any) -> bool:
     return False
 
 
-def _is_number(tree: Expression) -> bool:
+def _is_number(bodies: _Bodies, tree: Expression) -> bool:
     """Whether an expression holds numbers and letters alone, but is not zero."""
     if isinstance(tree, Number) and tree.value == 0:
         return False
     for each in walk(tree):
         if isinstance(each, Quantity | Pair | Polar | Name) or type(each).__name__ == "Unit":
             return False
-        if isinstance(each, Letter):
+        if isinstance(each, Letter) and each.name in bodies.lets:
             return False  # it may name a vector
     return True
 

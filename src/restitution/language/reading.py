@@ -339,7 +339,7 @@ def _impact_property(reading: Reading, node: Tree[Token], spans: list[Span]) -> 
     if str(first.first) != "e":
         typed = reading.text(first.first, first.first)
         raise reading.error(
-            f"unknown property '{typed}': the coefficient of restitution is given as e = {typed}",
+            f"unknown property '{typed}': the coefficient of restitution is given as e = …",
             first.place,
         )
     return "e", spans[2].value, first.place

@@ -164,6 +164,8 @@ Layout: TypeAlias = (
     | Phrase
 )
 
+# Numbers with more bits than this are rounded, as nobody reads their digits.
+LONGEST = 400
 ONE = Number("1")
 ZERO_VECTOR = Bold("0")
 SIGNS = {"<=": "≤", ">=": "≥", "==": "=", "!=": "≠"}
@@ -439,6 +441,8 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
 
 
 def _from_expression(value: Expr) -> Layout:
+    if isinstance(value, Rational) and max(abs(value.p), value.q).bit_length() > LONGEST:
+        return decimal_number(value)
     if isinstance(value, Rational):
         size = fraction(Number(str(abs(value.p))), Number(str(value.q)))
         return negative(size) if value.p < 0 else size

@@ -127,7 +127,10 @@ def _function(layout: Function) -> str:
     name = f"<mi>{escape(layout.name)}</mi>"
     if layout.power is not None:
         name = f"<msup>{name}{_node(layout.power)}</msup>"
-    gap = "" if isinstance(layout.argument, Brackets) else _THIN
+    close = isinstance(layout.argument, Brackets) or (
+        layout.power is not None and isinstance(layout.argument, Letter)
+    )
+    gap = "" if close else _THIN
     return _row(name + _APPLY + gap + _node(layout.argument))
 
 

@@ -1,0 +1,665 @@
+"""Solving one part: which letters are unknown, what they are, and which roots are admissible."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import (
+    ContradictionError,
+    ImpossibleError,
+    RestitutionError,
+    StatementError,
+    UnsupportedError,
+)
+from restitution.expression.evaluate import Symbolic, Value
+from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
+from restitution.problem import (
+    Arrival,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Part,
+    Problem,
+    Range,
+    Show,
+    Unknown,
+)
+from restitution.problem import Value as ValueItem
+from restitution.solve.algebra import Found, solve_system
+from restitution.solve.facts import givens, requirements
+from restitution.solve.letters import REAL, POSITIVE, Role, narrowed_by, roles
+from restitution.solve.numbers import FIELD, TINY, Sample, Undefined, at, sample, sign_at
+from restitution.solve.story import AnyOf, Condition, Equation, Sign, Story, lets_of
+
+SAMPLES_WANTED = 4
+SAMPLES_TRIED = 160
+SYMBOLIC = Symbolic()
+
+
+@dataclass
+class Letters:
+    """Letters and hidden unknowns as symbols, or as values where they are known."""
+
+    roles: Mapping[str, Role]
+    values: Mapping[str, sp.Expr] = field(default_factory=dict)
+    angles: Mapping[str, tuple[sp.Expr, sp.Expr]] = field(default_factory=dict)
+    samples: Sequence[Sample] = ()
+    phrases: dict[str, str] = field(default_factory=dict)
+    hidden_roles: dict[str, Role] = field(default_factory=dict)
+
+    def letter(self, name: str) -> Value:
+        if name in self.angles:
+            c, s = self.angles[name]
+            from restitution.expression.evaluate import Angle
+
+            return Angle(c, s, lambda: self.values[name])
+        if name in self.values:
+            return self.values[name]
+        return self.roles.get(name, POSITIVE).symbol(name)
+
+    def hidden(self, key: str, phrase: str, sign: Sign) -> sp.Expr:
+        name = f"_{key}"
+        self.phrases[name] = phrase
+        self.hidden_roles[name] = POSITIVE if sign == "positive" else REAL
+        if name in self.values:
+            return self.values[name]
+        return self.hidden_roles[name].symbol(name)
+
+    def all_roles(self) -> dict[str, Role]:
+        return {**self.roles, **self.hidden_roles}
+
+    def sign(self, x: sp.Expr) -> int | None:
+        x = sp.sympify(x)
+        if x.is_positive:
+            return 1
+        if x.is_negative:
+            return -1
+        if x.is_zero:
+            return 0
+        if self.samples:
+            return sign_at(x, self.samples)
+        rng = random.Random(7)
+        names = sorted(s.name for s in x.free_symbols)
+        known = self.all_roles()
+        return sign_at(x, [sample(names, known, rng) for _ in range(8)])
+
+
+@dataclass
+class Numbers:
+    """Letters and hidden unknowns as numbers."""
+
+    values: Mapping[str, Any]
+
+    def letter(self, name: str) -> Any:
+        if name not in self.values:
+            raise Undefined(name)
+        return self.values[name]
+
+    def hidden(self, key: str, phrase: str, sign: Sign) -> Any:
+        name = f"_{key}"
+        if name not in self.values:
+            raise Undefined(name)
+        return self.values[name]
+
+    def sign(self, x: Any) -> int:
+        return 0 if abs(x) < TINY else 1 if x > 0 else -1
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a set of values led to: accepted with samples, or refused for a reason."""
+
+    found: Found
+    samples: tuple[Sample, ...]
+    reason: str | None = None
+    kind: str | None = None
+
+
+@dataclass
+class Setting:
+    """One part with everything that its items share."""
+
+    problem: Problem
+    part: Part
+    protected: frozenset[str]
+    extra_unknown: frozenset[str]
+    data: frozenset[str]
+    roles: dict[str, Role]
+    lets: dict[str, tuple[Let, int]]
+    named: list[tuple[Let, int]]
+    facts: list[tuple[Given, int]]
+    asked: frozenset[str]
+    carried: frozenset[str] = frozenset()
+
+    # --- telling ---------------------------------------------------------------------------
+
+    def tell(self, unknowns: Letters | Numbers) -> Story:
+        """The story with these values, symbolically or in numbers."""
+        arithmetic = FIELD if isinstance(unknowns, Numbers) else SYMBOLIC
+        return Story(self.problem, self.part, arithmetic, unknowns, self.lets)
+
+    def requirements(self, story: Story) -> list[Equation | Condition | AnyOf]:
+        """What the facts and the names in force ask for, in this telling."""
+        found: list[Equation | Condition | AnyOf] = []
+        for given, now in self.facts:
+            for relation in given.relations:
+                found += requirements(relation, story, now, given.place)
+        for let, now in self.named:
+            relation = Compare((Letter(let.letter), let.expression), ("=",))
+            found += requirements(relation, story, now, let.place)
+        return found
+
+    # --- checking --------------------------------------------------------------------------
+
+    def examine(self, values: Mapping[str, Any], solved: Iterable[str]) -> tuple[str, str] | None:
+        """Why these numbers are impossible, as (reason, kind); None if they are not.
+
+        Raises Undefined where something has no real value.
+        """
+        story = self.tell(Numbers(values))
+        wanted = self.requirements(story)
+        for name in solved:
+            problem = _outside(name, values[name], self.roles.get(name))
+            if problem is not None:
+                return problem
+        for need in (*story.conditions, *wanted):
+            if isinstance(need, Condition) and not holds(need):
+                return need.reason, need.kind
+            if isinstance(need, AnyOf) and not any(holds(option) for option in need.options):
+                return need.reason, need.kind
+        for need in (*story.equations, *wanted):
+            if isinstance(need, Equation) and abs(need.value) > TINY * 10**5:
+                return need.reason, "equation"
+        return None
+
+    def try_out(self, found: Found, letters_: Letters) -> Trial:
+        """Whether a solution is admissible for some values of the data."""
+        known = letters_.all_roles()
+        rng = random.Random(11)
+        free = sorted(
+            (set(self.roles) | set(letters_.hidden_roles)) - set(found.values) - set(self.lets)
+        )
+        solved = [name for name in found.values if not name.startswith("_")]
+        hidden = [name for name in found.values if name.startswith("_")]
+        reasons: Counter[tuple[str, str]] = Counter()
+        accepted: list[Sample] = []
+        depends = any(name in self._used_letters() for name in free) or any(
+            name.startswith("_") for name in free
+        )
+        tries = SAMPLES_TRIED if depends else 1
+        for _ in range(tries):
+            values = sample(free, known, rng)
+            try:
+                for name, value in found.values.items():
+                    values[name] = at(value, values)
+                wrong = next(
+                    (
+                        (f"{letters_.phrases.get(name, name)} would be negative", "sign")
+                        for name in hidden
+                        if known[name].low is not None and values[name] <= 0
+                    ),
+                    None,
+                )
+                wrong = wrong or self.examine(values, solved)
+            except (Undefined, ArithmeticError):
+                reasons["it would not be real", "equation"] += 1
+                continue
+            if wrong is None:
+                accepted.append(values)
+                if len(accepted) == SAMPLES_WANTED:
+                    break
+            else:
+                reasons[wrong] += 1
+        if accepted:
+            return Trial(found, tuple(accepted))
+        (reason, kind), _ = reasons.most_common(1)[0]
+        return Trial(found, (), reason, kind)
+
+    def _used_letters(self) -> set[str]:
+        return set(self.roles) - set(self.lets)
+
+
+def holds(condition: Condition) -> bool:
+    """Whether a condition holds, in numbers."""
+    value = condition.value
+    if condition.relation == ">":
+        return bool(value > TINY)
+    if condition.relation == ">=":
+        return bool(value > -TINY)
+    return bool(abs(value) > TINY)
+
+
+def _outside(name: str, value: Any, role: Role | None) -> tuple[str, str] | None:
+    """Why a letter may not have this value."""
+    if role is None:
+        return None
+    low = None if role.low is None else at(role.low, {})
+    high = None if role.high is None else at(role.high, {})
+    below = low is not None and (value < low - TINY or (not role.closed[0] and value < low + TINY))
+    above = high is not None and (
+        value > high + TINY or (not role.closed[1] and value > high - TINY)
+    )
+    if not below and not above:
+        return None
+    if role.kind == "restitution":
+        return "a coefficient of restitution lies in [0, 1]", "coefficient"
+    if role.kind == "angle":
+        ends = [
+            f"{float(x) * 180 / 3.141592653589793:.4g}°"
+            for x in (low, high)
+            if x is not None
+        ]
+        return f"the angle must lie between {' and '.join(ends)}", "range"
+    if below and low == 0:
+        return f"{name} must be positive", "range"
+    return f"{name} is outside the range given for it", "range"
+
+
+# --- setting up ---------------------------------------------------------------------------------
+
+
+def settle(
+    problem: Problem,
+    part: Part,
+    in_terms_of: tuple[str, ...] | None,
+    data: frozenset[str] = frozenset(),
+    carried: frozenset[str] = frozenset(),
+) -> Setting:
+    """What is known, asked and unknown in a part, for lines that end with ``in terms of …``."""
+    known = roles(problem)
+    facts = givens(problem, part)
+    for given, _ in facts:
+        for name, role in known.items():
+            known[name] = narrowed_by(role, name, given)
+    lets = lets_of(problem, part)
+    protected = frozenset(in_terms_of or ())
+    named = [pair for name, pair in lets.items() if name in protected]
+    lets = {name: pair for name, pair in lets.items() if name not in protected}
+    asked: set[str] = set()
+    declared: set[str] = set()
+    fixed: set[str] = set(data)
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Unknown) and (each.label is None or each is part):
+                declared |= set(step.letters)
+            if isinstance(step, Find) and each is part:
+                for item in step.items:
+                    if isinstance(item, ValueItem):
+                        if not has_quantity(item.expression):
+                            asked |= letters(item.expression)
+                    elif isinstance(item, Range):
+                        if isinstance(item.expression, Letter):
+                            fixed.add(item.expression.name)
+                    elif isinstance(item, Extremum):
+                        fixed |= letters(item.over)
+    asked -= set(lets)
+    extra = declared - set(lets)
+    if in_terms_of is not None:
+        extra |= set(known) - protected - set(lets) - fixed
+    return Setting(
+        problem,
+        part,
+        protected | frozenset(fixed),
+        frozenset(extra - fixed),
+        frozenset(fixed),
+        known,
+        lets,
+        named,
+        facts,
+        frozenset(asked - protected - fixed),
+        carried,
+    )
+
+
+# --- solving ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """All that solving the unknowns of a part gave."""
+
+    setting: Setting
+    trials: tuple[Trial, ...]
+    letters: Letters
+    open_story: Story
+    equations: tuple[Equation, ...]
+    conditions: tuple[Condition | AnyOf, ...]
+
+    @property
+    def accepted(self) -> list[Trial]:
+        return [trial for trial in self.trials if trial.samples]
+
+    @property
+    def refused(self) -> list[Trial]:
+        return [trial for trial in self.trials if not trial.samples and trial.kind != "equation"]
+
+
+def work_out(setting: Setting) -> Outcome:
+    """Every set of values for the unknowns that satisfies the equations, examined.
+
+    Raises ContradictionError where there is none.
+    """
+    trials: list[Trial] = []
+    last: tuple[Letters, Story, list[Equation], list[Condition | AnyOf]] | None = None
+    for values, angles in _letter_branches(setting):
+        letters_ = Letters(setting.roles, values, angles)
+        story = setting.tell(letters_)
+        wanted = setting.requirements(story)
+        equations = [
+            *story.equations,
+            *(each for each in wanted if isinstance(each, Equation)),
+        ]
+        conditions = [
+            *story.conditions,
+            *(each for each in wanted if not isinstance(each, Equation)),
+        ]
+        for found in _solve_equations(setting, letters_, equations, story):
+            # Letters replaced by what the facts between letters say are back-substituted.
+            combined = _combine(values, angles, found)
+            trials.append(setting.try_out(combined, letters_))
+        last = letters_, story, equations, conditions
+    if last is None or not trials:
+        raise _clash(setting)
+    letters_, story, equations, conditions = last
+    return Outcome(
+        setting, tuple(_distinct(trials)), letters_, story, tuple(equations), tuple(conditions)
+    )
+
+
+def _distinct(trials: list[Trial]) -> list[Trial]:
+    kept: list[Trial] = []
+    for trial in trials:
+        if not any(_same_values(trial, other) for other in kept):
+            kept.append(trial)
+    return kept
+
+
+def _same_values(a: Trial, b: Trial) -> bool:
+    return bool(a.samples) == bool(b.samples) and a.found.values == b.found.values
+
+
+def _clash(setting: Setting) -> RestitutionError:
+    lines = sorted({given.place.line for given, _ in setting.facts if given.place is not None})
+    place = setting.facts[-1][0].place if setting.facts else None
+    if lines:
+        where = "line " + str(lines[0]) if len(lines) == 1 else "lines " + ", ".join(
+            map(str, lines[:-1])
+        ) + f" and {lines[-1]}"
+        message = f"the facts clash: no values satisfy all that is given in {where} and the story"
+    else:
+        message = "the data clash: no values satisfy all that is told"
+    return ContradictionError(message, None if place is None else place.line)
+
+
+def _combine(
+    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], found: Found
+) -> Found:
+    put: dict[sp.Symbol, sp.Expr] = {}
+    combined = dict(found.values)
+    pairs = dict(found.angles)
+    for name, value in values.items():
+        symbols = {s for s in value.free_symbols if s.name in found.values}
+        put = {s: found.values[s.name] for s in symbols}
+        combined[name] = value.xreplace(put) if put else value
+        if name in angles and not put:
+            pairs[name] = angles[name]
+    return Found(combined, pairs, found.leftover)
+
+
+def _letter_branches(
+    setting: Setting,
+) -> list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]]:
+    """Values of letters that facts between letters alone give, before the story is told."""
+    symbols = Letters(setting.roles)
+    equations: list[tuple[Expression, Expression]] = []
+    for given, _ in setting.facts:
+        for relation in given.relations:
+            if not isinstance(relation, Compare):
+                continue
+            for left, op, right in zip(
+                relation.operands, relation.operators, relation.operands[1:], strict=False
+            ):
+                if op != "=" or has_quantity(left) or has_quantity(right):
+                    continue
+                if (letters(left) | letters(right)) & set(setting.lets):
+                    continue
+                equations.append((left, right))
+    branches: list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]] = [({}, {})]
+    if not equations:
+        return branches
+    from restitution.expression.evaluate import Angle, Evaluator
+
+    evaluator = Evaluator(SYMBOLIC, symbols.letter)
+    pending: list[sp.Expr] = []
+    for left, right in equations:
+        try:
+            a, b = evaluator.value(left), evaluator.value(right)
+        except StatementError:
+            continue
+        if isinstance(a, tuple) or isinstance(b, tuple):
+            continue
+        a = a.measure() if isinstance(a, Angle) else a
+        b = b.measure() if isinstance(b, Angle) else b
+        pending.append(sp.sympify(a - b))
+    taken: set[str] = set()
+    # A letter alone on one side stands for the other side.
+    substitutions: dict[sp.Symbol, sp.Expr] = {}
+    for left, right in equations:
+        for lone, other in ((left, right), (right, left)):
+            if not isinstance(lone, Letter) or lone.name in setting.protected:
+                continue
+            if lone.name in letters(other) or lone.name in taken or not letters(other):
+                continue
+            if lone.name in setting.asked:
+                continue
+            value = evaluator.scalar(other).xreplace(substitutions)
+            symbol = setting.roles[lone.name].symbol(lone.name)
+            if symbol in value.free_symbols:
+                continue
+            substitutions = {k: v.xreplace({symbol: value}) for k, v in substitutions.items()}
+            substitutions[symbol] = value
+            taken.add(lone.name)
+            break
+    branches = [({s.name: v for s, v in substitutions.items()}, {})]
+    progress = True
+    while progress:
+        progress = False
+        for equation in list(pending):
+            new = []
+            for values, angles in branches:
+                put = {setting.roles[n].symbol(n): v for n, v in values.items()}
+                current = sp.sympify(equation.xreplace(put))
+                current = current.doit() if current.free_symbols else current
+                free = current.free_symbols
+                if len(free) != 1:
+                    new.append((values, angles))
+                    continue
+                (x,) = free
+                progress = True
+                for found in _one_letter(setting, current, x):
+                    value = found.values[x.name]
+                    deeper = {n: v.xreplace({x: value}) for n, v in values.items()}
+                    new.append(({**deeper, **found.values}, {**angles, **found.angles}))
+            if any(len(b[0]) != len(a[0]) for a, b in zip(branches, new, strict=False)) or len(
+                new
+            ) != len(branches):
+                pending.remove(equation)
+            branches = new
+    return branches
+
+
+def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found]:
+    role = setting.roles[x.name]
+    is_angle = role.kind == "angle"
+    if is_angle and not equation.has(sp.sin, sp.cos, sp.tan, sp.cot):
+        is_angle = False
+    acute = frozenset({x}) if _acute(role) else frozenset()
+    kept = []
+    for found in solve_system(
+        [equation], [x], frozenset({x}) if is_angle else frozenset(), acute, setting.roles
+    ):
+        if x.name not in found.values:
+            continue
+        try:
+            value = at(found.values[x.name], {})
+        except (Undefined, KeyError):
+            continue
+        if _outside(x.name, value, role) is None:
+            kept.append(found)
+    return kept
+
+
+def _acute(role: Role) -> bool:
+    return bool(
+        role.kind == "angle"
+        and role.low is not None
+        and role.high is not None
+        and role.low >= 0
+        and role.high <= sp.pi / 2
+    )
+
+
+def _solve_equations(
+    setting: Setting, letters_: Letters, equations: Sequence[Equation], story: Story
+) -> list[Found]:
+    """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
+    values = [sp.sympify(each.value) for each in equations]
+    values = [each for each in values if each != 0]
+    known = letters_.all_roles()
+    chosen = (setting.extra_unknown | setting.asked | setting.carried) - set(letters_.values)
+    for _ in range(8):
+        unknowns = _ranked(setting, letters_, values, chosen)
+        angles = frozenset(
+            s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle"
+        )
+        acute = frozenset(s for s in angles if _acute(setting.roles[s.name]))
+        found = solve_system(values, unknowns, angles, acute, known)
+        leftover = [each for one in found for each in one.leftover]
+        if not leftover:
+            return found
+        letter = _to_fix(setting, leftover, chosen)
+        if letter is None:
+            kept = [one for one in found if not one.leftover]
+            return kept
+        chosen = chosen | {letter}
+    raise UnsupportedError("the facts fix more letters than can be sorted out")
+
+
+def _ranked(
+    setting: Setting,
+    letters_: Letters,
+    equations: Sequence[sp.Expr],
+    chosen: frozenset[str] | set[str],
+) -> list[sp.Symbol]:
+    """The unknowns in these equations, in the order in which to eliminate them."""
+    present = {s for each in equations for s in each.free_symbols}
+
+    def rank(symbol: sp.Symbol) -> tuple[int, str]:
+        name = symbol.name
+        if name.startswith("_"):
+            return 0, name
+        if name in setting.asked:
+            return 2, name
+        return 1, name
+
+    return sorted(
+        (s for s in present if s.name.startswith("_") or s.name in chosen), key=rank
+    )
+
+
+def _to_fix(
+    setting: Setting, leftover: Sequence[sp.Expr], chosen: frozenset[str] | set[str]
+) -> str | None:
+    """Which letter a left-over fact is taken to fix."""
+    present = {s.name for each in leftover for s in each.free_symbols}
+    candidates = [
+        name for name in present if name not in chosen and name not in setting.protected
+    ]
+    if not candidates:
+        return None
+    left_out = any(
+        isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
+    )
+    shown = {
+        each.name
+        for step in setting.part.steps
+        if isinstance(step, Show) and isinstance(step.relation, Compare)
+        for each in step.relation.operands
+        if isinstance(each, Letter)
+    }
+    equated = {
+        each.name
+        for given, _ in setting.facts
+        for relation in given.relations
+        if isinstance(relation, Compare) and any(has_quantity(t) for t in relation.operands)
+        for each in relation.operands
+        if isinstance(each, Letter)
+    }
+    in_shows = {
+        name
+        for step in setting.part.steps
+        if isinstance(step, Show) and isinstance(step.relation, Compare)
+        for tree in step.relation.operands
+        if not has_quantity(tree)
+        for name in letters(tree)
+    }
+
+    def priority(name: str) -> tuple[int, str]:
+        role = setting.roles[name]
+        if name in shown:
+            return 0, name
+        if name == "e" and left_out:
+            return 1, name
+        if name in equated:
+            return 2, name
+        if role.kind == "restitution":
+            return 3, name
+        if name in in_shows:
+            return 4, name
+        if role.kind == "angle":
+            return 5, name
+        if role.kind == "real":
+            return 6, name
+        return 7, name
+
+    return min(candidates, key=priority)
+
+
+def impossible(trials: Sequence[Trial], place: Place | None) -> RestitutionError:
+    """Why none of the solutions can be: the commonest physical reason."""
+    reasons = Counter(
+        (t.reason, t.kind) for t in trials if t.reason is not None and t.kind != "equation"
+    )
+    line = None if place is None else place.line
+    if not reasons:
+        return ContradictionError("the facts clash: no real values satisfy them all", line)
+    (reason, kind), _ = reasons.most_common(1)[0]
+    if kind == "fact":
+        return ContradictionError(f"the facts clash: {reason}", line)
+    return ImpossibleError(str(reason), line)
+
+
+__all__ = [
+    "Letters",
+    "Numbers",
+    "Outcome",
+    "Setting",
+    "Trial",
+    "holds",
+    "impossible",
+    "replace",
+    "settle",
+    "work_out",
+]
+
+_ = (Arrival, Kick)

@@ -1,0 +1,445 @@
+"""Problem → Solution: every part in turn, every item with its answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import (
+    ContradictionError,
+    ImpossibleError,
+    MissingError,
+    RestitutionError,
+    StatementError,
+    UnsupportedError,
+)
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.problem import (
+    Arrival,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Part,
+    Problem,
+    Range,
+    Show,
+    Value,
+)
+from restitution.render.layout import display, display_point, display_vector
+from restitution.render.text import to_text
+from restitution.solve import forms
+from restitution.solve.letters import is_angle
+from restitution.solve.part import (
+    Letters,
+    Outcome,
+    Setting,
+    Trial,
+    impossible,
+    settle,
+    work_out,
+)
+from restitution.solve.solution import (
+    Answer,
+    Branch,
+    ItemKind,
+    ItemResult,
+    PartSolution,
+    Rejected,
+    RejectedBranch,
+    Solution,
+)
+from restitution.solve.story import Story
+from restitution.vector import Vector
+
+
+def solve(problem: Problem) -> Solution:
+    """Solves every part of a problem.
+
+    What cannot be answered carries its own error in the result, so that one item takes no other
+    with it; nothing is raised for a mistake in the question.
+    """
+    parts: dict[str | None, PartSolution] = {}
+    warnings = list(problem.warnings)
+    carried: frozenset[str] = frozenset()
+    for part in problem.parts:
+        if not any(isinstance(step, Find | Show) for step in part.steps):
+            continue
+        worker = _Worker(problem, part, carried)
+        parts[part.label] = worker.solve()
+        warnings += [each for each in worker.warnings if each not in warnings]
+        carried = carried | worker.asked_of_all()
+    return Solution(problem, parts, tuple(warnings))
+
+
+@dataclass
+class _Worker:
+    problem: Problem
+    part: Part
+    carried: frozenset[str]
+    warnings: list[str] = field(default_factory=list)
+    outcomes: dict[Any, Outcome | RestitutionError] = field(default_factory=dict)
+    branches: dict[Any, list[Branch]] = field(default_factory=dict)
+
+    def solve(self) -> PartSolution:
+        results: list[ItemResult] = []
+        now = sum(
+            isinstance(step, Impact | Kick | Arrival)
+            for each in self.problem.parts[: self.problem.parts.index(self.part)]
+            for step in each.steps
+        )
+        for step in self.part.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif isinstance(step, Find):
+                for item in step.items:
+                    results.append(self._item(item, now, step.in_terms_of))
+            elif isinstance(step, Show):
+                results.append(self._show(step, now))
+        outcome = self._outcome(None)
+        if isinstance(outcome, RestitutionError):
+            first = next((o for o in self.outcomes.values() if isinstance(o, Outcome)), None)
+            error: RestitutionError | None = outcome
+            outcome = first or outcome
+        else:
+            error = None
+        if isinstance(outcome, RestitutionError):
+            return PartSolution(self.part, tuple(results), (), (), {}, None, error)
+        key = next(k for k, v in self.outcomes.items() if v is outcome)
+        return PartSolution(
+            self.part,
+            tuple(results),
+            tuple(self.branches.get(key, ())),
+            tuple(
+                RejectedBranch(t.found.values, t.reason or "", t.kind or "")
+                for t in outcome.refused
+            ),
+            outcome.letters.all_roles(),
+            outcome.open_story,
+            None,
+        )
+
+    def asked_of_all(self) -> frozenset[str]:
+        """Letters asked for here whose values rest on facts of the whole statement."""
+        if any(isinstance(step, Given) for step in self.part.steps):
+            return frozenset()
+        asked: set[str] = set()
+        for step in self.part.steps:
+            if isinstance(step, Find):
+                for item in step.items:
+                    if isinstance(item, Value) and isinstance(item.expression, Letter):
+                        asked.add(item.expression.name)
+        return frozenset(asked)
+
+    # --- solving once for each list of letters ------------------------------------------------
+
+    def _outcome(
+        self, in_terms_of: tuple[str, ...] | None, data: frozenset[str] = frozenset()
+    ) -> Outcome | RestitutionError:
+        key = (in_terms_of, data)
+        if key not in self.outcomes:
+            try:
+                setting = settle(self.problem, self.part, in_terms_of, data, self.carried)
+                outcome = work_out(setting)
+                self.outcomes[key] = outcome
+                self.branches[key] = self._branches(outcome)
+            except RestitutionError as error:
+                self.outcomes[key] = error
+        return self.outcomes[key]
+
+    def _branches(self, outcome: Outcome) -> list[Branch]:
+        accepted = outcome.accepted
+        if not accepted:
+            blamed = [t for t in outcome.refused]
+            if blamed and all(t.kind == "coefficient" for t in blamed):
+                # The data imply an impossible coefficient: said, and the rest answered.
+                accepted = self._with_impossible_coefficient(outcome)
+                for trial in blamed:
+                    self._warn_of_coefficient(outcome, trial)
+            if not accepted:
+                raise impossible(outcome.trials, self.part.place)
+        made = []
+        for number, trial in enumerate(accepted, 1):
+            made.append(self._branch(outcome.setting, outcome.letters, trial, number))
+        return made
+
+    def _branch(self, setting: Setting, letters_: Letters, trial: Trial, number: int) -> Branch:
+        told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
+        story = setting.tell(told) if trial.found.values else None
+        if story is None:
+            story = setting.tell(Letters(setting.roles, {}, {}, trial.samples))
+        return Branch(
+            number, trial.found.values, trial.found.angles, story, trial.samples[0]
+        )
+
+    def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
+        from dataclasses import replace
+
+        from restitution.solve.letters import REAL
+        from restitution.solve.numbers import Undefined, at
+
+        kept = []
+        for trial in outcome.refused:
+            values: dict[str, Any] = {}
+            try:
+                for name, value in trial.found.values.items():
+                    values[name] = at(value, values)
+            except (Undefined, KeyError):
+                continue
+            for name, role in outcome.setting.roles.items():
+                values.setdefault(name, at(role.low or REAL.low or 1, {}))
+            kept.append(replace(trial, samples=(values,)))
+        return kept
+
+    def _warn_of_coefficient(self, outcome: Outcome, trial: Trial) -> None:
+        for name, value in trial.found.values.items():
+            role = outcome.setting.roles.get(name)
+            if role is not None and role.kind == "restitution":
+                shown = to_text(display(exact.tidy(value)))
+                text = f"the data imply {name} = {shown}, and {trial.reason}"
+                if text not in self.warnings:
+                    self.warnings.append(text)
+
+    # --- items --------------------------------------------------------------------------------
+
+    def _item(self, item: Any, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
+        kind: ItemKind = "value"
+        try:
+            if isinstance(item, Range):
+                from restitution.solve.ranges import find_range
+
+                kind = "range"
+                return find_range(self.problem, self.part, item, now, in_terms_of, self.carried)
+            if isinstance(item, Extremum):
+                from restitution.solve.extrema import find_extremum
+
+                kind = "extremum"
+                return find_extremum(
+                    self.problem, self.part, item, now, in_terms_of, self.carried
+                )
+            kind = self._kind(item.expression)
+            return self._value(item, now, in_terms_of, kind)
+        except RestitutionError as error:
+            line = None if item.place is None else item.place.line
+            column = None if item.place is None else item.place.column
+            if error.line is None:
+                error = type(error)(error.message, line, column)
+            return ItemResult(item, line, item.text, kind, error=error)
+
+    def _kind(self, tree: Expression) -> ItemKind:
+        if isinstance(tree, Negate):
+            return self._kind(tree.operand)
+        if isinstance(tree, Quantity):
+            if tree.kind == "line_of_centres":
+                return "direction"
+            if tree.kind == "direction" and self._is_wall(tree.arguments):
+                return "direction"
+            if tree.kind == "position":
+                return "point"
+        if isinstance(tree, Name):
+            return "direction" if self._is_wall((tree,)) else "point"
+        return "value"
+
+    def _is_wall(self, arguments: tuple[Expression, ...]) -> bool:
+        names = {wall.name for wall in self.problem.walls}
+        return bool(arguments) and isinstance(arguments[0], Name) and arguments[0].name in names
+
+    def _value(
+        self, item: Value, now: int, in_terms_of: tuple[str, ...] | None, kind: ItemKind
+    ) -> ItemResult:
+        outcome = self._outcome(in_terms_of)
+        if isinstance(outcome, RestitutionError):
+            raise outcome
+        branches = self.branches[in_terms_of, frozenset()]
+        line = None if item.place is None else item.place.line
+        angle = self._is_angle(item.expression, outcome.setting)
+        self._refuse_coefficient(item, outcome)
+        answers: list[Answer] = []
+        for branch in branches:
+            trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
+            samples = trial.samples if trial is not None else (branch.sample,)
+            value = self._evaluate(item.expression, branch, now, samples, kind)
+            self._complete(item, value, outcome, in_terms_of)
+            answers.append(_answer(branch.number, value, kind, angle, item.percentage))
+        if answers and isinstance(answers[0].value, tuple) and kind == "value":
+            kind = "vector"
+        if all(_same_value(each.value, answers[0].value) for each in answers[1:]):
+            answers = answers[:1]
+        rejected = self._rejected(item, outcome, answers, now, kind, angle)
+        return ItemResult(item, line, item.text, kind, tuple(answers), rejected=rejected)
+
+    def _evaluate(
+        self, tree: Expression, branch: Branch, now: int, samples: Any, kind: ItemKind
+    ) -> Any:
+        value = branch.story.evaluator(now).value(tree)
+        if isinstance(tree, Letter) and isinstance(value, Angle):
+            return exact.tidy_angle(value.measure())
+        if kind == "direction" and isinstance(value, Vector):
+            return forms.direction(value, samples)
+        result = forms.plain(value, samples)
+        if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
+            return exact.tidy_angle(result)
+        return result
+
+    def _is_angle(self, tree: Expression, setting: Setting) -> bool:
+        walls = frozenset(wall.name for wall in self.problem.walls)
+        angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
+        return is_angle(tree, angles, walls)
+
+    def _refuse_coefficient(self, item: Value, outcome: Outcome) -> None:
+        """No value for what contains an impossible coefficient."""
+        if outcome.accepted:
+            return
+        blamed = {
+            name
+            for trial in outcome.refused
+            for name in trial.found.values
+            if name in outcome.setting.roles
+            and outcome.setting.roles[name].kind == "restitution"
+        } or {"e"}
+        named = letters(item.expression)
+        for name, (let, _) in outcome.setting.lets.items():
+            if name in named:
+                named |= letters(let.expression)
+        if named & blamed:
+            trial = outcome.refused[0]
+            name = min(named & blamed)
+            value = trial.found.values.get(name)
+            shown = "" if value is None else f"{name} = {to_text(display(exact.tidy(value)))}: "
+            raise ImpossibleError(f"{shown}{trial.reason}")
+
+    def _complete(
+        self,
+        item: Value,
+        value: Any,
+        outcome: Outcome,
+        in_terms_of: tuple[str, ...] | None,
+    ) -> None:
+        """Everything in an answer must be data."""
+        parts = value if isinstance(value, tuple) else (value,)
+        present = {s.name for part in parts for s in part.free_symbols}
+        hidden = sorted(name for name in present if name.startswith("_"))
+        if hidden:
+            phrases = list(dict.fromkeys(_phrase(outcome, name) for name in hidden))
+            raise MissingError(f"{_called(item)} needs {' and '.join(phrases)}")
+        asked = present & outcome.setting.asked
+        if asked and not has_quantity(item.expression):
+            name = min(asked & letters(item.expression) or asked)
+            raise MissingError(f"{name} is not fixed by what is given")
+        if asked:
+            name = min(asked)
+            if not any(True for _ in outcome.equations):
+                return
+        if in_terms_of is not None:
+            extra = sorted(present - set(in_terms_of))
+            if extra:
+                raise MissingError(
+                    f"{_called(item)} depends on {' and '.join(extra)}, and cannot be given "
+                    f"in terms of {', '.join(in_terms_of)} alone"
+                )
+
+    def _rejected(
+        self,
+        item: Value,
+        outcome: Outcome,
+        answers: list[Answer],
+        now: int,
+        kind: ItemKind,
+        angle: bool,
+    ) -> tuple[Rejected, ...]:
+        found: list[Rejected] = []
+        for trial in outcome.refused:
+            try:
+                told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
+                if isinstance(item.expression, Letter):
+                    value = told.letter(item.expression.name)
+                else:
+                    story = outcome.setting.tell(told)
+                    value = story.evaluator(now).value(item.expression)
+                value = forms.plain(value, ())
+            except (RestitutionError, ArithmeticError, TypeError, ValueError):
+                continue
+            if any(_same_value(value, each.value) for each in answers):
+                continue
+            parts = value if isinstance(value, tuple) else (value,)
+            if any(s.name.startswith("_") for p in parts for s in p.free_symbols):
+                continue
+            made = _answer(0, value, kind, angle, item.percentage)
+            if not any(made.exact == each.exact for each in found):
+                found.append(Rejected(made.value, made.exact, made.display, trial.reason or ""))
+        return tuple(found)
+
+    # --- show ---------------------------------------------------------------------------------
+
+    def _show(self, step: Show, now: int) -> ItemResult:
+        from restitution.solve.showing import show
+
+        line = None if step.place is None else step.place.line
+        try:
+            return show(self, step, now)
+        except RestitutionError as error:
+            column = None if step.place is None else step.place.column
+            if error.line is None:
+                error = type(error)(error.message, line, column)
+            return ItemResult(step, line, step.text, "show", error=error)
+
+
+def _phrase(outcome: Outcome, name: str) -> str:
+    return outcome.letters.phrases.get(name, name.lstrip("_"))
+
+
+def _called(item: Value) -> str:
+    text = item.text or "this"
+    tree = item.expression
+    if isinstance(tree, Quantity) and not tree.arguments:
+        return "the " + tree.kind.replace("_", " ")
+    return text
+
+
+def _same_value(a: Any, b: Any) -> bool:
+    if isinstance(a, tuple) != isinstance(b, tuple):
+        return False
+    if isinstance(a, tuple):
+        return all(exact.same(x, y) for x, y in zip(a, b, strict=True))
+    return bool(exact.same(a, b))
+
+
+def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
+    if isinstance(value, tuple):
+        x, y = value
+        shown = display_point(x, y) if kind == "point" else display_vector(x, y)
+        decimals = exact.decimal(x), exact.decimal(y)
+        return Answer(
+            number,
+            value,
+            (exact.sympy_text(x), exact.sympy_text(y)),
+            None if None in decimals else decimals,  # type: ignore[arg-type]
+            to_text(shown),
+        )
+    return Answer(
+        number,
+        value,
+        exact.sympy_text(value),
+        exact.decimal(value),
+        to_text(display(value, angle=angle, percentage=percentage)),
+        angle=angle,
+    )
+
+
+_ = (Apply, ContradictionError, Mapping, StatementError, Story, UnsupportedError, walk)

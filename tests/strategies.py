@@ -1,0 +1,427 @@
+"""Hypothesis strategies for everything that can be stated: expressions, relations, problems."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from hypothesis import strategies as st
+from restitution import problem as p
+from restitution.expression.quantities import SIGNATURES
+from restitution.expression.tree import (
+    FUNCTIONS,
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Polar,
+    Quantity,
+    Unit,
+)
+
+SPHERES = ("A", "B", "C", "P1")
+WALLS = ("W", "OX")
+POINTS = ("N", "O")
+NAMES = {
+    **dict.fromkeys(SPHERES, "sphere"),
+    **dict.fromkeys(WALLS, "wall"),
+    **dict.fromkeys(POINTS, "point"),
+}
+LETTERS = ("u", "v", "m", "M", "e", "k", "s", "r", "d", "g", "e_1", "v_A", "m_12") + (
+    "alpha",
+    "theta",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "beta_2",
+)
+
+sphere_names = st.sampled_from(SPHERES)
+wall_names = st.sampled_from(WALLS)
+point_names = st.sampled_from(POINTS)
+letter_names = st.sampled_from(LETTERS)
+
+
+# --- numbers and scalars ----------------------------------------------------------------------
+
+
+def decimals() -> st.SearchStrategy[Fraction]:
+    """Numbers as typed: whole, or with up to four places."""
+    return st.builds(
+        lambda n, places: Fraction(n, 10**places), st.integers(0, 99_999), st.integers(0, 4)
+    )
+
+
+def numbers() -> st.SearchStrategy[Number]:
+    """Exact numbers, never negative."""
+    return st.builds(Number, decimals())
+
+
+def angles() -> st.SearchStrategy[Expression]:
+    """Angles: degrees, Greek letters, multiples of pi, and differences of these."""
+    simple = st.one_of(
+        st.builds(Degrees, decimals()),
+        st.sampled_from([Letter("alpha"), Letter("theta"), Pi()]),
+        st.builds(Binary, st.just("*"), numbers(), st.just(Letter("alpha"))),
+    )
+    return st.one_of(
+        simple,
+        st.builds(Negate, simple),
+        st.builds(Binary, st.sampled_from("+-"), simple, simple),
+        st.builds(lambda x: Apply("arctan", x), numbers()),
+    )
+
+
+def scalars(events: int = 0, quantities: bool = False) -> st.SearchStrategy[Expression]:
+    """Expressions of numbers and letters, and of quantities where these are wanted."""
+    leaves: list[st.SearchStrategy[Any]] = [
+        numbers(),
+        st.builds(Degrees, decimals()),
+        st.builds(Letter, letter_names),
+        st.just(Pi()),
+    ]
+    if quantities:
+        leaves.append(scalar_quantities(events))
+    return st.recursive(st.one_of(leaves), _grown, max_leaves=10)
+
+
+def _grown(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
+    return st.one_of(
+        st.builds(Negate, inner),
+        st.builds(Binary, st.sampled_from("+-*/^"), inner, inner),
+        st.builds(Apply, st.sampled_from(FUNCTIONS), inner),
+        st.builds(
+            lambda f, x, n: Binary("^", Apply(f, x), Number(Fraction(n))),
+            st.sampled_from(FUNCTIONS),
+            inner,
+            st.integers(0, 9),
+        ),
+    )
+
+
+# --- vectors and points -----------------------------------------------------------------------
+
+
+def vectors() -> st.SearchStrategy[Expression]:
+    """Vectors by components, as pairs, and by size and direction."""
+    part = scalars()
+    along = st.builds(
+        lambda x, unit: Binary("*", x, unit), part, st.sampled_from([Unit("i"), Unit("j")])
+    )
+    rectangular = st.one_of(
+        along,
+        st.sampled_from([Unit("i"), Unit("j")]),
+        st.builds(Negate, along),
+        st.builds(Binary, st.sampled_from("+-"), along, along),
+    )
+    pairs = st.builds(Pair, part, part)
+    polar = st.one_of(
+        st.builds(Polar, part, angles()),
+        st.builds(Polar, part, angles(), rectangular),
+        st.builds(
+            lambda size, angle, wall: Polar(size, angle, None, Name(wall)),
+            part,
+            angles(),
+            wall_names,
+        ),
+    )
+    return st.one_of(
+        rectangular, pairs, polar, st.builds(Binary, st.sampled_from("+-"), polar, pairs)
+    )
+
+
+def points() -> st.SearchStrategy[Expression]:
+    """Points by coordinates and by name."""
+    return st.one_of(st.builds(Pair, scalars(), scalars()), st.builds(Name, point_names))
+
+
+def directions(events: int) -> st.SearchStrategy[Expression]:
+    """Whatever has a direction: vectors, walls, lines of centres."""
+    return st.one_of(vectors(), st.builds(Name, wall_names), vector_quantities(events))
+
+
+# --- quantities -------------------------------------------------------------------------------
+
+
+def stages(events: int, first: int = 0) -> st.SearchStrategy[Any]:
+    """A number of one of the events told, or now."""
+    if events < first:
+        return st.none()
+    return st.one_of(st.none(), st.integers(first, events))
+
+
+def _of_a_sphere(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quantity]:
+    if SIGNATURES[kind].before:
+        stage = st.one_of(stage, st.just("before"))
+    return st.builds(lambda name, s: Quantity(kind, (Name(name),), s), sphere_names, stage)
+
+
+def _of_all(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quantity]:
+    return st.builds(lambda s: Quantity(kind, (), s), stage)
+
+
+def vector_quantities(events: int) -> st.SearchStrategy[Quantity]:
+    """Quantities that are vectors or points."""
+    now, of_one = stages(events), stages(events, first=1)
+    time = st.builds(AtTime, scalars())
+    return st.one_of(
+        _of_a_sphere("velocity", now),
+        _of_a_sphere("momentum", now),
+        _of_a_sphere("impulse", of_one),
+        _of_a_sphere("position", st.one_of(now, time)),
+        _of_all("momentum", now),
+        _of_all("line_of_centres", of_one),
+        st.builds(lambda name: Quantity("direction", (Name(name),)), wall_names),
+    )
+
+
+def scalar_quantities(events: int) -> st.SearchStrategy[Quantity]:
+    """Quantities that are numbers or angles."""
+    now, of_one = stages(events), stages(events, first=1)
+    vector = st.one_of(vectors(), vector_quantities(events))
+    direction = st.one_of(vector, angles(), st.builds(Name, wall_names))
+    kinds = [
+        *(_of_a_sphere(kind, now) for kind in ("speed", "direction", "energy")),
+        _of_a_sphere("deflection", of_one),
+        _of_a_sphere("mass", st.none()),
+        _of_all("energy", now),
+        *(_of_all(kind, of_one) for kind in ("impulse", "energy_lost")),
+        _of_all("total_energy_lost", st.none()),
+        *(
+            st.builds(lambda v, d, kind=kind: Quantity(kind, (v, d)), vector, direction)
+            for kind in ("along", "across", "angle")
+        ),
+        st.builds(lambda v, w: Quantity("dot", (v, w)), vector, vector),
+        st.builds(
+            lambda a, b, s: Quantity("distance", (Name(a), b), s),
+            sphere_names,
+            st.one_of(points(), st.builds(Name, sphere_names)),
+            st.one_of(now, st.builds(AtTime, scalars())),
+        ),
+    ]
+    if events:
+        kinds.append(_of_all("time", st.integers(1, events)))
+    return st.one_of(kinds)
+
+
+def expressions() -> st.SearchStrategy[Expression]:
+    """Anything an expression may be."""
+    return st.one_of(
+        scalars(events=3, quantities=True), vectors(), vector_quantities(3), points()
+    )
+
+
+# --- relations and items ----------------------------------------------------------------------
+
+
+def comparisons(events: int) -> st.SearchStrategy[p.Compare]:
+    """Equations, inequalities and chains of them."""
+    sides = scalars(events, quantities=True)
+    chains = st.lists(
+        st.tuples(st.sampled_from(["=", "<", "<=", ">", ">="]), sides), min_size=1, max_size=2
+    )
+    numeric = st.builds(
+        lambda first, rest: p.Compare(
+            (first, *(side for _, side in rest)), tuple(sign for sign, _ in rest)
+        ),
+        sides,
+        chains,
+    )
+    vector = st.builds(
+        lambda left, right: p.Compare((left, right), ("=",)), vector_quantities(events), vectors()
+    )
+    return st.one_of(numeric, vector)
+
+
+def relations(events: int) -> st.SearchStrategy[p.Relation]:
+    """All that may stand after ``given``."""
+    aligned = st.builds(
+        p.Aligned,
+        directions(events),
+        st.sampled_from(
+            ["perpendicular to", "parallel to", "in the direction of", "opposite to"]
+        ),
+        directions(events),
+    )
+    meets = st.builds(
+        p.Meets,
+        st.just(Name("A")),
+        st.sampled_from([Name("B"), Name("W"), Name("P1")]),
+        st.booleans(),
+        st.booleans(),
+    )
+    at_rest = st.builds(lambda name: p.AtRest(Name(name)), sphere_names)
+    return st.one_of(comparisons(events), aligned, at_rest, meets)
+
+
+def items(events: int) -> st.SearchStrategy[p.Item]:
+    """All that may stand after ``find``."""
+    value = st.one_of(scalars(events, quantities=True), vector_quantities(events))
+    return st.one_of(
+        st.builds(p.Value, value, st.booleans()),
+        st.builds(p.Range, value, st.booleans()),
+        st.builds(
+            p.Extremum, st.sampled_from(["maximum", "minimum"]), value, scalars(), st.booleans()
+        ),
+    )
+
+
+def _terms() -> st.SearchStrategy[Any]:
+    return st.one_of(
+        st.none(), st.lists(letter_names, min_size=1, max_size=3, unique=True).map(tuple)
+    )
+
+
+def shows(events: int) -> st.SearchStrategy[p.Show]:
+    """Results to be derived, of each kind."""
+    figured = st.builds(
+        lambda left, right, figures: p.Compare((left, right), ("=",), figures),
+        scalars(events, quantities=True),
+        scalars(),
+        st.one_of(st.none(), st.integers(1, 9)),
+    )
+    extremum = st.builds(
+        lambda kind, q, x, value, terms: p.Show(
+            p.Compare((q, value), ("=",)), p.Extremum(kind, q, x), terms
+        ),
+        st.sampled_from(["maximum", "minimum"]),
+        scalars(events, quantities=True),
+        st.builds(Letter, letter_names),
+        scalars(),
+        _terms(),
+    )
+    ranged = st.builds(
+        lambda x, chain, terms: p.Show(chain, p.Range(x), terms),
+        scalars(events, quantities=True),
+        comparisons(events),
+        _terms(),
+    )
+    plain = st.builds(
+        lambda relation, terms: p.Show(relation, None, terms),
+        st.one_of(relations(events), figured),
+        _terms(),
+    )
+    return st.one_of(plain, ranged, extremum)
+
+
+# --- whole problems ---------------------------------------------------------------------------
+
+
+def _maybe(strategy: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
+    return st.one_of(st.none(), strategy)
+
+
+def spheres(name: str) -> st.SearchStrategy[p.Sphere]:
+    """A sphere of which anything may be known."""
+    rest = st.just(Pair(Number(Fraction(0)), Number(Fraction(0))))
+    return st.builds(
+        p.Sphere,
+        st.just(name),
+        _maybe(scalars()),
+        _maybe(st.one_of(vectors(), rest)),
+        _maybe(points()),
+        _maybe(scalars()),
+    )
+
+
+def walls(name: str) -> st.SearchStrategy[p.Wall]:
+    """Walls of each kind."""
+    return st.one_of(
+        st.builds(
+            lambda along, through: p.Wall(name, along=along, through=through),
+            _maybe(st.one_of(vectors(), angles())),
+            _maybe(points()),
+        ),
+        st.builds(lambda start, end: p.Wall(name, start=start, end=end), points(), points()),
+        st.builds(lambda c, r: p.Wall(name, centre=c, radius=r), points(), scalars()),
+    )
+
+
+def events_told() -> st.SearchStrategy[p.Event]:
+    """Impacts with spheres and walls, blows, arrivals."""
+    line = st.one_of(
+        st.just({}),
+        st.builds(lambda v: {"along": v}, st.one_of(vectors(), angles())),
+        st.builds(lambda d: {"offset": d}, scalars()),
+    )
+    return st.one_of(
+        st.builds(
+            lambda second, e, rest: p.Impact("A", second, e, **rest),
+            st.sampled_from(("B", "C", "P1")),
+            _maybe(scalars()),
+            line,
+        ),
+        st.builds(lambda a, w, e: p.Impact(a, w, e), sphere_names, wall_names, _maybe(scalars())),
+        st.builds(p.Kick, sphere_names, vectors()),
+        st.builds(
+            p.Arrival, sphere_names, st.one_of(points(), st.builds(Name, wall_names))
+        ),
+    )
+
+
+def titles() -> st.SearchStrategy[str]:
+    """Titles without control characters and idle blanks; ``#`` is no comment in them."""
+    text = st.text(st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1)
+    return (
+        st.lists(text, min_size=1, max_size=4)
+        .map(" ".join)
+        .filter(lambda title: title.isprintable() and not title.endswith("\\"))
+    )
+
+
+@st.composite
+def problems(draw: st.DrawFn) -> p.Problem:
+    """Whole problems, of every line, property, quantity, relation and item."""
+    told = draw(st.integers(0, 3))
+    lets = iter(draw(st.permutations(LETTERS)))
+    unused = list(lets)
+    steps: list[p.Step] = []
+    for _ in range(told):
+        steps.append(draw(events_told()))
+    for _ in range(draw(st.integers(0, 4))):
+        step = draw(
+            st.one_of(
+                st.builds(
+                    lambda value: p.Let(unused.pop(), value),
+                    st.one_of(scalars(told, quantities=True), vector_quantities(told)),
+                ),
+                st.builds(
+                    lambda facts: p.Given(tuple(facts)),
+                    st.lists(relations(told), min_size=1, max_size=2),
+                ),
+                st.builds(
+                    lambda letters: p.Unknown(tuple(letters)),
+                    st.lists(letter_names, min_size=1, max_size=3, unique=True),
+                ),
+                st.builds(
+                    lambda wanted, terms: p.Find(tuple(wanted), terms),
+                    st.lists(items(told), min_size=1, max_size=2),
+                    _terms(),
+                ),
+                shows(told),
+            )
+        )
+        steps.insert(draw(st.integers(0, len(steps))), step)
+    labels = draw(st.lists(st.sampled_from(("a", "b", "ii", "2")), max_size=2, unique=True))
+    cuts = sorted(draw(st.integers(0, len(steps))) for _ in labels)
+    ends = [*cuts, len(steps)]
+    starts = [0, *cuts]
+    parts = tuple(
+        p.Part(label, tuple(steps[start:end]))
+        for label, start, end in zip([None, *labels], starts, ends, strict=True)
+    )
+    return p.Problem(
+        title=draw(_maybe(titles())),
+        spheres=tuple(draw(spheres(name)) for name in SPHERES),
+        walls=tuple(draw(walls(name)) for name in WALLS),
+        points=tuple(p.Point(name, draw(points())) for name in POINTS),
+        parts=parts,
+    )

@@ -1,0 +1,465 @@
+"""Layouts printed as in mark schemes; LaTeX balanced; MathML well formed."""
+
+from __future__ import annotations
+
+import random
+import xml.etree.ElementTree as ET
+from fractions import Fraction as Ratio
+
+import pytest
+import sympy
+from sympy import (
+    FiniteSet,
+    Integer,
+    Interval,
+    Rational,
+    S,
+    Symbol,
+    Union,
+    acos,
+    atan,
+    cos,
+    oo,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
+
+from restitution.exact import tidy
+from restitution.expression import tree as t
+from restitution.render.latex import to_latex
+from restitution.render.layout import (
+    Layout,
+    Words,
+    display,
+    display_point,
+    display_set,
+    display_vector,
+    equation,
+    from_set,
+    from_sympy,
+    from_tree,
+    relation,
+    sum_of,
+    vector,
+)
+from restitution.render.mathml import to_mathml
+from restitution.render.text import to_text, width
+
+u, v, w, m, M, k, g, h, a, r = symbols("u v w m M k g h a r", positive=True)
+m_1, m_2 = symbols("m_1 m_2", positive=True)
+e, e_1 = symbols("e e_1", nonnegative=True)
+x = symbols("x", real=True)
+alpha, beta, theta = symbols("alpha beta theta", positive=True)
+C, T, Z = cos(alpha), tan(alpha), sin(alpha)
+Q = Rational
+
+EXPRESSIONS = [
+    (7 * u / 4, "7u/4"),
+    (sqrt(103) * u / 16, "√103 u/16"),
+    (sqrt(7) * u / 4, "√7 u/4"),
+    (4 * sqrt(3), "4√3"),
+    (sqrt(5) - 1, "√5 − 1"),
+    (tidy((sqrt(5) - 1) / 4), "(√5 − 1)/4"),
+    (sqrt(3) / 3, "1/√3"),
+    (sqrt(3) * u / 3, "u/√3"),
+    (2 * sqrt(3) / 3, "2√3/3"),
+    (Q(1, 2), "½"),
+    (Q(3, 7), "3/7"),
+    (Q(-3, 7), "−3/7"),
+    (-u / 2, "−u/2"),
+    (3 - e, "3 − e"),
+    (1 + e, "1 + e"),
+    (3 * e - 1, "3e − 1"),
+    (1 - e**2, "1 − e²"),
+    (k + 1, "k + 1"),
+    (4 - k, "4 − k"),
+    (v - u, "v − u"),
+    (x**2 - 2 * x + 1, "x² − 2x + 1"),
+    (u**2 + v**2, "u² + v²"),
+    (m * u + 2 * m * v, "mu + 2mv"),
+    ((1 + e) * (3 - e) * u, "(1 + e)(3 − e)u"),
+    (tidy((3 + 5 * e) * u / 8), "(3 + 5e)u/8"),
+    ((1 + e) * u * sqrt(3) / 4, "(1 + e)u√3/4"),
+    ((1 + e) * m * u * Z, "(1 + e)mu sin α"),
+    (m * u**2 * (1 - e**2) * Z**2 / 2, "½mu²(1 − e²) sin²α"),
+    (m * u**2 / 2 + M * v**2 / 2, "½mu² + ½Mv²"),
+    (3 * m * u**2 / 8, "3mu²/8"),
+    (tidy(Q(3, 4) * (1 + e) * m * u * Z), "¾(1 + e)mu sin α"),
+    (5 * u * Z / 16, "(5/16)u sin α"),
+    (sqrt(3) * u * Z / 2, "(√3/2)u sin α"),
+    (C**2 + e**2 * Z**2, "cos²α + e² sin²α"),
+    (u * sqrt(C**2 + e**2 * Z**2), "u√(cos²α + e² sin²α)"),
+    (sqrt(u**2 + v**2), "√(u² + v²)"),
+    (sqrt(2 * g * h), "√(2gh)"),
+    (sqrt(2 * h / g), "√(2h/g)"),
+    (sqrt((1 - e) / (1 + e)), "√((1 − e)/(1 + e))"),
+    (tidy(u * sqrt((1 + e**2) / 2)), "u√((1 + e²)/2)"),
+    (e * T, "e tan α"),
+    ((1 + e) * T / (1 - e * T**2), "((1 + e) tan α)/(1 − e tan²α)"),
+    (T / e, "(tan α)/e"),
+    (1 / T, "1/tan α"),
+    (sin(2 * theta), "sin 2θ"),
+    (sin(alpha + beta), "sin(α + β)"),
+    (cos(alpha + pi / 6) ** 2, "cos²(α + 30°)"),
+    (Z * C, "sin α cos α"),
+    (m_1 * u / (m_1 + m_2), "m₁u/(m₁ + m₂)"),
+    ((m + M) * v, "(m + M)v"),
+    (m * (u + v), "m(u + v)"),
+    (tidy(m * M * (1 - e**2) * u**2 / (2 * (m + M))), "mMu²(1 − e²)/(2(m + M))"),
+    (u / (2 * g), "u/(2g)"),
+    (1 / (1 + k) ** 2, "1/(k + 1)²"),
+    ((1 + e) ** 2 * u**2 / 4, "(1 + e)²u²/4"),
+    (tidy(-u * (1 - e) / 2), "−(1 − e)u/2"),
+    (e_1 * m * u, "e₁mu"),
+    (Symbol("lambda_") * m * u, "λmu"),
+    (Symbol("v_A", positive=True) * m, "mv_A"),
+    (pi * a / 2, "πa/2"),
+    (sympy.Abs(1 - 3 * x), "|3x − 1|"),
+    (u ** Q(3, 2), "u√u"),
+    (1 / sqrt(u), "1/√u"),
+    (Integer(2) ** Q(1, 3), "∛2"),
+    (sqrt(2 + sqrt(2)), "√(2 + √2)"),
+    (atan(Q(3, 4)), "arctan(3/4)"),
+    (atan(e * T), "arctan(e tan α)"),
+    (acos(Q(1, 3)), "arccos(1/3)"),
+    (S.Infinity, "∞"),
+    (u**k, "u^(k)"),
+]
+
+
+@pytest.mark.parametrize(("value", "text"), EXPRESSIONS, ids=[each[1] for each in EXPRESSIONS])
+def test_expressions_as_text(value: sympy.Expr, text: str) -> None:
+    assert to_text(from_sympy(value)) == text
+
+
+ANGLES = [
+    (pi / 3, "60°"),
+    (pi - atan(Q(4, 3)), "180° − arctan(4/3)"),
+    (pi / 2 - alpha, "90° − α"),
+    (alpha + pi / 6, "α + 30°"),
+    (-pi / 4, "−45°"),
+    (pi / 8, "22.5°"),
+    (pi / 7, "(180/7)°"),
+    (alpha, "α"),
+]
+
+
+@pytest.mark.parametrize(("value", "text"), ANGLES, ids=[each[1] for each in ANGLES])
+def test_angles_in_degrees(value: sympy.Expr, text: str) -> None:
+    assert to_text(from_sympy(value, degrees=True)) == text
+
+
+VECTORS = [
+    (3, -4, "3𝐢 − 4𝐣"),
+    (1, -1, "𝐢 − 𝐣"),
+    (-1, 0, "−𝐢"),
+    (0, 0, "𝟎"),
+    (0, -u * C, "−u cos α 𝐣"),
+    (u * C, -e * u * Z, "u cos α 𝐢 − eu sin α 𝐣"),
+    (Q(3, 5), -Q(4, 5), "⅗𝐢 − ⅘𝐣"),
+    (7 * u / 4, sqrt(7) * u / 4, "(7u/4)𝐢 + (√7 u/4)𝐣"),
+    ((1 + e) * u, 1 - 3 * e, "(1 + e)u𝐢 + (1 − 3e)𝐣"),
+    (1 / sqrt(5), -2 / sqrt(5), "(1/√5)(𝐢 − 2𝐣)"),
+]
+
+
+@pytest.mark.parametrize(("x", "y", "text"), VECTORS, ids=[each[2] for each in VECTORS])
+def test_vectors(x: object, y: object, text: str) -> None:
+    assert to_text(vector(x, y)) == text
+
+
+RANGES = [
+    (Interval.Lopen(Q(1, 3), 1), e, "⅓ < e ≤ 1"),
+    (Interval(0, oo), k, "k ≥ 0"),
+    (Interval.open(-oo, 2), k, "k < 2"),
+    (Interval.open(e, 1), k, "e < k < 1"),
+    (FiniteSet(Q(1, 2)), e, "e = ½"),
+    (FiniteSet(1, 0), e, "e = 0 or e = 1"),
+    (Union(Interval.Ropen(0, Q(1, 3)), FiniteSet(1)), e, "0 ≤ e < ⅓ or e = 1"),
+    (Union(Interval.open(0, Q(1, 2)), Interval.open(Q(1, 2), 1)), e, "0 < e < 1, e ≠ ½"),
+    (S.EmptySet, e, "no e"),
+    (S.Reals, x, "all real x"),
+]
+
+
+@pytest.mark.parametrize(("values", "letter", "text"), RANGES, ids=[each[2] for each in RANGES])
+def test_ranges(values: sympy.Set, letter: Symbol, text: str) -> None:
+    assert to_text(from_set(values, letter)) == text
+
+
+PUT_IN = [
+    ([(2, 3), (3, -2)], "2 × 3 + 3 × (−2)"),
+    ([(2, -4), (-3, 3)], "2 × (−4) − 3 × 3"),
+    ([(3 * m, u), (2 * m, -2 * u)], "3m × u − 2m × 2u"),
+    ([(m, u), (2 * m, v)], "mu + 2mv"),
+    ([(2, v), (3, -w)], "2v − 3w"),
+    ([(m, u * Z), (2 * m, v)], "mu sin α + 2mv"),
+    ([(2, v + w)], "2(v + w)"),
+]
+
+
+@pytest.mark.parametrize(("pairs", "text"), PUT_IN, ids=[each[1] for each in PUT_IN])
+def test_values_put_in(pairs: list[tuple[object, object]], text: str) -> None:
+    assert to_text(sum_of(pairs)) == text
+
+
+def test_equations() -> None:
+    line = equation(sum_of([(2, 3), (3, -2)]), sum_of([(2, v), (3, w)]))
+    assert to_text(line) == "2 × 3 + 3 × (−2) = 2v + 3w"
+    assert to_text(relation(0, "<", e, "<=", 1)) == "0 < e ≤ 1"
+
+
+ANSWERS = [
+    (display(sqrt(103) * u / 16), "√103 u/16 = 0.634u"),
+    (display(63 * m * u / 25), "63mu/25 = 2.52mu"),
+    (display(sqrt(7) * u / 4), "√7 u/4 = 0.661u"),
+    (display(-sqrt(3) * u / 2), "−√3 u/2 = −0.866u"),
+    (display(Q(3, 7)), "3/7 = 0.429"),
+    (display(Q(25, 3)), "25/3 = 8.33"),
+    (display(Q(7, 2)), "7/2"),
+    (display(Q(1, 3)), "⅓"),
+    (display(Integer(12)), "12"),
+    (display(sqrt(2)), "√2 = 1.41"),
+    (display(7 * u / 4), "7u/4"),
+    (display((1 + e) * m * u * Z), "(1 + e)mu sin α"),
+    (display(3 * m * u**2 / 8), "3mu²/8 = 0.375mu²"),
+    (display(atan(Q(3, 4)), angle=True), "arctan(3/4) = 36.9°"),
+    (display(pi / 3, angle=True), "60°"),
+    (display(pi - atan(Q(4, 3)), angle=True), "180° − arctan(4/3) = 127°"),
+    (display(-atan(2), angle=True), "−arctan 2 = −63.4°"),
+    (display(atan(e * T), angle=True), "arctan(e tan α)"),
+    (display(Q(19, 100), percentage=True), "19%"),
+    (display(Q(1, 8), percentage=True), "12.5%"),
+    (display(Q(19, 64), percentage=True), "19/64 = 29.7%"),
+    (display(1 - e**2, percentage=True), "100(1 − e²)%"),
+    (display(Q(3, 7), name=e), "e = 3/7 = 0.429"),
+    (display_vector(3, 2), "3𝐢 + 2𝐣"),
+    (display_vector(sqrt(2), Q(1, 2)), "√2 𝐢 + ½𝐣 = 1.41𝐢 + 0.5𝐣"),
+    (display_vector(u * C, e * u), "u cos α 𝐢 + eu𝐣"),
+    (display_point(sqrt(2) * a, a), "(√2 a, a) = (1.41a, a)"),
+    (display_set(Interval.Lopen(Q(1, 3), 1), e), "⅓ < e ≤ 1"),
+    (display_set(Interval.Ropen(0, sqrt(2) / 4), e), "0 ≤ e < √2/4 (0 ≤ e < 0.354)"),
+]
+
+
+@pytest.mark.parametrize(("answer", "text"), ANSWERS, ids=[each[1] for each in ANSWERS])
+def test_answers(answer: Layout, text: str) -> None:
+    assert to_text(answer) == text
+
+
+def number(value: object) -> t.Number:
+    return t.Number(Ratio(str(value)))
+
+
+A, P = t.Name("A"), t.Name("P")
+WRITTEN = [
+    (t.Binary("*", t.Binary("/", number(1), number(2)), t.Letter("u")), "½u"),
+    (t.Binary("/", t.Letter("u"), number(2)), "u/2"),
+    (t.Binary("*", t.Binary("/", t.Apply("sqrt", number(7)), number(4)), t.Letter("u")), "(√7/4)u"),
+    (t.Binary("*", number(2), number(3)), "2 × 3"),
+    (number("0.6"), "0.6"),
+    (t.Binary("^", t.Apply("sin", t.Letter("alpha")), number(2)), "sin²α"),
+    (
+        t.Binary("-", t.Letter("u"), t.Binary("-", t.Letter("v"), t.Letter("w"))),
+        "u − (v − w)",
+    ),
+    (t.Binary("*", number(3), t.Negate(t.Letter("u"))), "3(−u)"),
+    (t.Binary("-", t.Binary("*", number(3), t.Unit("i")), t.Unit("j")), "3𝐢 − 𝐣"),
+    (t.Binary("+", t.Letter("u"), t.Negate(t.Letter("v"))), "u + (−v)"),
+    (t.Binary("^", t.Negate(t.Letter("u")), number(2)), "(−u)²"),
+    (t.Pair(number(3), t.Negate(number(4))), "(3, −4)"),
+    (t.Polar(number(5), t.Degrees(Ratio(60))), "5 at 60°"),
+    (t.Polar(number(5), t.Degrees(Ratio(60)), wall=t.Name("AB")), "5 at 60° to AB"),
+    (t.Quantity("speed", (P,)), "speed of P"),
+    (t.Quantity("speed", (P,), 0), "speed of P at the start"),
+    (t.Quantity("energy_lost"), "kinetic energy lost"),
+    (t.Quantity("impulse"), "magnitude of the impulse"),
+    (t.Quantity("deflection", (A,)), "angle of deflection of A"),
+    (t.Quantity("angle", (A, P)), "angle between A and P"),
+    (t.Quantity("velocity", (A,)), "𝐯_A"),
+]
+
+
+@pytest.mark.parametrize(("node", "text"), WRITTEN, ids=[each[1] for each in WRITTEN])
+def test_expressions_as_written(node: t.Expression, text: str) -> None:
+    assert to_text(from_tree(node)) == text
+
+
+LATEX = [
+    (m * u**2 * (1 - e**2) * Z**2 / 2, r"\tfrac{1}{2}mu^{2}(1 - e^{2})\sin^{2}\alpha"),
+    (sqrt(103) * u / 16, r"\frac{\sqrt{103}\,u}{16}"),
+    (alpha * u, r"u\alpha"),
+    (e_1 * u, "e_{1}u"),
+    (Symbol("lambda_") * m, r"\lambda m"),
+    (atan(Q(3, 4)), r"\arctan\left(\tfrac{3}{4}\right)"),
+    (sin(2 * theta), r"\sin 2\theta"),
+]
+
+
+@pytest.mark.parametrize(("value", "text"), LATEX, ids=[each[1] for each in LATEX])
+def test_expressions_as_latex(value: sympy.Expr, text: str) -> None:
+    assert to_latex(from_sympy(value)) == text
+
+
+def test_latex_of_vectors_and_angles() -> None:
+    assert to_latex(vector(3, -4)) == r"3\mathbf{i} - 4\mathbf{j}"
+    assert to_latex(from_sympy(pi / 3, degrees=True)) == r"60^{\circ}"
+
+
+def test_mathml() -> None:
+    assert to_mathml(from_sympy(u**2 / 2)) == (
+        "<math><mfrac><msup><mi>u</mi><mn>2</mn></msup><mn>2</mn></mfrac></math>"
+    )
+    assert "<mi>𝐢</mi>" in to_mathml(vector(3, -4))
+    assert to_mathml(Words('<b> & "')) == "<math><mtext>&lt;b&gt; &amp; &quot;</mtext></math>"
+
+
+def everything() -> list[Layout]:
+    found = [from_sympy(value) for value, _ in EXPRESSIONS]
+    found += [from_sympy(value, degrees=True) for value, _ in ANGLES]
+    found += [vector(a, b) for a, b, _ in VECTORS]
+    found += [from_set(values, letter) for values, letter, _ in RANGES]
+    found += [sum_of(pairs) for pairs, _ in PUT_IN]
+    found += [answer for answer, _ in ANSWERS]
+    found += [from_tree(node) for node, _ in WRITTEN]
+    return found
+
+
+def test_mathml_is_well_formed() -> None:
+    for each in everything():
+        root = ET.fromstring(to_mathml(each, block=True))
+        assert root.tag == "math"
+        for node in root.iter():
+            wanted = {"mfrac": 2, "msup": 2, "msub": 2, "mroot": 2, "msqrt": 1}.get(node.tag)
+            assert wanted is None or len(node) == wanted
+
+
+def test_latex_is_balanced() -> None:
+    for each in everything():
+        text = to_latex(each).replace(r"\{", "").replace(r"\}", "")
+        depth = 0
+        for character in text:
+            depth += (character == "{") - (character == "}")
+            assert depth >= 0
+        assert depth == 0
+        assert text.count(r"\left") == text.count(r"\right")
+
+
+def test_text_reads_back_to_the_same_value() -> None:
+    """The one-line text, read by Python's own precedence, has the value of the expression."""
+    generator = random.Random(11)
+    leaves = [u, v, k, e, 1 - e, 1 + e, u + v, S(2), S(3), sqrt(2), Q(2, 3), Q(1, 2)]
+    point = {u: 1.7, v: 0.6, k: 2.3, e: 0.4}
+    for _ in range(300):
+        value = S.One
+        for _ in range(generator.randrange(1, 4)):
+            part = generator.choice(leaves)
+            kind = generator.randrange(4)
+            if kind == 0:
+                value = value + part
+            elif kind == 1:
+                value = value * part
+            elif kind == 2:
+                value = value / part
+            else:
+                value = sqrt(value**2 + part**2 + 1)
+        text = to_text(from_sympy(value))
+        assert read(text, point) == pytest.approx(float(value.evalf(subs=point))), (value, text)
+
+
+def read(text: str, point: dict[Symbol, float]) -> float:
+    """A little reader of the text: juxtaposition binds as a product, tighter than the slash."""
+    glyphs = {"½": 0.5, "⅔": 2 / 3, "⅓": 1 / 3, "¼": 0.25, "¾": 0.75, "⅙": 1 / 6}
+    glyphs |= {"⅕": 0.2, "⅖": 0.4, "⅗": 0.6, "⅘": 0.8, "⅚": 5 / 6}
+    glyphs |= {"⅛": 0.125, "⅜": 0.375, "⅝": 0.625, "⅞": 0.875}
+    names = {each.name: number for each, number in point.items()}
+    raised = {each: power for power, each in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
+    place = 0
+
+    def peek() -> str:
+        return text[place] if place < len(text) else ""
+
+    def skip() -> None:
+        nonlocal place
+        while peek() == " ":
+            place += 1
+
+    def atom() -> float:
+        nonlocal place
+        skip()
+        here = peek()
+        place += 1
+        if here == "(":
+            found = total()
+            assert peek() == ")"
+            place += 1
+        elif here == "√":
+            found = atom() ** 0.5
+        elif here.isdecimal():
+            digits = here
+            while peek().isdecimal() or peek() == ".":
+                digits += peek()
+                place += 1
+            found = float(digits)
+        elif here in glyphs:
+            found = glyphs[here]
+        else:
+            found = names[here]
+        power = ""
+        while peek() in raised and peek():
+            power += str(raised[peek()])
+            place += 1
+        return found ** int(power) if power else found
+
+    def run() -> float:
+        nonlocal place
+        found = atom()
+        while True:
+            mark = place
+            skip()
+            if not peek() or peek() in ")+−/":
+                place = mark
+                return found
+            found *= atom()
+
+    def quotient() -> float:
+        nonlocal place
+        found = run()
+        while peek() == "/":
+            place += 1
+            found /= atom()
+        return found
+
+    def total() -> float:
+        nonlocal place
+        skip()
+        sign = 1.0
+        if peek() == "−":
+            sign = -1.0
+            place += 1
+        found = sign * quotient()
+        skip()
+        while peek() and peek() in "+−":
+            sign = 1.0 if peek() == "+" else -1.0
+            place += 1
+            found += sign * quotient()
+            skip()
+        return found
+
+    value = total()
+    assert place == len(text), text
+    return value
+
+
+def test_width_counts_columns() -> None:
+    assert width("3𝐢 − 4𝐣") == 7
+    assert width("½mu²") == 4
+    assert width("e\u0301") == 1
+
+
+def test_huge_numbers_are_rounded() -> None:
+    # 3000 log₁₀ 9 = 2862.7275, and 10^0.7275 = 5.34
+    assert to_text(from_sympy(S(9) ** 3000)) == "5.34 × 10²⁸⁶²"
