@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from functools import cache, wraps
 from typing import Any
 
 from hypothesis import strategies as st
+
 from restitution import problem as p
 from restitution.expression.quantities import SIGNATURES
 from restitution.expression.tree import (
@@ -25,6 +28,27 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
+
+
+def once(make: Callable[..., st.SearchStrategy[Any]]) -> Callable[..., st.SearchStrategy[Any]]:
+    """Make a strategy once for each choice of arguments, and not before it is used.
+
+    The strategies below are built one upon another: made anew at each use they would be huge,
+    and so would be what Hypothesis prints of them.
+    """
+    made = cache(make)
+
+    @cache
+    @wraps(make)
+    def named(*args: Any, **kwargs: Any) -> st.SearchStrategy[Any]:
+        @st.composite
+        def drawn(draw: st.DrawFn) -> Any:
+            return draw(made(*args, **kwargs))
+
+        return drawn()
+
+    return named
+
 
 SPHERES = ("A", "B", "C", "P1")
 WALLS = ("W", "OX")
@@ -53,6 +77,7 @@ letter_names = st.sampled_from(LETTERS)
 # --- numbers and scalars ----------------------------------------------------------------------
 
 
+@once
 def decimals() -> st.SearchStrategy[Fraction]:
     """Numbers as typed: whole, or with up to four places."""
     return st.builds(
@@ -60,11 +85,13 @@ def decimals() -> st.SearchStrategy[Fraction]:
     )
 
 
+@once
 def numbers() -> st.SearchStrategy[Number]:
     """Exact numbers, never negative."""
     return st.builds(Number, decimals())
 
 
+@once
 def angles() -> st.SearchStrategy[Expression]:
     """Angles: degrees, Greek letters, multiples of pi, and differences of these."""
     simple = st.one_of(
@@ -80,6 +107,7 @@ def angles() -> st.SearchStrategy[Expression]:
     )
 
 
+@once
 def scalars(events: int = 0, quantities: bool = False) -> st.SearchStrategy[Expression]:
     """Expressions of numbers and letters, and of quantities where these are wanted."""
     leaves: list[st.SearchStrategy[Any]] = [
@@ -110,6 +138,7 @@ def _grown(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression
 # --- vectors and points -----------------------------------------------------------------------
 
 
+@once
 def vectors() -> st.SearchStrategy[Expression]:
     """Vectors by components, as pairs, and by size and direction."""
     part = scalars()
@@ -138,11 +167,13 @@ def vectors() -> st.SearchStrategy[Expression]:
     )
 
 
+@once
 def points() -> st.SearchStrategy[Expression]:
     """Points by coordinates and by name."""
     return st.one_of(st.builds(Pair, scalars(), scalars()), st.builds(Name, point_names))
 
 
+@once
 def directions(events: int) -> st.SearchStrategy[Expression]:
     """Whatever has a direction: vectors, walls, lines of centres."""
     return st.one_of(vectors(), st.builds(Name, wall_names), vector_quantities(events))
@@ -151,6 +182,7 @@ def directions(events: int) -> st.SearchStrategy[Expression]:
 # --- quantities -------------------------------------------------------------------------------
 
 
+@once
 def stages(events: int, first: int = 0) -> st.SearchStrategy[Any]:
     """A number of one of the events told, or now."""
     if events < first:
@@ -168,6 +200,7 @@ def _of_all(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quant
     return st.builds(lambda s: Quantity(kind, (), s), stage)
 
 
+@once
 def vector_quantities(events: int) -> st.SearchStrategy[Quantity]:
     """Quantities that are vectors or points."""
     now, of_one = stages(events), stages(events, first=1)
@@ -183,6 +216,7 @@ def vector_quantities(events: int) -> st.SearchStrategy[Quantity]:
     )
 
 
+@once
 def scalar_quantities(events: int) -> st.SearchStrategy[Quantity]:
     """Quantities that are numbers or angles."""
     now, of_one = stages(events), stages(events, first=1)
@@ -212,16 +246,16 @@ def scalar_quantities(events: int) -> st.SearchStrategy[Quantity]:
     return st.one_of(kinds)
 
 
+@once
 def expressions() -> st.SearchStrategy[Expression]:
     """Anything an expression may be."""
-    return st.one_of(
-        scalars(events=3, quantities=True), vectors(), vector_quantities(3), points()
-    )
+    return st.one_of(scalars(events=3, quantities=True), vectors(), vector_quantities(3), points())
 
 
 # --- relations and items ----------------------------------------------------------------------
 
 
+@once
 def comparisons(events: int) -> st.SearchStrategy[p.Compare]:
     """Equations, inequalities and chains of them."""
     sides = scalars(events, quantities=True)
@@ -241,14 +275,13 @@ def comparisons(events: int) -> st.SearchStrategy[p.Compare]:
     return st.one_of(numeric, vector)
 
 
+@once
 def relations(events: int) -> st.SearchStrategy[p.Relation]:
     """All that may stand after ``given``."""
     aligned = st.builds(
         p.Aligned,
         directions(events),
-        st.sampled_from(
-            ["perpendicular to", "parallel to", "in the direction of", "opposite to"]
-        ),
+        st.sampled_from(["perpendicular to", "parallel to", "in the direction of", "opposite to"]),
         directions(events),
     )
     meets = st.builds(
@@ -262,6 +295,7 @@ def relations(events: int) -> st.SearchStrategy[p.Relation]:
     return st.one_of(comparisons(events), aligned, at_rest, meets)
 
 
+@once
 def items(events: int) -> st.SearchStrategy[p.Item]:
     """All that may stand after ``find``."""
     value = st.one_of(scalars(events, quantities=True), vector_quantities(events))
@@ -274,12 +308,14 @@ def items(events: int) -> st.SearchStrategy[p.Item]:
     )
 
 
+@once
 def _terms() -> st.SearchStrategy[Any]:
     return st.one_of(
         st.none(), st.lists(letter_names, min_size=1, max_size=3, unique=True).map(tuple)
     )
 
 
+@once
 def shows(events: int) -> st.SearchStrategy[p.Show]:
     """Results to be derived, of each kind."""
     figured = st.builds(
@@ -319,6 +355,7 @@ def _maybe(strategy: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
     return st.one_of(st.none(), strategy)
 
 
+@once
 def spheres(name: str) -> st.SearchStrategy[p.Sphere]:
     """A sphere of which anything may be known."""
     rest = st.just(Pair(Number(Fraction(0)), Number(Fraction(0))))
@@ -332,6 +369,7 @@ def spheres(name: str) -> st.SearchStrategy[p.Sphere]:
     )
 
 
+@once
 def walls(name: str) -> st.SearchStrategy[p.Wall]:
     """Walls of each kind."""
     return st.one_of(
@@ -345,6 +383,7 @@ def walls(name: str) -> st.SearchStrategy[p.Wall]:
     )
 
 
+@once
 def events_told() -> st.SearchStrategy[p.Event]:
     """Impacts with spheres and walls, blows, arrivals."""
     line = st.one_of(
@@ -361,12 +400,11 @@ def events_told() -> st.SearchStrategy[p.Event]:
         ),
         st.builds(lambda a, w, e: p.Impact(a, w, e), sphere_names, wall_names, _maybe(scalars())),
         st.builds(p.Kick, sphere_names, vectors()),
-        st.builds(
-            p.Arrival, sphere_names, st.one_of(points(), st.builds(Name, wall_names))
-        ),
+        st.builds(p.Arrival, sphere_names, st.one_of(points(), st.builds(Name, wall_names))),
     )
 
 
+@once
 def titles() -> st.SearchStrategy[str]:
     """Titles without control characters and idle blanks; ``#`` is no comment in them."""
     text = st.text(st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Literal
 
+from restitution.errors import StatementError
 from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Pair, Place
 
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
@@ -55,8 +56,15 @@ def _tree_of(value: Fraction) -> Expression:
 def _convert(body: Any, quantities: tuple[str, ...], places: tuple[str, ...]) -> None:
     for each in (*quantities, *places):
         value = getattr(body, each)
-        if not isinstance(value, Expression):
-            object.__setattr__(body, each, _exact(value, place=each in places))
+        if isinstance(value, Expression):
+            continue
+        try:
+            exact = _exact(value, place=each in places)
+        except StatementError as error:
+            where = "" if error.column is None else f" (column {error.column})"
+            message = f"the {each} of {body.name}{where}: {error.message}"
+            raise StatementError(message) from error
+        object.__setattr__(body, each, exact)
 
 
 # --- bodies -----------------------------------------------------------------------------------

@@ -1,0 +1,127 @@
+"""A worked solution as a value: parts, their steps, and the lines of a step.
+
+A step is data: which principle, in which words, which equations with which values, which marks.
+How it looks is for the renderers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from restitution.render.layout import Layout, as_layout
+
+StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading"]
+
+Words = tuple[str | Layout, ...]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of mathematics: a chain of operands with signs between them.
+
+    ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
+    only approximate or is no number), by which the line has been checked. ``operands[0]`` None
+    goes on from the line above. ``mark`` is what an examiner would give; ``note`` are words
+    behind the line.
+    """
+
+    operands: tuple[Layout | None, ...]
+    signs: tuple[str, ...]
+    values: tuple[Any, ...] = field(default=(), compare=False, repr=False)
+    mark: str = ""
+    note: Words = ()
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of the working.
+
+    ``principle`` names the law used, ``words`` is a sentence before the equations, and
+    ``values`` what is known after the step and was not before, by letter.
+    """
+
+    kind: StepKind
+    rows: tuple[Row, ...] = ()
+    principle: str | None = None
+    words: Words = ()
+    mark: str = ""
+    values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class PartExplanation:
+    """The working of one part; ``asked`` are its items as typed, ``answers`` as people see them."""
+
+    label: str | None
+    asked: tuple[str, ...]
+    steps: tuple[Step, ...]
+    answers: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A whole worked solution. It shows itself in a terminal and in Jupyter."""
+
+    title: str | None
+    parts: tuple[PartExplanation, ...]
+    warnings: tuple[str, ...] = ()
+
+    def rows(self) -> tuple[Row, ...]:
+        """Every line of mathematics, in order."""
+        return tuple(row for part in self.parts for step in part.steps for row in step.rows)
+
+    def __str__(self) -> str:
+        from restitution.explain.text import to_text
+
+        return to_text(self)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        from restitution.explain.html import to_fragment
+
+        return to_fragment(self)
+
+    def _repr_markdown_(self) -> str:
+        from restitution.explain.markup import to_markdown
+
+        return to_markdown(self)
+
+    def _repr_latex_(self) -> str:
+        from restitution.explain.markup import to_latex
+
+        return to_latex(self, document=False)
+
+
+@dataclass(frozen=True)
+class Side:
+    """One operand on its way into a row: how it looks and what it is worth."""
+
+    layout: Layout
+    value: Any
+
+
+def side(value: Any, layout: Any = None) -> Side:
+    """An operand; without a layout of its own it looks like its value."""
+    if isinstance(value, Side):
+        return value
+    return Side(as_layout(value if layout is None else layout), value)
+
+
+def shown(layout: Any) -> Side:
+    """An operand that is only shown, and not checked (a rounded value, words)."""
+    return Side(as_layout(layout), None)
+
+
+def row(*parts: Any, mark: str = "", note: Words = ()) -> Row:
+    """``row(a, "=", b, "=", c)``: a chain; operands are sides, SymPy expressions or layouts."""
+    sides = [side(each) if not isinstance(each, Layout) else shown(each) for each in parts[0::2]]
+    return Row(
+        tuple(each.layout for each in sides),
+        tuple(parts[1::2]),
+        tuple(each.value for each in sides),
+        mark,
+        note,
+    )

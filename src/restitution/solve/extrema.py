@@ -1,0 +1,159 @@
+"""``maximum of Q over X``: stationary points and the ends of what X may be."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import ContradictionError, UnsupportedError
+from restitution.expression.tree import Letter
+from restitution.problem import Extremum, Part, Problem
+from restitution.render.layout import display
+from restitution.render.text import to_text
+from restitution.solve.letters import is_angle
+from restitution.solve.numbers import TINY, Sample, Undefined, at, sample
+from restitution.solve.part import Outcome, settle, work_out
+from restitution.solve.ranges import (
+    DRAWS,
+    DRAWS_TRIED,
+    Candidate,
+    Region,
+    _images,
+    _is_reached,
+    _limit_at,
+    _near,
+    derivative,
+    limit,
+    zeros,
+)
+from restitution.solve.solution import Answer, ItemResult
+
+
+def find_extremum(
+    problem: Problem,
+    part: Part,
+    item: Extremum,
+    now: int,
+    in_terms_of: tuple[str, ...] | None,
+    carried: frozenset[str],
+) -> ItemResult:
+    """The greatest or least value of a quantity as one letter varies, and where it is reached."""
+    line = None if item.place is None else item.place.line
+    if not isinstance(item.over, Letter):
+        raise UnsupportedError("an extremum is sought over a letter")
+    name = item.over.name
+    setting = settle(problem, part, in_terms_of, frozenset({name}), carried)
+    if name not in setting.roles:
+        raise UnsupportedError(f"nothing depends on {name}")
+    outcome = work_out(setting)
+    walls = frozenset(wall.name for wall in problem.walls)
+    angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
+    angle = is_angle(item.expression, angles, walls)
+    sign = 1 if item.kind == "maximum" else -1
+    found: list[tuple[Candidate, bool, Any]] = []
+    for trial, value in _images(outcome, item.expression, now):
+        own = Outcome(
+            setting, (trial,), outcome.letters, outcome.open_story, outcome.equations,
+            outcome.conditions,
+        )
+        best = _best(own, value, name, sign)
+        if best is not None:
+            found.append(best)
+    if not found:
+        raise ContradictionError("no values satisfy all that is told")
+    candidate, reached, _ = max(found, key=lambda each: sign * each[2])
+    value = exact.tidy(candidate.value)
+    if angle and value.has(sp.atan, sp.asin, sp.acos, sp.atan2, sp.pi):
+        value = exact.tidy_angle(value)
+    place = candidate.where[name]
+    if place.has(sp.atan, sp.atan2):
+        place = exact.tidy_angle(place)
+    else:
+        place = exact.tidy(place)
+    shown = to_text(display(value, angle=angle, percentage=item.percentage))
+    role = setting.roles[name]
+    where = to_text(display(place, angle=role.kind == "angle", name=role.symbol(name)))
+    shown += f" when {where}" if reached else f" approached as {where.replace('=', '→', 1)}"
+    answer = Answer(
+        1,
+        value,
+        exact.sympy_text(value),
+        exact.decimal(value),
+        shown,
+        {name: exact.sympy_text(place)},
+        reached,
+        angle,
+    )
+    return ItemResult(item, line, item.text, "extremum", (answer,))
+
+
+def _best(
+    outcome: Outcome, value: sp.Expr, name: str, sign: int
+) -> tuple[Candidate, bool, Any] | None:
+    region = Region(outcome, name)
+    roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
+    symbol = region.symbol
+    if not value.has(symbol):
+        raise UnsupportedError(f"the quantity does not depend on {name}")
+    points = list(zeros([derivative(value, symbol)], [symbol], roles, name))
+    points += region.points
+    points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
+    candidates = []
+    for point in dict.fromkeys(points):
+        at_point = limit(value, symbol, point)
+        if at_point is not None:
+            candidates.append(Candidate(at_point, {name: point}))
+    data = region.data()
+    rng = random.Random(31)
+    winners: list[tuple[Candidate, bool, Any]] = []
+    for _ in range(DRAWS_TRIED if data else 1):
+        drawn = sample(data, roles, rng)
+        chosen = _winner(region, value, candidates, drawn, sign)
+        if chosen is not None:
+            winners.append(chosen)
+        if len(winners) == DRAWS:
+            break
+    if not winners:
+        return None
+    first = winners[0]
+    if any(each[0] != first[0] for each in winners[1:]):
+        raise UnsupportedError("where the extremum lies depends on the values of the data")
+    return first
+
+
+def _winner(
+    region: Region, value: sp.Expr, candidates: list[Candidate], drawn: Sample, sign: int
+) -> tuple[Candidate, bool, Any] | None:
+    best: tuple[Candidate, bool, Any] | None = None
+    for candidate in candidates:
+        number = _limit_at(candidate.value, drawn)
+        if number is None or not _near(region, candidate, drawn):
+            continue
+        reached = _is_reached(region, candidate, drawn)
+        slack = TINY * 10**5 * (1 + abs(number))
+        if (
+            best is None
+            or sign * number > sign * best[2] + slack
+            or (abs(number - best[2]) <= slack and reached and not best[1])
+        ):
+            best = (candidate, reached, number)
+    if best is None:
+        return None
+    # Nothing that occurs may be beyond it: else a stationary point was missed.
+    rng = random.Random(37)
+    names = [region.letter]
+    for _ in range(60):
+        point = sample(names, region.setting.roles, rng)
+        values = {**drawn, **point}
+        if not region._possible(values):
+            continue
+        try:
+            seen = at(value, values)
+        except (Undefined, KeyError):
+            continue
+        if sign * seen > sign * best[2] + TINY * 10**6 * (1 + abs(seen)):
+            raise UnsupportedError("the extremum has no exact form that is found here")
+    return best

@@ -1,0 +1,855 @@
+"""``range of X``: all values that the facts and the physics allow.
+
+Where a condition can change from true to false, one of the expressions in it vanishes, or has no
+value. Those points are found exactly; between them one trial by numbers decides. Data letters are
+tried at several random values: the range must have the same form, in these letters, for all.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import (
+    ContradictionError,
+    MissingError,
+    RestitutionError,
+    UnsupportedError,
+)
+from restitution.expression.evaluate import Evaluator
+from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.problem import Compare, Given, Part, Problem, Range, Unknown
+from restitution.render.layout import display_set, from_tree
+from restitution.render.text import to_text
+from restitution.solve import forms
+from restitution.solve.algebra import solve_system
+from restitution.solve.letters import Role, is_angle
+from restitution.solve.numbers import TINY, Sample, Undefined, at, draw, sample
+from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, work_out
+from restitution.solve.solution import Answer, ItemResult
+from restitution.solve.story import AnyOf, Condition
+
+DRAWS = 5
+DRAWS_TRIED = 60
+INFINITE = 10**30
+
+
+@dataclass(frozen=True)
+class End:
+    """One end of an interval, exact, and whether it belongs to it."""
+
+    value: sp.Expr
+    closed: bool
+
+
+Piece = tuple[End, End]
+
+
+@dataclass
+class Region:
+    """The values that one letter can take, in the setting of a part.
+
+    ``free`` letters may have any admissible value; all others are data.
+    """
+
+    outcome: Outcome
+    letter: str
+    free: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        self.setting: Setting = self.outcome.setting
+        self.role: Role = self.setting.roles[self.letter]
+        self.symbol = self.role.symbol(self.letter)
+        self.trials = [t for t in self.outcome.trials if t.kind != "equation"]
+        self.points = self._critical()
+
+    # --- where truth can change --------------------------------------------------------------
+
+    def _atoms(self) -> list[sp.Expr]:
+        """The expressions whose signs decide, with what was solved put in."""
+        found: list[sp.Expr] = []
+        for trial in self.trials:
+            told = Letters(self.setting.roles, trial.found.values, trial.found.angles)
+            story = self.setting.tell(told)
+            needs = [*story.conditions, *self.setting.requirements(story)]
+            for need in needs:
+                if isinstance(need, Condition):
+                    found.append(sp.sympify(need.value))
+                elif isinstance(need, AnyOf):
+                    found += [sp.sympify(option.value) for option in need.options]
+            for name, value in trial.found.values.items():
+                role = self.setting.roles.get(name) or told.hidden_roles.get(name)
+                if role is None:
+                    continue
+                if role.kind == "angle":
+                    if name in trial.found.angles:
+                        found += list(trial.found.angles[name])
+                    continue
+                if role.low is not None:
+                    found.append(value - role.low)
+                if role.high is not None:
+                    found.append(value - role.high)
+        for name in self.free:
+            role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
+            for bound in (role.low, role.high):
+                if bound is not None:
+                    found.append(symbol - bound)
+        unique: list[sp.Expr] = []
+        for each in found:
+            for part in _signs(each):
+                if part.free_symbols and part not in unique:
+                    unique.append(part)
+        return unique
+
+    def _critical(self) -> list[sp.Expr]:
+        atoms = self._atoms()
+        points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
+        free = {self.setting.roles[name].symbol(name) for name in self.free}
+        plain = [each for each in atoms if not each.free_symbols & free]
+        mixed = [each for each in atoms if each.free_symbols & free]
+        for atom in plain:
+            if atom.has(self.symbol):
+                points += self._zeros([atom], [self.symbol])
+        if mixed:
+            symbols = sorted(free, key=lambda s: s.name)
+            for i, one in enumerate(mixed):
+                own = [s for s in symbols if one.has(s)]
+                if len(own) == 1 and one.has(self.symbol):
+                    points += self._zeros([one, sp.diff(one, own[0])], [*own, self.symbol])
+                for other in mixed[i + 1 :]:
+                    if one.has(self.symbol) or other.has(self.symbol):
+                        points += self._zeros([one, other], [*symbols, self.symbol])
+        unique: list[sp.Expr] = []
+        for point in points:
+            if not any(point == each for each in unique):
+                unique.append(point)
+        return unique
+
+    def _zeros(self, equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> list[sp.Expr]:
+        return zeros(equations, unknowns, self.setting.roles, self.letter)
+
+    # --- deciding ----------------------------------------------------------------------------
+
+    def data(self) -> list[str]:
+        """The letters that stay data."""
+        solved = {name for trial in self.trials for name in trial.found.values}
+        hidden = set(self.outcome.letters.hidden_roles)
+        return sorted(
+            (set(self.setting.roles) | hidden)
+            - solved
+            - set(self.setting.lets)
+            - {self.letter, *self.free}
+        )
+
+    def allowed(self, value: Any, drawn: Mapping[str, Any]) -> bool:
+        """Whether the letter may have this numerical value, the data being as drawn."""
+        if not self.free:
+            return self._possible({**drawn, self.letter: value})
+        return any(
+            self._possible({**drawn, self.letter: value, **extra})
+            for extra in self._choices(value, drawn)
+        )
+
+    def _choices(self, value: Any, drawn: Mapping[str, Any]) -> list[Sample]:
+        """Values of the free letters that stand for all: between and at the critical ones."""
+        chosen: list[Sample] = [{}]
+        for name in self.free:
+            inner = Region.__new__(Region)
+            inner.outcome, inner.letter, inner.free = self.outcome, name, ()
+            inner.setting, inner.role = self.setting, self.setting.roles[name]
+            inner.symbol = inner.role.symbol(name)
+            inner.trials = self.trials
+            extended: list[Sample] = []
+            for known in chosen:
+                values = {**drawn, self.letter: value, **known}
+                numbers = _numeric_zeros(self._atoms_cached(), inner.symbol, values)
+                role = inner.role
+                for bound in (role.low, role.high):
+                    if bound is not None:
+                        numbers.append(at(bound, {}))
+                extended += [
+                    {**known, name: x} for x in _representatives(sorted(numbers), role)
+                ]
+            chosen = extended[:200]
+        return chosen
+
+    def _atoms_cached(self) -> list[sp.Expr]:
+        if not hasattr(self, "_kept_atoms"):
+            self._kept_atoms = self._atoms()
+        return self._kept_atoms
+
+    def _possible(self, values: Sample) -> bool:
+        for trial in self.trials:
+            numbers = dict(values)
+            try:
+                for name, value in trial.found.values.items():
+                    numbers[name] = at(value, numbers)
+                solved = [n for n in trial.found.values if not n.startswith("_")]
+                known = self.outcome.letters.hidden_roles
+                if any(
+                    numbers[n] <= 0
+                    for n in trial.found.values
+                    if n in known and known[n].low is not None
+                ):
+                    continue
+                if self.setting.examine(numbers, [*solved, self.letter, *self.free]) is None:
+                    return True
+            except (Undefined, ArithmeticError, KeyError):
+                continue
+            except RestitutionError:
+                continue
+        return False
+
+    # --- the set -------------------------------------------------------------------------------
+
+    def pieces(self) -> list[Piece]:
+        """The allowed values as intervals with exact ends, in order."""
+        shapes: list[tuple[list[Piece], Sample]] = []
+        data = self.data()
+        roles = {**self.setting.roles, **self.outcome.letters.hidden_roles}
+        rng = random.Random(17)
+        for _ in range(DRAWS_TRIED if data else 1):
+            drawn = sample(data, roles, rng)
+            found = self._pieces_for(drawn)
+            if found:
+                shapes.append((found, drawn))
+            if len(shapes) == DRAWS:
+                break
+        if not shapes:
+            return []
+        return _reconcile(shapes)
+
+    def _pieces_for(self, drawn: Sample) -> list[Piece]:
+        numbered: list[tuple[Any, sp.Expr]] = []
+        for point in self.points:
+            try:
+                value = at(point, drawn)
+            except (Undefined, KeyError):
+                continue
+            if not any(abs(value - other) < TINY * 10**3 for other, _ in numbered):
+                numbered.append((value, point))
+        low = None if self.role.low is None else at(self.role.low, {})
+        high = None if self.role.high is None else at(self.role.high, {})
+        numbered = sorted(
+            (
+                pair
+                for pair in numbered
+                if (low is None or pair[0] >= low - TINY)
+                and (high is None or pair[0] <= high + TINY)
+            ),
+            key=lambda pair: pair[0],
+        )
+        cells: list[tuple[sp.Expr | None, bool]] = []  # alternating: gap, point, gap, …
+        edges = [None, *numbered, None]
+        for left, right in zip(edges, edges[1:], strict=False):
+            if left is None and low is not None:
+                inside = False
+            elif right is None and high is not None:
+                inside = False
+            else:
+                inside = self._gap(left, right, drawn)
+            cells.append((None, inside))
+            if right is not None:
+                cells.append((right[1], self.allowed(right[0], drawn)))
+        return _joined(cells)
+
+    def _gap(self, left: Any, right: Any, drawn: Sample) -> bool:
+        if left is None and right is None:
+            points = [-7, 1, 11]
+        elif left is None:
+            points = [right[0] - 1, right[0] - 5]
+        elif right is None:
+            points = [left[0] + abs(left[0]) + 1, left[0] + 17]
+        else:
+            width = right[0] - left[0]
+            points = [left[0] + width / 2, left[0] + width / 7, right[0] - width / 9]
+        truths = {self.allowed(x, drawn) for x in points}
+        if len(truths) > 1:
+            raise UnsupportedError(
+                f"the ends of the range of {self.letter} have no exact form that is found here"
+            )
+        return truths.pop()
+
+
+def zeros(
+    equations: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    roles: Mapping[str, Role],
+    wanted: str,
+) -> list[sp.Expr]:
+    """The values of one letter at which expressions vanish together."""
+    angles = frozenset(s for s in unknowns if s.name in roles and roles[s.name].kind == "angle")
+    acute = frozenset(
+        s
+        for s in angles
+        if roles[s.name].low == 0 and roles[s.name].high is not None
+        and bool(roles[s.name].high <= sp.pi / 2)
+    )
+    bare = any(each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
+               for s in angles for each in equations)
+    if bare:
+        angles = acute = frozenset()
+    found = []
+    try:
+        for solution in solve_system(list(equations), list(unknowns), angles, acute, roles):
+            value = solution.values.get(wanted)
+            if value is not None:
+                found.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
+    except (UnsupportedError, sp.PolynomialError, NotImplementedError):
+        return []
+    return found
+
+
+def _signs(x: sp.Expr) -> list[sp.Expr]:
+    """An expression's numerator and denominator, and what stands under its roots and bars."""
+    top, bottom = sp.together(x).as_numer_denom()
+    parts = [top, bottom]
+    for node in sp.preorder_traversal(x):
+        if node.is_Pow and node.exp.is_Rational and not node.exp.is_Integer:
+            parts.append(sp.together(node.base).as_numer_denom()[0])
+        elif isinstance(node, sp.Abs):
+            parts.append(sp.together(node.args[0]).as_numer_denom()[0])
+    return [each for each in parts if each.free_symbols]
+
+
+def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
+    """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
+    found = []
+    for atom in atoms:
+        if not atom.has(x):
+            continue
+        others = {
+            s: sp.Float(str(values[s.name]), 40)
+            for s in atom.free_symbols
+            if s != x and s.name in values
+        }
+        if len(others) != len(atom.free_symbols) - 1:
+            continue
+        expression = atom.xreplace(others)
+        angle = expression.has(sp.sin, sp.cos, sp.tan)
+        if angle:
+            t = sp.Dummy("t")
+            expression = expression.rewrite(sp.tan) if False else expression.xreplace(
+                {
+                    sp.sin(x): 2 * t / (1 + t**2),
+                    sp.cos(x): (1 - t**2) / (1 + t**2),
+                    sp.tan(x): 2 * t / (1 - t**2),
+                }
+            )
+            variable = t
+        else:
+            variable = x
+        try:
+            poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
+            roots_ = poly.nroots(n=35, maxsteps=200)
+        except (sp.PolynomialError, sp.GeneratorsNeeded, ValueError, NotImplementedError):
+            continue
+        for root in roots_:
+            if abs(sp.im(root)) < 1e-18:
+                value = at(sp.re(root), {})
+                found.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
+    return found
+
+
+def _representatives(numbers: list[Any], role: Role) -> list[Any]:
+    """Numbers, points between them and points beyond them."""
+    if not numbers:
+        return [at(sp.Rational(1, 3), {})]
+    found = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
+    for a, b in zip(numbers, numbers[1:], strict=False):
+        found += [a, (a + b) / 2]
+    found.append(numbers[-1])
+    low = None if role.low is None else at(role.low, {})
+    high = None if role.high is None else at(role.high, {})
+    return [
+        x
+        for x in found
+        if (low is None or x >= low - TINY) and (high is None or x <= high + TINY)
+    ]
+
+
+def _joined(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
+    """Alternating gaps and points, true or false, as intervals."""
+    pieces: list[Piece] = []
+    start: End | None = None
+    for index, (point, inside) in enumerate(cells):
+        if point is None:  # a gap between points
+            if inside and start is None:
+                before = cells[index - 1][0] if index else None
+                start = End(-sp.oo if before is None else before, False)
+            continue
+        if inside:
+            if start is None:
+                start = End(point, True)
+            after = cells[index + 1][1] if index + 1 < len(cells) else False
+            if not after:
+                pieces.append((start, End(point, True)))
+                start = None
+        elif start is not None:
+            pieces.append((start, End(point, False)))
+            start = None
+    if start is not None:
+        pieces.append((start, End(sp.oo, False)))
+    return pieces
+
+
+def _reconcile(shapes: list[tuple[list[Piece], Sample]]) -> list[Piece]:
+    """One form for all the trials; ends that change places become the larger or the smaller."""
+    counts = Counter(tuple(pieces) for pieces, _ in shapes)
+    if len(counts) == 1:
+        return shapes[0][0]
+    sizes = {len(pieces) for pieces, _ in shapes}
+    if sizes != {1}:
+        raise UnsupportedError("the form of the range depends on the values of the data")
+    lows = {pieces[0][0] for pieces, _ in shapes}
+    highs = {pieces[0][1] for pieces, _ in shapes}
+    low = _extreme(lows, [(p[0][0], d) for p, d in shapes], sp.Max, max)
+    high = _extreme(highs, [(p[0][1], d) for p, d in shapes], sp.Min, min)
+    return [(low, high)]
+
+
+def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: Any) -> End:
+    if len(ends) == 1:
+        return next(iter(ends))
+    for end, drawn in seen:
+        values = [_end_at(each, drawn) for each in ends]
+        if abs(_end_at(end, drawn) - pick(values)) > TINY:
+            raise UnsupportedError("the form of the range depends on the values of the data")
+    return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
+
+
+def _end_at(end: End, drawn: Sample) -> Any:
+    if end.value in (sp.oo, -sp.oo):
+        return INFINITE if end.value == sp.oo else -INFINITE
+    return at(end.value, drawn)
+
+
+def to_set(pieces: Sequence[Piece]) -> sp.Set:
+    """Intervals as one SymPy set, the ends in textbook form."""
+    made = []
+    for low, high in pieces:
+        a, b = exact.tidy(low.value), exact.tidy(high.value)
+        if a == b:
+            made.append(sp.FiniteSet(a))
+        else:
+            made.append(sp.Interval(a, b, not low.closed, not high.closed))
+    return sp.Union(*made) if made else sp.S.EmptySet
+
+
+# --- ranges of letters and of quantities -------------------------------------------------------
+
+
+def find_range(
+    problem: Problem,
+    part: Part,
+    item: Range,
+    now: int,
+    in_terms_of: tuple[str, ...] | None,
+    carried: frozenset[str],
+) -> ItemResult:
+    """All values of a letter, or of a quantity, that the facts allow."""
+    line = None if item.place is None else item.place.line
+    tree = item.expression
+    base = settle(problem, part, in_terms_of, carried=carried)
+    if isinstance(tree, Letter) and tree.name not in base.lets:
+        values = _range_of_letter(problem, part, tree.name, in_terms_of, carried)
+        angle = base.roles[tree.name].kind == "angle"
+    else:
+        values, angle = _range_of_quantity(problem, part, tree, now, in_terms_of, carried)
+    if values is sp.S.EmptySet:
+        raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
+    shown = to_text(display_set(values, from_tree(tree), angle=angle))
+    answer = Answer(1, values, exact.sympy_text(values), None, shown, angle=angle)
+    return ItemResult(item, line, item.text, "range", (answer,))
+
+
+def _declared(problem: Problem, part: Part) -> set[str]:
+    return {
+        letter
+        for each in problem.parts[: problem.parts.index(part) + 1]
+        if each.label is None or each is part
+        for step in each.steps
+        if isinstance(step, Unknown)
+        for letter in step.letters
+    }
+
+
+def _range_of_letter(
+    problem: Problem,
+    part: Part,
+    name: str,
+    in_terms_of: tuple[str, ...] | None,
+    carried: frozenset[str],
+) -> sp.Set:
+    setting = settle(problem, part, in_terms_of, frozenset({name}), carried)
+    outcome = work_out(setting)
+    free = _free(problem, part, outcome, in_terms_of) - {name}
+    region = Region(outcome, name, tuple(sorted(free)))
+    return to_set(region.pieces())
+
+
+def _free(
+    problem: Problem, part: Part, outcome: Outcome, in_terms_of: tuple[str, ...] | None
+) -> set[str]:
+    """Letters that vary freely: declared unknown, or not listed, and not fixed by the facts."""
+    setting = outcome.setting
+    solved = {name for trial in outcome.trials for name in trial.found.values}
+    free = _declared(problem, part)
+    if in_terms_of is not None:
+        free |= set(setting.roles) - set(in_terms_of)
+    return free - solved - set(setting.lets)
+
+
+def _range_of_quantity(
+    problem: Problem,
+    part: Part,
+    tree: Expression,
+    now: int,
+    in_terms_of: tuple[str, ...] | None,
+    carried: frozenset[str],
+) -> tuple[sp.Set, bool]:
+    setting = settle(problem, part, in_terms_of, carried=carried)
+    walls = frozenset(wall.name for wall in problem.walls)
+    angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
+    angle = is_angle(tree, angles, walls)
+    declared = _declared(problem, part)
+    named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
+    data = frozenset(declared | named)
+    # What varies freely must not be solved for: where the facts fix it, that is found out.
+    first = work_out(settle(problem, part, in_terms_of, carried=carried))
+    free = _free(problem, part, first, in_terms_of) | set(named)
+    fixed = {name for trial in first.trials for name in trial.found.values}
+    del data
+    outcome = first if not named else work_out(
+        settle(problem, part, in_terms_of, frozenset(named), carried)
+    )
+    values = _images(outcome, tree, now)
+    present = {s.name for _, value in values for s in value.free_symbols}
+    free = (free & present) - (fixed - set(named))
+    if not free:
+        free = _restricted(problem, part, outcome) & present
+    if in_terms_of is None:
+        pass
+    if not free:
+        return sp.FiniteSet(*[value for _, value in values]), angle
+    if any(name.startswith("_") for name in present):
+        hidden = min(name for name in present if name.startswith("_"))
+        raise MissingError(f"the range needs {outcome.letters.phrases.get(hidden, hidden)}")
+    return _image(outcome, values, sorted(free)), angle
+
+
+def _restricted(problem: Problem, part: Part, outcome: Outcome) -> set[str]:
+    """Letters that a fact keeps between bounds, and coefficients: what a range is asked over."""
+    found = {
+        name for name, role in outcome.setting.roles.items() if role.kind == "restitution"
+    }
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        if each.label is not None and each is not part:
+            continue
+        for step in each.steps:
+            if isinstance(step, Given):
+                for relation in step.relations:
+                    if isinstance(relation, Compare) and set(relation.operators) != {"="}:
+                        for operand in relation.operands:
+                            if isinstance(operand, Letter):
+                                found.add(operand.name)
+    return found
+
+
+def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, sp.Expr]]:
+    found = []
+    for trial in outcome.accepted:
+        told = Letters(
+            outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples
+        )
+        story = outcome.setting.tell(told)
+        value = forms.plain(story.evaluator(now).value(tree), trial.samples)
+        if isinstance(value, tuple):
+            raise UnsupportedError("the range of a vector is not a set of numbers")
+        found.append((trial, value))
+    if not found:
+        raise ContradictionError("no values satisfy all that is told")
+    return found
+
+
+def _image(
+    outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str]
+) -> sp.Set:
+    """The values of expressions as letters vary freely within what is allowed."""
+    sets = []
+    for trial, value in values:
+        own = Outcome(
+            outcome.setting,
+            (trial,),
+            outcome.letters,
+            outcome.open_story,
+            outcome.equations,
+            outcome.conditions,
+        )
+        used = [name for name in free if any(s.name == name for s in value.free_symbols)]
+        if not used:
+            sets.append(sp.FiniteSet(value))
+            continue
+        sets.append(_image_of(own, value, used))
+    return sp.Union(*sets)
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A value that may bound an image, with the letters' values there; reached or approached."""
+
+    value: sp.Expr
+    where: Mapping[str, sp.Expr]
+
+
+def _image_of(outcome: Outcome, value: sp.Expr, free: list[str]) -> sp.Set:
+    region = Region(outcome, free[0], tuple(free[1:]))
+    data = region.data()
+    roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
+    candidates = list(_candidates(outcome, value, free, region))
+    rng = random.Random(23)
+    shapes: list[tuple[list[Piece], Sample]] = []
+    for _ in range(DRAWS_TRIED if data else 1):
+        drawn = sample(data, roles, rng)
+        inside = _seen(region, value, free, drawn)
+        if not inside:
+            continue
+        low, high = min(inside), max(inside)
+        best_low = best_high = None
+        for candidate in candidates:
+            number = _limit_at(candidate.value, drawn)
+            if number is None:
+                continue
+            slack = TINY * 10**5 * (1 + abs(number))
+            if number <= low + slack and _near(region, candidate, drawn):
+                if best_low is None or number > best_low[0] + slack:
+                    best_low = (number, candidate)
+                elif abs(number - best_low[0]) <= slack and _is_reached(region, candidate, drawn):
+                    best_low = (number, candidate)
+            if number >= high - slack and _near(region, candidate, drawn):
+                if best_high is None or number < best_high[0] - slack:
+                    best_high = (number, candidate)
+                elif abs(number - best_high[0]) <= slack and _is_reached(region, candidate, drawn):
+                    best_high = (number, candidate)
+        if best_low is None or best_high is None:
+            raise UnsupportedError("the ends of this range have no exact form that is found here")
+        shapes.append(
+            (
+                [
+                    (
+                        End(best_low[1].value, _is_reached(region, best_low[1], drawn)),
+                        End(best_high[1].value, _is_reached(region, best_high[1], drawn)),
+                    )
+                ],
+                drawn,
+            )
+        )
+        if len(shapes) == DRAWS:
+            break
+    if not shapes:
+        raise ContradictionError("no values satisfy all that is told")
+    return to_set(_reconcile(shapes))
+
+
+def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> list[Any]:
+    """Values that do occur, at many random points."""
+    rng = random.Random(29)
+    found = []
+    for _ in range(160):
+        point = {name: draw(region.setting.roles[name], rng) for name in free}
+        values = {**drawn, **point}
+        if region._possible(values):
+            try:
+                found.append(at(value, _with_solved(region, values)))
+            except (Undefined, KeyError):
+                continue
+    return found
+
+
+def _with_solved(region: Region, values: Sample) -> Sample:
+    numbers = dict(values)
+    for trial in region.trials:
+        for name, each in trial.found.values.items():
+            numbers[name] = at(each, numbers)
+    return numbers
+
+
+def _candidates(
+    outcome: Outcome, value: sp.Expr, free: list[str], region: Region
+) -> list[Candidate]:
+    """Stationary points and ends, letter by letter."""
+    roles = outcome.setting.roles
+    atoms = region._atoms_cached()
+    open_: list[Candidate] = [Candidate(value, {})]
+    for name in free:
+        symbol = roles[name].symbol(name)
+        after: list[Candidate] = []
+        for candidate in open_:
+            expression = candidate.value
+            if not expression.has(symbol):
+                after.append(candidate)
+                continue
+            points: list[sp.Expr] = list(
+                zeros([derivative(expression, symbol)], [symbol], roles, name)
+            )
+            role = roles[name]
+            points += [-sp.oo if role.low is None else role.low]
+            points += [sp.oo if role.high is None else role.high]
+            for atom in atoms:
+                put = {roles[n].symbol(n): v for n, v in candidate.where.items()}
+                try:
+                    own = atom.xreplace(put)
+                except (TypeError, ZeroDivisionError):
+                    continue
+                if own.has(symbol):
+                    points += zeros([own], [symbol], roles, name)
+            for point in dict.fromkeys(points):
+                reduced = limit(expression, symbol, point)
+                if reduced is not None:
+                    where = {
+                        n: sp.sympify(v).xreplace({symbol: point})
+                        for n, v in candidate.where.items()
+                    }
+                    after.append(Candidate(reduced, {**where, name: point}))
+        open_ = after[:80]
+    return open_
+
+
+def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """The numerator of the derivative, which vanishes at stationary points."""
+    core = expression
+    if isinstance(core, sp.Pow) and core.exp == sp.S.Half:
+        core = core.base
+    return sp.together(sp.diff(core, symbol)).as_numer_denom()[0]
+
+
+def limit(expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr) -> sp.Expr | None:
+    """The value of an expression at a point, or its limit there."""
+    if point not in (sp.oo, -sp.oo):
+        try:
+            value = expression.xreplace({symbol: sp.sympify(point)})
+            if not value.has(sp.nan, sp.zoo, sp.oo):
+                return exact.tidy(value)
+        except (ZeroDivisionError, TypeError):
+            pass
+    try:
+        side = "-" if point == sp.oo else "+"
+        value = sp.limit(expression, symbol, point, side)
+        if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
+            return None
+        return value
+    except (NotImplementedError, ValueError, TypeError, RecursionError):
+        return None
+
+
+def _limit_at(value: sp.Expr, drawn: Sample) -> Any | None:
+    if value in (sp.oo, -sp.oo):
+        return INFINITE if value == sp.oo else -INFINITE
+    try:
+        return at(value, drawn)
+    except (Undefined, KeyError):
+        return None
+
+
+def _numbers(region: Region, candidate: Candidate, drawn: Sample) -> Sample | None:
+    values = dict(drawn)
+    try:
+        for name, point in candidate.where.items():
+            if point in (sp.oo, -sp.oo):
+                return None
+            values[name] = at(point, values)
+    except (Undefined, KeyError):
+        return None
+    return values
+
+
+def _is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
+    """Whether the letters may have the values at which a candidate lies."""
+    values = _numbers(region, candidate, drawn)
+    return values is not None and region._possible(values)
+
+
+def _near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
+    """Whether allowed values come as near to a candidate's place as one likes."""
+    if _is_reached(region, candidate, drawn):
+        return True
+    values: Sample = dict(drawn)
+    names = list(candidate.where)
+    for step in (at(sp.Rational(1, 10**7), {}),):
+        for n in range(3 ** len(names)):
+            trial = dict(values)
+            code = n
+            ok = True
+            for name in names:
+                shift = (code % 3) - 1
+                code //= 3
+                point = candidate.where[name]
+                if point == sp.oo:
+                    trial[name] = at(sp.Integer(10**7), {}) * (1 + shift * step)
+                elif point == -sp.oo:
+                    trial[name] = -at(sp.Integer(10**7), {}) * (1 + shift * step)
+                else:
+                    try:
+                        trial[name] = at(point, trial) + shift * step
+                    except (Undefined, KeyError):
+                        ok = False
+                        break
+            if ok and region._possible(trial):
+                return True
+    return False
+
+
+# --- claimed ranges ----------------------------------------------------------------------------
+
+
+def claimed_set(relation: Compare, subject: Range, evaluator: Evaluator) -> sp.Set:
+    """The set that a chain such as ``0 < e < 1/2`` describes."""
+    operands, operators = relation.operands, relation.operators
+    where = next(
+        (i for i, tree in enumerate(operands) if tree == subject.expression), None
+    )
+    if where is None:
+        raise UnsupportedError("the chain does not hold the quantity whose range is claimed")
+    low, high = -sp.oo, sp.oo
+    low_open = high_open = True
+    for index, other, op in (
+        (where - 1, where - 1, where - 1),
+        (where + 1, where + 1, where),
+    ):
+        if not 0 <= index < len(operands):
+            continue
+        sign = operators[op]
+        bound = evaluator.scalar(operands[other])
+        if sign == "=":
+            return sp.FiniteSet(bound)
+        below = (sign.startswith("<")) == (index < where)
+        if below:
+            low, low_open = bound, not sign.endswith("=")
+        else:
+            high, high_open = bound, not sign.endswith("=")
+    return sp.Interval(low, high, low_open, high_open)
+
+
+def same_set(claimed: sp.Set, found: sp.Set, roles: Mapping[str, Role]) -> bool:
+    """Whether two sets are equal; a claim without a lower end means down to zero."""
+    if not isinstance(claimed, sp.Interval) or not isinstance(found, sp.Interval):
+        return bool(claimed == found)
+    ends: list[Callable[[Any], Any]] = [lambda s: s.start, lambda s: s.end]
+    for end in ends:
+        a, b = end(claimed), end(found)
+        if a in (sp.oo, -sp.oo) or b in (sp.oo, -sp.oo):
+            if a != b and not (a == -sp.oo and b == 0):
+                return False
+        elif not exact.same(a, b):
+            return False
+    low_matters = claimed.start not in (-sp.oo,)
+    return bool(
+        (not low_matters or claimed.left_open == found.left_open)
+        and claimed.right_open == found.right_open
+    )
