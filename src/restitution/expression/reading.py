@@ -426,6 +426,9 @@ def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
     if token.type == "IMPLICIT":
         token = tokens[index + 1]
     previous = tokens[index - 1] if index else None
+    if not expected:
+        # The whole is read, and lark tells nothing of what might still follow.
+        expected = {"$END"} if previous is None or previous.type == "FIGURES" else {"$END", "PLUS"}
     source = reading.scan.source
     if ended:
         end = (previous.end_pos or 0) if previous is not None else len(source.text)

@@ -207,4 +207,5 @@ def guess(word: str) -> str | None:
     """The word of the language that was probably meant by ``word``, or None."""
     if word in MEANT:
         return MEANT[word]
-    return near(word, sorted(WORDS))
+    slips = [each for each in sorted(WORDS) if len(each) > 2 and one_slip(word, each)]
+    return slips[0] if len(slips) == 1 else near(word, slips or sorted(WORDS))

@@ -410,9 +410,12 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
     except (sp.PolynomialError, NotImplementedError):
         factors = [numerator]
     kept = []
-    for factor in factors:
-        if _nonzero(factor):
-            continue
+    # A factor that cannot vanish for admissible letters is left out; were it the only one, its
+    # root is kept, to be refused with a reason.
+    able = [factor for factor in factors if not _nonzero(factor)]
+    if not any(factor.free_symbols & free for factor in able):
+        able = [f for f in factors if any(not s.name.startswith("_") for s in f.free_symbols)]
+    for factor in able:
         inside = factor.free_symbols & free
         if not inside:
             if zero(factor):

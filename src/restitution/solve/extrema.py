@@ -103,7 +103,7 @@ def _best(
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
     candidates = []
     for point in dict.fromkeys(points):
-        at_point = limit(value, symbol, point)
+        at_point = limit(value, symbol, point, point == region.role.high)
         if at_point is not None:
             candidates.append(Candidate(at_point, {name: point}))
     data = region.data()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.errors import StatementError
-from restitution.expression.evaluate import Angle, Value
+from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Name, Place
 from restitution.problem import (
     Aligned,
@@ -52,7 +52,7 @@ def requirements(
                 why = f"{body.name} is at rest"
                 return [Equation(v.x, why, place, True), Equation(v.y, why, place, True)]
             case Meets():
-                return [_meets(relation, story, now)]
+                return _meets(relation, story, now)
     except StatementError as error:
         if error.line is None and place is not None:
             raise type(error)(error.message, place.line, place.column) from error
@@ -140,11 +140,11 @@ def _aligned(
     return found
 
 
-def _meets(relation: Meets, story: Story, now: int) -> Condition | AnyOf:
+def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
     one, other = relation.first.name, relation.second.name
     name = _sphere(story, relation.first)
     if other in story.walls:
-        approach, reason = _towards_wall(relation, story, now, name)
+        conditions, reason = _towards_wall(relation, story, now, name)
     else:
         _sphere(story, relation.second)
         event = next(
@@ -157,15 +157,22 @@ def _meets(relation: Meets, story: Story, now: int) -> Condition | AnyOf:
             towards = -towards
         approach = (story.velocity(one, now) - story.velocity(other, now)).dot(towards)
         reason = f"{one} and {other} do not collide again"
+        conditions = [approach]
     if relation.happens:
-        return Condition(approach, ">", reason, "fact")
-    return Condition(-approach, ">=", reason.replace("does not hit", "hits").replace(
-        "do not collide", "collide"
-    ), "fact")
+        return [Condition(each, ">", reason, "fact") for each in conditions]
+    refused = reason.replace("does not hit", "hits").replace("do not collide", "collide")
+    options = tuple(Condition(-each, ">=", refused, "fact") for each in conditions)
+    return [options[0] if len(options) == 1 else AnyOf(options, refused, "fact")]
 
 
-def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[object, str]:
-    """The component of a velocity towards a wall, the wall lying in front of the sphere."""
+def _towards_wall(
+    relation: Meets, story: Story, now: int, name: str
+) -> tuple[list[Scalar], str]:
+    """What must be positive for a sphere to come to a wall.
+
+    Without places the wall lies in front of the sphere, at any distance: on the side from which
+    it was struck before, or else on that to which the sphere first moved.
+    """
     wall = relation.second.name
     v = story.velocity(name, now)
     struck = [h for h in story.happenings[:now] if isinstance(h.step, Impact)]
@@ -173,19 +180,26 @@ def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[o
     reason = f"{name} does not hit {wall}{' again' if relation.again else ''}"
     if relation.again and own is None:
         raise StatementError(f"{name} has not hit {wall} before this line")
+    body = story.walls[wall]
+    if body.centre is not None and own is not None:
+        return [v.dot(v)], reason  # inside a circle every way leads to it
+    origin = body.through if body.through is not None else body.start
+    normal = story.wall_direction(relation.second).turned_left()
+    known = story.place(name, now)
+    if origin is not None and known is not None and (own is None or not relation.again):
+        through = story.evaluator(0).vector(origin)
+        gap, speed = normal.dot(through - known[0]), normal.dot(v)
+        conditions = [gap * speed]
+        if body.start is not None and not story.field.is_zero(speed):
+            along = normal.turned_left() * -1
+            share = (known[0] + v * (gap / speed) - through).dot(along)
+            conditions += [share, along.dot(along) - share]
+        return conditions, reason
     event = own or next((h for h in reversed(struck) if h.bodies[1] == wall), None)
     if event is not None:
-        return v.dot(event.oriented()), reason
-    normal = story.wall_direction(relation.second).turned_left()
+        return [v.dot(event.oriented())], reason
     for stage in range(now + 1):
         first = story.velocity(name, stage).dot(normal)
         if not story.field.is_zero(first):
-            if stage == now:
-                known = story.place(name, now)
-                origin = story.walls[wall].through or story.walls[wall].start
-                if known is not None and origin is not None:
-                    through = story.evaluator(0).vector(origin)
-                    return first * normal.dot(through - known[0]), reason
-                return first * first, reason
-            return v.dot(normal) * first, reason
-    return story.field.zero, reason
+            return [v.dot(normal) * first], reason
+    return [story.field.zero], reason

@@ -193,6 +193,7 @@ class Setting:
         hidden = [name for name in found.values if name.startswith("_")]
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
+        last_error: StatementError | None = None
         depends = any(name in self._used_letters() for name in free) or any(
             name.startswith("_") for name in free
         )
@@ -211,6 +212,10 @@ class Setting:
                     None,
                 )
                 wrong = wrong or self.examine(values, solved)
+            except StatementError as error:
+                reasons[error.message, "equation"] += 1
+                last_error = error
+                continue
             except (Undefined, ArithmeticError):
                 reasons["it would not be real", "equation"] += 1
                 continue
@@ -223,6 +228,8 @@ class Setting:
         if accepted:
             return Trial(found, tuple(accepted))
         (reason, kind), _ = reasons.most_common(1)[0]
+        if last_error is not None and not found.values:
+            raise last_error
         return Trial(found, (), reason, kind)
 
     def _used_letters(self) -> set[str]:

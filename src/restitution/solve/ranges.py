@@ -701,6 +701,7 @@ def _candidates(
             role = roles[name]
             points += [-sp.oo if role.low is None else role.low]
             points += [sp.oo if role.high is None else role.high]
+            from_below = role.high
             for atom in atoms:
                 put = {roles[n].symbol(n): v for n, v in candidate.where.items()}
                 try:
@@ -710,7 +711,7 @@ def _candidates(
                 if own.has(symbol):
                     points += zeros([own], [symbol], roles, name)
             for point in dict.fromkeys(points):
-                reduced = limit(expression, symbol, point)
+                reduced = limit(expression, symbol, point, from_below == point)
                 if reduced is not None:
                     where = {
                         n: sp.sympify(v).xreplace({symbol: point})
@@ -729,8 +730,10 @@ def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sp.together(sp.diff(core, symbol)).as_numer_denom()[0]
 
 
-def limit(expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr) -> sp.Expr | None:
-    """The value of an expression at a point, or its limit there."""
+def limit(
+    expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool = False
+) -> sp.Expr | None:
+    """The value of an expression at a point, or its limit there (from below if so asked)."""
     if point not in (sp.oo, -sp.oo):
         try:
             value = expression.xreplace({symbol: sp.sympify(point)})
@@ -739,7 +742,7 @@ def limit(expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr) -> sp.Expr | N
         except (ZeroDivisionError, TypeError):
             pass
     try:
-        side = "-" if point == sp.oo else "+"
+        side = "-" if below or point == sp.oo else "+"
         value = sp.limit(expression, symbol, point, side)
         if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
             return None
@@ -771,6 +774,8 @@ def _numbers(region: Region, candidate: Candidate, drawn: Sample) -> Sample | No
 
 def _is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
     """Whether the letters may have the values at which a candidate lies."""
+    if candidate.value in (sp.oo, -sp.oo):
+        return False
     values = _numbers(region, candidate, drawn)
     return values is not None and region._possible(values)
 

@@ -822,11 +822,29 @@ class Story:
         return e
 
     def _approach(
-        self, key: tuple[str, str], u: Vector, c: Vector, closing: Scalar, unknown: bool, what: str
+        self,
+        key: tuple[str, str],
+        u: Vector,
+        c: Vector,
+        closing: Scalar,
+        unknown: bool,
+        what: str,
+        own: Scalar = None,
     ) -> None:
-        """The bodies must approach; if they met before on the same line, from the same side."""
+        """The bodies must approach; if they met before on the same line, from the same side.
+
+        ``own`` is the first body's component along c where nothing else tells which side the
+        second is on: A hits B, so B lies on the side to which A moves.
+        """
         earlier = self._contacts.get(key)
-        if unknown:
+        if (
+            not unknown
+            and (earlier is None or not self._same_line(earlier, c))
+            and own is not None
+            and not self.field.is_zero(own)
+        ):
+            self.conditions.append(Condition(own * closing, ">", what, "approach"))
+        elif unknown:
             self.conditions.append(Condition(closing, ">", what, "approach"))
         elif earlier is not None and self._same_line(earlier, c):
             self.conditions.append(Condition(u.dot(earlier), ">", what, "approach"))
@@ -926,7 +944,9 @@ class Story:
             unknown = True
         closing = self._rational(approach.dot(c))
         what = f"{first} and {second} are separating along the line of centres"
-        self._approach((first, second), approach, c, closing, unknown, what)
+        placed = time is not None and self._meeting_time(number) is not None
+        own = self._rational(u1.dot(c)) if step.along is not None and not placed else None
+        self._approach((first, second), approach, c, closing, unknown, what, own)
         if unknown:
             # The impulse itself is along the line of centres: linear in what is unknown.
             v1, v2 = self._neat(u1 - c / m1), self._neat(u2 + c / m2)

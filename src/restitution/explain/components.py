@@ -1,0 +1,416 @@
+"""The story of a problem in components: simple letters for what the textbook would call v and w.
+
+Each impact gets a frame, along the line of centres (for a wall: perpendicular to it) and across
+it, and a letter for every component that the impact changes. Told so, the principles are short
+equations in those letters, and every quantity of the problem is an expression in them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.expression.evaluate import Symbolic
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem
+from restitution.solve.letters import POSITIVE, REAL, Role, trees
+from restitution.solve.numbers import Undefined, at
+from restitution.solve.solution import Branch
+from restitution.solve.story import Happening, Sign, Story, lets_of
+from restitution.vector import Vector
+
+# Letters for unknown components, in the order in which textbooks take them.
+_COMPONENTS = ("v", "w", "x", "y", "p", "q", "s", "z", "f", "g", "h", "b", "c", "d", "l", "n")
+_BEFORE = ("a", "b", "c", "d", "p", "q", "f", "g", "x", "y")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The directions in which the velocities of one impact are resolved.
+
+    ``n`` is the unit vector along the line of centres, or perpendicular to a wall and away from
+    it; ``t`` the one across, or along the wall. ``by_values`` tells that the line of centres is
+    known only from the solution, not from the data.
+    """
+
+    number: int
+    wall: str | None
+    n: Vector
+    t: Vector
+    axis: Literal["i", "j"] | None
+    by_values: bool = False
+
+
+@dataclass(frozen=True)
+class Component:
+    """An unknown component of a velocity after an impact."""
+
+    symbol: sp.Symbol
+    body: str
+    number: int
+    value: sp.Expr
+
+
+@dataclass(frozen=True)
+class Law:
+    """A principle as an equation: ``residual`` = 0. ``unknowns`` are found when it is used."""
+
+    kind: Literal["momentum", "restitution"]
+    number: int
+    residual: sp.Expr
+
+
+@dataclass
+class _Named:
+    """Letters as symbols, and hidden unknowns as symbols with presentable names."""
+
+    roles: Mapping[str, Role]
+    sample: Mapping[str, Any]
+    taken: set[str]
+    names: dict[str, str] = field(default_factory=dict)
+    phrases: dict[str, str] = field(default_factory=dict)
+
+    def letter(self, name: str) -> sp.Expr:
+        return self.roles.get(name, POSITIVE).symbol(name)
+
+    def hidden(self, key: str, phrase: str, sign: Sign) -> sp.Expr:
+        if key not in self.names:
+            self.names[key] = self._name(key)
+            self.taken.add(self.names[key])
+        self.phrases[self.names[key]] = phrase
+        role = POSITIVE if sign == "positive" else REAL
+        return role.symbol(self.names[key])
+
+    def _name(self, key: str) -> str:
+        if key.startswith(("m_", "t_")):
+            return key
+        if key.startswith("u_"):
+            free = next((c for c in _BEFORE if c not in self.taken), None)
+            if free is not None:
+                return free
+        return key
+
+    def sign(self, x: sp.Expr) -> int | None:
+        x = sp.sympify(x)
+        if x.is_positive:
+            return 1
+        if x.is_negative:
+            return -1
+        if x.is_zero:
+            return 0
+        try:
+            value = at(x, self.sample)
+        except (Undefined, KeyError, ArithmeticError):
+            return None
+        return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
+
+
+@dataclass
+class Model:
+    """One part of a problem told in components.
+
+    ``final`` gives the value of every unknown symbol in the data; ``sample`` a number for
+    every symbol, satisfying all facts.
+    """
+
+    problem: Problem
+    part: Part
+    branch: Branch
+    story: Story
+    unknowns: _Named
+    frames: dict[int, Frame]
+    components: dict[tuple[int, str], Component]
+    laws: list[Law]
+    final: dict[sp.Symbol, sp.Expr]
+    sample: dict[str, Any]
+
+    def happening(self, number: int) -> Happening:
+        return self.story.happenings[number - 1]
+
+    def before(self, number: int, body: str) -> tuple[sp.Expr, sp.Expr]:
+        """The components of a velocity just before an impact, along and across."""
+        frame = self.frames[number]
+        u = self.happening(number).before[body]
+        return tidy(u.dot(frame.n)), tidy(u.dot(frame.t))
+
+    def after(self, number: int, body: str) -> sp.Expr:
+        """The component along the line of centres just after."""
+        return self.components[number, body].symbol
+
+    def spheres(self, number: int) -> list[str]:
+        return [name for name in self.happening(number).bodies if name in self.story.spheres]
+
+    def number(self, x: Any) -> Any:
+        """A numerical value by the sample; raises Undefined where there is none."""
+        return at(sp.sympify(x), self.sample)
+
+    def sign(self, x: Any) -> int:
+        """The sign of an expression at the sample (0 where it has no value)."""
+        try:
+            value = self.number(x)
+        except (Undefined, KeyError, ArithmeticError):
+            return 0
+        return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
+
+    def owner(self, body: str, stage: int) -> Frame | None:
+        """The frame of the latest impact of a body up to a stage."""
+        for number in range(stage, 0, -1):
+            happening = self.story.happenings[number - 1]
+            if body in happening.bodies and not isinstance(happening.step, Arrival):
+                return self.frames.get(number)
+        return None
+
+
+def model(problem: Problem, part: Part, branch: Branch, roles: Mapping[str, Role],
+          protected: frozenset[str] = frozenset()) -> Model:
+    """Tells a part in components, by the values of one branch.
+
+    Raises what the telling of a story raises.
+    """
+    sample = dict(branch.sample)
+    taken = _letters_of(problem)
+    names = _allocated(problem, taken)
+    unknowns = _Named(roles, sample, set(taken) | set(names.values()))
+    lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
+    blank = Part(None, ())
+    story = Story(replace(problem, parts=(blank,)), blank, Symbolic(), unknowns, lets)
+    story.problem = problem
+    told = Model(problem, part, branch, story, unknowns, {}, {}, [], {}, sample)
+    put = _values(told)
+    for number, step in enumerate(_events(problem, part), 1):
+        story._tell(step)  # noqa: SLF001 - the same telling, with letters put in as it goes on
+        _hidden_values(told, put)
+        if isinstance(step, Impact):
+            _in_letters(told, number, step, names, put)
+        story._evaluators.clear()  # noqa: SLF001
+    _hidden_values(told, put)
+    return told
+
+
+def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                yield step
+
+
+def _values(told: Model) -> dict[sp.Symbol, sp.Expr]:
+    """What the solution says of the letters."""
+    put: dict[sp.Symbol, sp.Expr] = {}
+    for name, value in told.branch.values.items():
+        if not name.startswith("_"):
+            symbol = told.unknowns.letter(name)
+            put[symbol] = tidy(sp.sympify(value))
+    told.final.update(put)
+    return put
+
+
+def _hidden_values(told: Model, put: dict[sp.Symbol, sp.Expr]) -> None:
+    for key, name in told.unknowns.names.items():
+        value = told.branch.values.get(f"_{key}")
+        if value is None:
+            known = told.sample.get(f"_{key}")
+            if known is not None:
+                told.sample[name] = known
+            continue
+        for symbol in (POSITIVE.symbol(name), REAL.symbol(name)):
+            put[symbol] = sp.sympify(value)
+            told.final[symbol] = tidy(sp.sympify(value))
+        if name not in told.sample:
+            try:
+                told.sample[name] = at(sp.sympify(value), told.sample)
+            except (Undefined, KeyError, ArithmeticError):
+                if f"_{key}" in told.sample:
+                    told.sample[name] = told.sample[f"_{key}"]
+
+
+def _in_letters(
+    told: Model,
+    number: int,
+    step: Impact,
+    names: Mapping[tuple[int, str], str],
+    put: dict[sp.Symbol, sp.Expr],
+) -> None:
+    """Replaces the velocities after an impact by letters."""
+    story = told.story
+    happening = story.happenings[-1]
+    frame = _frame(told, number, step, happening, put)
+    told.frames[number] = frame
+    after: dict[str, Vector] = {}
+    for body in (step.first, step.second):
+        if body not in story.spheres:
+            continue
+        u = happening.before[body]
+        symbol = sp.Symbol(names[number, body], real=True)
+        final = told.branch.story.velocity(body, number)
+        direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
+        value = tidy(final.dot(direction))
+        told.components[number, body] = Component(symbol, body, number, value)
+        told.final[symbol] = value
+        put[symbol] = value
+        try:
+            told.sample[symbol.name] = at(value, told.sample)
+        except (Undefined, KeyError, ArithmeticError):
+            pass
+        across = tidy(u.dot(frame.t))
+        after[body] = Vector(
+            frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
+        )
+    e = sp.sympify(happening.e)
+    first = after[step.first]
+    u1 = tidy(happening.before[step.first].dot(frame.n))
+    v = told.components[number, step.first].symbol
+    if step.second in story.walls:
+        told.laws.append(Law("restitution", number, v + e * u1))
+        push = happening.before[step.first] - first
+        mass: str | None = step.first
+        oriented = -frame.n
+    else:
+        u2 = tidy(happening.before[step.second].dot(frame.n))
+        w = told.components[number, step.second].symbol
+        m1, m2 = story.mass(step.first), story.mass(step.second)
+        told.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))
+        told.laws.append(Law("restitution", number, w - v - e * (u1 - u2)))
+        push = (after[step.second] - happening.before[step.second]) * m2
+        mass = None
+        oriented = frame.n if told.sign(u1 - u2) >= 0 else -frame.n
+    story.happenings[-1] = replace(
+        happening,
+        after=after,
+        centres=oriented,
+        closing=sp.Integer(1),
+        impulse=push,
+        impulse_mass=mass,
+    )
+    for body, velocity in after.items():
+        track = story._tracks[body]  # noqa: SLF001
+        track.velocities[-1] = (number, velocity)
+
+
+def _frame(
+    told: Model, number: int, step: Impact, happening: Happening, put: Mapping[sp.Symbol, sp.Expr]
+) -> Frame:
+    wall = step.second if step.second in told.story.walls else None
+    c = happening.centres
+    assert c is not None
+    letters = {told.unknowns.letter(name) for name in told.unknowns.roles}
+    by_values = False
+    final = told.branch.story.happenings[number - 1]
+    if not (sp.sympify(c.x).free_symbols | sp.sympify(c.y).free_symbols) <= letters:
+        assert final.centres is not None
+        c, by_values = final.centres, True
+    if sp.sympify(c.y).is_zero or sp.sympify(tidy(c.y)) == 0:
+        axis: Literal["i", "j"] | None = "i"
+    elif sp.sympify(c.x).is_zero or sp.sympify(tidy(c.x)) == 0:
+        axis = "j"
+    else:
+        axis = None
+    one, zero = sp.Integer(1), sp.Integer(0)
+    if axis == "i":
+        n, t = Vector(one, zero), Vector(zero, one)
+    elif axis == "j":
+        n, t = Vector(zero, one), Vector(one, zero)
+    else:
+        size = tidy(sp.sqrt(tidy(sp.expand(c.dot(c)))))
+        n = Vector(tidy(c.x / size), tidy(c.y / size))
+        t = Vector(-n.y, n.x)
+    u = happening.before[step.first]
+    if wall is not None:
+        if told.sign(u.dot(n)) > 0:
+            n = -n
+        if told.sign(u.dot(t)) < 0:
+            t = -t
+    elif axis is None:
+        if told.sign((u - happening.before[step.second]).dot(n)) < 0:
+            n, t = -n, -t
+    return Frame(number, wall, n, t, axis, by_values)
+
+
+def _letters_of(problem: Problem) -> set[str]:
+    """The letters that the problem uses, and those that could be taken for something else."""
+    found = {"e", "i", "j"}
+    for tree in trees(problem):
+        for node in walk(tree):
+            if isinstance(node, Letter):
+                found.add(node.name.partition("_")[0])
+    for _, step in problem.steps():
+        if isinstance(step, Let):
+            found.add(step.letter)
+    return found
+
+
+def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
+    """A letter for each component that an impact changes, the same in all parts."""
+    spheres = {each.name for each in problem.spheres}
+    pool = [c for c in _COMPONENTS if c not in taken]
+    given = _named_by_let(problem, spheres)
+    names: dict[tuple[int, str], str] = {}
+    number = 0
+    used = 0
+    for _, step in problem.steps():
+        if not isinstance(step, Impact | Kick | Arrival):
+            continue
+        number += 1
+        if not isinstance(step, Impact):
+            continue
+        bodies = [b for b in (step.first, step.second) if b in spheres]
+        for body in bodies:
+            if (number, body) in given:
+                names[number, body] = given[number, body]
+            elif used < len(pool):
+                names[number, body] = pool[used]
+                used += 1
+            else:
+                names[number, body] = f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"
+    return names
+
+
+def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], str]:
+    """Components that the statement names itself: ``let v = along(velocity(A), i)``."""
+    found: dict[tuple[int, str], str] = {}
+    number = 0
+    latest: dict[str, tuple[int, Impact]] = {}
+    for _, step in problem.steps():
+        if isinstance(step, Impact | Kick | Arrival):
+            number += 1
+            if isinstance(step, Impact):
+                for body in (step.first, step.second):
+                    latest[body] = number, step
+        elif isinstance(step, Let):
+            tree = step.expression
+            if not isinstance(tree, Quantity) or tree.kind != "along":
+                continue
+            inner, axis = tree.arguments
+            if (
+                isinstance(inner, Quantity)
+                and inner.kind == "velocity"
+                and inner.stage is None
+                and isinstance(inner.arguments[0], Name)
+                and isinstance(axis, Unit)
+                and inner.arguments[0].name in latest
+            ):
+                body = inner.arguments[0].name
+                event, impact = latest[body]
+                if impact.along == axis and (event, body) not in found:
+                    found[event, body] = step.letter
+    return found
+
+
+def is_polar(tree: Any) -> bool:
+    """Whether a velocity is given by its size and an angle in degrees, so has to be resolved."""
+    return isinstance(tree, Polar) and any(
+        isinstance(node, Degrees | Apply) for node in walk(tree.angle)
+    )

@@ -1,0 +1,517 @@
+"""Statements as LANGUAGE says: every line, property, relation and item, and every mistake."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from restitution.errors import StatementError
+from restitution.expression import limits
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Place,
+    Polar,
+    Quantity,
+    Unit,
+)
+from restitution.language import check, parse, read, to_statement
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Meets,
+    Part,
+    Point,
+    Problem,
+    Range,
+    Show,
+    Sphere,
+    Unknown,
+    Value,
+    Wall,
+)
+
+HEAD = """\
+sphere A: mass 2
+sphere B
+wall W: along i
+point N: (1, 2)
+"""
+# A line that is added to these four stands in line 5.
+
+
+def n(value):
+    return Number(Fraction(value))
+
+
+def mul(a, b):
+    return Binary("*", a, b)
+
+
+def half():
+    return Binary("/", n(1), n(2))
+
+
+u, v, e, k, m, alpha = map(Letter, ("u", "v", "e", "k", "m", "alpha"))
+i, j = Unit("i"), Unit("j")
+A, B, W, N = map(Name, "ABWN")
+REST = Pair(n(0), n(0))
+velocity_a = Quantity("velocity", (A,))
+velocity_b = Quantity("velocity", (B,))
+
+
+def step(line):
+    (part,) = parse(HEAD + line).parts
+    (only,) = part.steps
+    return only
+
+
+# --- bodies -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("line", "sphere"),
+    [
+        ("sphere P", Sphere("P")),
+        ("sphere P: mass 3m", Sphere("P", mass=mul(n(3), m))),
+        ("sphere P: velocity 3i", Sphere("P", velocity=mul(n(3), i))),
+        ("sphere P: velocity (3, -4)", Sphere("P", velocity=Pair(n(3), Negate(n(4))))),
+        ("sphere P: velocity u at alpha to W", Sphere("P", velocity=Polar(u, alpha, None, W))),
+        ("sphere P: at rest", Sphere("P", velocity=REST)),
+        ("sphere P: at (1, 2)", Sphere("P", position=Pair(n(1), n(2)))),
+        ("sphere P: at(1, 2)", Sphere("P", position=Pair(n(1), n(2)))),
+        ("sphere P: at N, at rest", Sphere("P", velocity=REST, position=N)),
+        ("sphere P: radius 1/2", Sphere("P", radius=half())),
+        ("sphere P: mass(2m)", Sphere("P", mass=mul(n(2), m))),
+        ("sphere P1: mass 2 # kg", Sphere("P1", mass=n(2))),
+        ("sphere P: mass 2, \\\n velocity 3i", Sphere("P", mass=n(2), velocity=mul(n(3), i))),
+        ("sphere P: mass 2\nsphere P: at rest", Sphere("P", mass=n(2), velocity=REST)),
+    ],
+)
+def test_spheres(line, sphere) -> None:
+    assert parse(HEAD + line).spheres[-1] == sphere
+
+
+@pytest.mark.parametrize(
+    ("line", "wall"),
+    [
+        ("wall V", Wall("V")),
+        ("wall V: along 60°", Wall("V", along=Degrees(Fraction(60)))),
+        ("wall V: along (3, 4)", Wall("V", along=Pair(n(3), n(4)))),
+        ("wall V: along(3, 4)", Wall("V", along=Pair(n(3), n(4)))),
+        ("wall V: along j, through (0, 2)", Wall("V", along=j, through=Pair(n(0), n(2)))),
+        ("wall V: along j through N", Wall("V", along=j, through=N)),
+        ("wall V: from N to (4, 0)", Wall("V", start=N, end=Pair(n(4), n(0)))),
+        ("wall V: circle centre N radius 3", Wall("V", centre=N, radius=n(3))),
+        ("wall V: circle centre N, radius 3", Wall("V", centre=N, radius=n(3))),
+    ],
+)
+def test_walls(line, wall) -> None:
+    assert parse(HEAD + line).walls[-1] == wall
+
+
+def test_points() -> None:
+    assert parse(HEAD).points == (Point("N", Pair(n(1), n(2))),)
+
+
+def test_two_spheres_on_one_line() -> None:
+    problem = parse("sphere A, B: mass m\nsphere A: velocity 2i")
+    assert problem.spheres == (Sphere("A", mass=m, velocity=mul(n(2), i)), Sphere("B", mass=m))
+
+
+def test_names_are_declared_anywhere() -> None:
+    problem = parse("given speed(AB) = u\nsphere AB")
+    assert problem.parts[0].steps == (
+        Given((Compare((Quantity("speed", (Name("AB"),)), u), ("=",)),)),
+    )
+
+
+# --- the story --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("A hits B", Impact("A", "B")),
+        ("A hits W", Impact("A", "W")),
+        ("A hits B: e = 1/2", Impact("A", "B", e=half())),
+        ("A hits B: along j, e = e1", Impact("A", "B", e=Letter("e_1"), along=j)),
+        ("A hits B: along 60°", Impact("A", "B", along=Degrees(Fraction(60)))),
+        ("A hits B: offset 1.6 r", Impact("A", "B", offset=mul(n("1.6"), Letter("r")))),
+        ("A receives 3i", Kick("A", mul(n(3), i))),
+        ("A receives 5 at 60°", Kick("A", Polar(n(5), Degrees(Fraction(60))))),
+        ("A reaches (1, 2)", Arrival("A", Pair(n(1), n(2)))),
+        ("A reaches N", Arrival("A", N)),
+        ("A reaches W", Arrival("A", W)),
+        (
+            "let beta = angle(velocity(A), W)",
+            Let("beta", Quantity("angle", (velocity_a, W))),
+        ),
+        ("let μ = speed(A)", Let("mu", Quantity("speed", (A,)))),
+        (
+            "given tan(alpha) = 3/4, k > 1",
+            Given(
+                (
+                    Compare((Apply("tan", alpha), Binary("/", n(3), n(4))), ("=",)),
+                    Compare((k, n(1)), (">",)),
+                )
+            ),
+        ),
+        ("given 0 < e <= 1", Given((Compare((n(0), e, n(1)), ("<", "<=")),))),
+        ("given e ≥ ½", Given((Compare((e, half()), (">=",)),))),
+        (
+            "given velocity(A) perpendicular to velocity(B)",
+            Given((Aligned(velocity_a, "perpendicular to", velocity_b),)),
+        ),
+        ("given velocity(A) parallel  to W", Given((Aligned(velocity_a, "parallel to", W),))),
+        (
+            "given velocity(A) in the direction of -i",
+            Given((Aligned(velocity_a, "in the direction of", Negate(i)),)),
+        ),
+        (
+            "given velocity(A) opposite to velocity(B)",
+            Given((Aligned(velocity_a, "opposite to", velocity_b),)),
+        ),
+        ("given A at rest", Given((AtRest(A),))),
+        ("given A and B collide again", Given((Meets(A, B, True, True),))),
+        ("given A and B do not collide again", Given((Meets(A, B, True, False),))),
+        ("given A hits W again", Given((Meets(A, W, True, True),))),
+        ("given A does not hit W again", Given((Meets(A, W, True, False),))),
+        ("given A will hit W", Given((Meets(A, W, False, True),))),
+        ("given A will not hit W", Given((Meets(A, W, False, False),))),
+        ("unknown k, e1, alpha", Unknown(("k", "e_1", "alpha"))),
+        (
+            "find speed(A), e",
+            Find((Value(Quantity("speed", (A,))), Value(e))),
+        ),
+        (
+            "find speed(A) in terms of u, m",
+            Find((Value(Quantity("speed", (A,))),), ("u", "m")),
+        ),
+        ("find energy_lost as a percentage", Find((Value(Quantity("energy_lost"), True),))),
+        ("find range of e, k", Find((Range(e), Value(k)))),
+        (
+            "find maximum of deflection(A) over alpha",
+            Find((Extremum("maximum", Quantity("deflection", (A,)), alpha),)),
+        ),
+        (
+            "find minimum of speed(A) over e in terms of u",
+            Find((Extremum("minimum", Quantity("speed", (A,)), e),), ("u",)),
+        ),
+        ("show e = 1/2", Show(Compare((e, half()), ("=",)))),
+        ("show A at rest", Show(AtRest(A))),
+        (
+            "show speed(A) = 0.236u to 3 s.f.",
+            Show(Compare((Quantity("speed", (A,)), mul(n("0.236"), u)), ("=",), 3)),
+        ),
+        ("show e = 0.5 to 2 sf", Show(Compare((e, n("0.5")), ("=",), 2))),
+        (
+            "show e = k/u in terms of k, u",
+            Show(Compare((e, Binary("/", k, u)), ("=",)), None, ("k", "u")),
+        ),
+        (
+            "show range of e: 0 < e < 1/2",
+            Show(Compare((n(0), e, half()), ("<", "<")), Range(e)),
+        ),
+        (
+            "show maximum of deflection(A) over alpha = 30°",
+            Show(
+                Compare((Quantity("deflection", (A,)), Degrees(Fraction(30))), ("=",)),
+                Extremum("maximum", Quantity("deflection", (A,)), alpha),
+            ),
+        ),
+    ],
+)
+def test_steps(line, expected) -> None:
+    assert step(line) == expected
+    problem = parse(HEAD + line)
+    assert parse(to_statement(problem)) == problem
+
+
+def test_parts_and_title() -> None:
+    problem = parse(
+        "# a comment\ntitle Ball #1, and others\n\nsphere A\nfind e\npart a\nfind u\n"
+        "part (ii)\nfind k # here\npart last:\n"
+    )
+    assert problem.title == "Ball #1, and others"
+    assert problem.parts == (
+        Part(None, (Find((Value(e),)),)),
+        Part("a", (Find((Value(u),)),)),
+        Part("ii", (Find((Value(k),)),)),
+        Part("last", ()),
+    )
+
+
+def test_texts_of_items_are_as_typed() -> None:
+    steps = parse(
+        "find  2 e , maximum of  k over u in terms of m\n"
+        "show range of  e:  e<1 in terms of k\nshow e  = 0.5 to 2 s.f. # so"
+    ).parts[0].steps
+    assert [item.text for item in steps[0].items] == ["2 e", "maximum of  k over u"]
+    assert [item.place for item in steps[0].items] == [Place(1, 7), Place(1, 13)]
+    assert steps[1].text == "range of  e:  e<1"
+    assert steps[1].subject.text == "range of  e"
+    assert steps[2].text == "e  = 0.5 to 2 s.f."
+    assert [each.place for each in steps] == [Place(1, 1), Place(2, 1), Place(3, 1)]
+
+
+def test_places_of_a_line_that_goes_on() -> None:
+    (find,) = parse("find e, \\\n   k").parts[0].steps
+    assert find.items[1].place == Place(2, 4)
+
+
+def test_line_ends_and_blanks_of_other_systems() -> None:
+    expected = parse("sphere A: mass 2\nfind e")
+    assert parse("\ufeffsphere A: mass 2\r\nfind e\r\n") == expected
+    assert parse("\tsphere\u00a0A:\u2009mass\u00a02\rfind e".encode()) == expected
+
+
+def test_a_doubtful_quotient_is_told() -> None:
+    (warning,) = parse(HEAD + "find u^2/2k").warnings
+    assert warning.startswith("line 5, column 6: 'u^2/2k' was read as (u^2/2) k")
+    assert "u^2/(2k)" in warning
+    assert parse(HEAD + "find sqrt(7)/4 u, 1/2u").warnings == ()
+
+
+def test_read(tmp_path) -> None:
+    path = tmp_path / "one.impact"
+    path.write_text(HEAD, encoding="utf-8")
+    assert read(path) == parse(HEAD)
+
+
+# --- writing ----------------------------------------------------------------------------------
+
+
+def test_the_statement_is_readable() -> None:
+    text = """\
+title A ball in a corner
+sphere P: mass m, velocity u at 60° to AB, at (3a, a), radius r
+sphere Q: at rest
+wall AB: along i, through (0, 0)
+wall C: circle centre O radius 2a
+wall D: from O to (4a, 0)
+point O: (0, 0)
+P hits AB: e = 1/2
+show speed(P) = sqrt(7)/4 u
+part a
+given Q at rest, P and Q collide again, P does not hit AB again
+find range of e, speed(P, before) as a percentage in terms of u, m
+show speed(P) = 0.66u to 2 s.f.
+"""
+    assert to_statement(parse(text)) == text
+
+
+def test_a_body_told_on_several_lines_is_written_on_one() -> None:
+    text = "sphere A, B: mass m\nsphere A: at rest\nsphere B: velocity -2u i"
+    assert to_statement(parse(text)) == "sphere A: mass m, at rest\nsphere B: mass m, velocity -2u i\n"
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        Problem(title="two\nlines"),
+        Problem(title="ends in \\"),
+        Problem(spheres=(Sphere("a"),)),
+        Problem(spheres=(Sphere("A", mass=0.5),)),
+        Problem(parts=(Part("a b", ()),)),
+    ],
+)
+def test_what_no_text_can_say(problem) -> None:
+    with pytest.raises(StatementError):
+        to_statement(problem)
+
+
+# --- bodies made in Python --------------------------------------------------------------------
+
+
+def test_bodies_read_their_texts() -> None:
+    assert Sphere("A", mass=2, velocity="3i", radius="r/2") == Sphere(
+        "A", mass=n(2), velocity=mul(n(3), i), radius=Binary("/", Letter("r"), n(2))
+    )
+    assert Sphere("A", mass=Fraction(-3, 7)).mass == Negate(Binary("/", n(3), n(7)))
+    assert Sphere("A", velocity=(3, "u")).velocity == Pair(n(3), u)
+    assert Sphere("A", velocity="u at alpha to W").velocity == Polar(u, alpha, None, W)
+    assert Wall("W", start="N", end=(1, 2)) == Wall("W", start=N, end=Pair(n(1), n(2)))
+    assert Point("N", "(1, 2)").position == Pair(n(1), n(2))
+
+
+def test_other_values_stay_as_they_are() -> None:
+    assert Sphere("A", mass=0.5).mass == 0.5
+    assert Sphere("A", velocity=(0.5, 2)).velocity == (0.5, 2)
+
+
+def test_check_of_a_problem_made_in_python() -> None:
+    problem = Problem(spheres=(Sphere("A"),), parts=(Part(None, (Impact("A", "B"),)),))
+    with pytest.raises(StatementError, match="unknown name 'B'"):
+        check(problem)
+
+
+# --- mistakes ---------------------------------------------------------------------------------
+
+MISTAKES = {
+    # words
+    "spere P: mass 2": (1, "unknown word 'spere': did you mean 'sphere'?"),
+    "fnd e": (1, "did you mean 'find'?"),
+    "Find e": (1, "did you mean 'find'?"),
+    "find spede(A)": (6, "unknown word 'spede': did you mean 'speed'?"),
+    "A hit B": (3, "did you mean 'hits'?"),
+    "A strikes B": (3, "did you mean 'hits'?"),
+    "sphere P: mas 2": (11, "unknown property 'mas': did you mean 'mass'?"),
+    "sphere P: colour 2": (11, "'colour'"),
+    "find range e": (6, "did you mean 'range of'?"),
+    "find energy lost": (6, "did you mean 'energy_lost'?"),
+    "given alpha = 60 degrees": (18, "did you mean 'deg'?"),
+    # names
+    "sphere p": (8, "a capital"),
+    "sphere find": (8, "a capital"),
+    "A hits C": (8, "unknown name 'C'"),
+    "C hits A": (1, "unknown name 'C'"),
+    "find speed(C)": (12, "unknown name 'C'"),
+    "find speed(AC)": (12, "unknown name 'AC'"),
+    "find speed(N)": (12, "'N' is the name of a point: 'speed' takes a sphere"),
+    "find speed(W)": (12, "'W' is the name of a wall"),
+    "find mA": (7, "'A' is the name of a sphere and cannot be a letter too"),
+    "find m A": (8, "'A' is the name of a sphere"),
+    "find A": (6, "such as velocity(A)"),
+    "given A = 3": (7, "such as velocity(A)"),
+    "find angle(A, W)": (12, "perhaps velocity(A)"),
+    "wall B": (6, "'B' is the name of a sphere already"),
+    "let A = 3": (5, "expected a letter"),
+    # bodies
+    "sphere P: mass": (15, "expected a mass after 'mass'"),
+    "sphere P: mass 2 velocity 3i": (18, "','"),
+    "sphere P mass 2": (10, "':'"),
+    "sphere A: mass 3": (11, "the mass of A was given already, in line 1"),
+    "sphere P: mass 3, mass 4": (19, "given twice"),
+    "sphere P: at rest, velocity 3i": (20, "given twice"),
+    "sphere P: velocity 3": (20, "expected a vector after 'velocity'"),
+    "sphere P: velocity u": (20, "expected a vector after 'velocity'"),
+    "sphere P: mass 3i + (1, 2)": (16, "expected a number after 'mass'"),
+    "sphere P: velocity 2i at (0, 0)": (26, "stands after a comma"),
+    "sphere P: mass 2 kg": (18, "no units"),
+    "sphere P: mass 2 kg, at rest": (18, "no units"),
+    "sphere P: velocity 5 ms at 30°": (22, "no units"),
+    "sphere P: velocity 5 ms^-1 at 30°": (22, "no units"),
+    "wall W: along j": (9, "given already, in line 3"),
+    "wall V: along": (14, "expected a vector or an angle after 'along'"),
+    "wall V: from (0, 0)": (20, "'to'"),
+    "wall V: circle radius 2": (16, "'centre'"),
+    "wall V: circle centre N": (6, "a centre and a radius"),
+    "wall V: along i, from (0, 0) to (1, 1)": (6, "either"),
+    "wall V: along W": (15, "write direction(W)"),
+    "point M": (8, "expected ':'"),
+    "point M: 3": (10, "expected a point"),
+    "point N: (0, 0)": (10, "given already, in line 4"),
+    # events
+    "A hits": (7, "expected the name of a sphere or a wall after 'hits'"),
+    "A hits A": (1, "cannot hit itself"),
+    "A hits N": (1, "point"),
+    "W hits A": (1, "'W' is the name of a wall"),
+    "A hits W: offset 2": (18, "takes no 'offset'"),
+    "A hits W: along j": (17, "takes no 'along'"),
+    "A hits B: along i, offset 2": (1, "not both"),
+    "A hits B: e 1/2": (13, "expected '='"),
+    "A hits B: f = 1/2": (11, "unknown property 'f'"),
+    "A hits B: e = 1, e = 1": (18, "given twice"),
+    "A hits B: along": (16, "expected a vector or an angle after 'along'"),
+    "A receives 3": (12, "expected a vector"),
+    "A reaches B": (11, "sphere"),
+    "A reaches 3": (11, "expected a point"),
+    # facts
+    "given": (6, "expected a relation after 'given'"),
+    "given e": (8, "expected a relation"),
+    "given A hits B": (15, "'again'"),
+    "given A and A collide again": (7, "cannot hit itself"),
+    "given e = 0.5 to 2 s.f.": (15, "to 2 s.f."),
+    "given velocity(A) perpendicular velocity(B)": (19, "perpendicular to"),
+    "given N parallel to W": (7, "point"),
+    "let beta": (9, "expected '='"),
+    "let i = 3": (5, "expected a letter after 'let', not 'i'"),
+    "let k = 3\nlet k = 4": (1, "'k' names something already"),
+    "unknown": (8, "expected a letter after 'unknown'"),
+    "unknown k, k": (12, "listed twice"),
+    # questions
+    "find": (5, "expected what is to be found after 'find'"),
+    "find e,": (8, "after ','"),
+    "find e in terms of": (19, "expected a letter after 'in terms of'"),
+    "find e in terms of u, speed(A)": (23, "expected a letter after ',', not 'speed'"),
+    "find e in terms of u, u": (23, "listed twice"),
+    "find maximum of e": (18, "'over'"),
+    "find impulse(1)": (6, "there is no event 1: 0 events are told"),
+    "find speed(A, P)": (15, "unknown name 'P'"),
+    "show maximum of e over u": (25, "expected '='"),
+    "show e < 0.5 to 2 s.f.": (14, "s.f."),
+    "show e = 0.5 to 0 s.f.": (14, "at least 1"),
+    "part": (1, "one word as a label"),
+    "part a b": (1, "one word as a label"),
+    "part a\npart a": (1, "there is a part 'a' already"),
+    "title": (1, "expected a text"),
+    "title x\ntitle y": (1, "a title already"),
+    "= 3": (1, "expected a line that begins with"),
+    "find e \\": (8, "backslash"),
+}
+
+
+@pytest.mark.parametrize("line", MISTAKES)
+def test_mistake(line) -> None:
+    column, said = MISTAKES[line]
+    with pytest.raises(StatementError) as caught:
+        parse(HEAD + line)
+    assert said in caught.value.message
+    assert (caught.value.line, caught.value.column) == (5 + line.count("\n"), column)
+
+
+def test_all_mistakes_are_found() -> None:
+    with pytest.raises(StatementError) as caught:
+        parse("spere A\nsphere B\nfnd e\nfind speed(B")
+    assert [caught.value.line, *(other.line for other in caught.value.others)] == [1, 3, 4]
+
+
+def test_event_numbers_are_checked() -> None:
+    text = "sphere A\nwall W\nA hits W\nfind impulse({})"
+    parse(text.format(1))
+    for wrong in (0, 2):
+        with pytest.raises(StatementError):
+            parse(text.format(wrong))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "said"),
+    [
+        (b"sphere A\nfind \xff", (2, 6), "UTF-8"),
+        ("find \x00", (1, 6), "U+0000"),
+        ("x" * (limits.MAX_TEXT_BYTES + 1), (1, 1), "too long"),
+        ("\n" * limits.MAX_LINES, (limits.MAX_LINES + 1, 1), "lines"),
+        ("find " + " " * limits.MAX_LINE_LENGTH, (1, 1), "too long"),
+        (
+            "\n".join(f"sphere A{n}" for n in range(limits.MAX_BODIES + 1)),
+            (limits.MAX_BODIES + 1, 1),
+            "spheres, walls and points",
+        ),
+        (
+            "sphere A\nwall W\n" + "A hits W\n" * (limits.MAX_EVENTS + 1),
+            (limits.MAX_EVENTS + 3, 1),
+            "events",
+        ),
+    ],
+    ids=["UTF-8", "NUL", "size", "lines", "line", "bodies", "events"],
+)
+def test_limits(text, place, said) -> None:
+    with pytest.raises(StatementError) as caught:
+        parse(text)
+    assert said in caught.value.message
+    assert (caught.value.line, caught.value.column) == place
