@@ -5,10 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
-from restitution.expression.reading import BUILDERS, Reading, expression_parser, parse_tokens
 from restitution.expression.lexer import Source, scan
+from restitution.expression.reading import BUILDERS, Reading, expression_parser, parse_tokens
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -211,9 +212,7 @@ READINGS = {
     "line_of_centres(1)": Quantity("line_of_centres", (), 1),
     "mass(A)": Quantity("mass", (A,)),
     "position(A, at t)": Quantity("position", (A,), AtTime(Letter("t"))),
-    "position(A, at 2t + 1)": Quantity(
-        "position", (A,), AtTime(add(mul(two, Letter("t")), one))
-    ),
+    "position(A, at 2t + 1)": Quantity("position", (A,), AtTime(add(mul(two, Letter("t")), one))),
     "time(2)": Quantity("time", (), 2),
     "distance(A, (1, 2))": Quantity("distance", (A, Pair(one, two))),
     "distance(A, P, at 3)": Quantity("distance", (A, P), AtTime(three)),

@@ -21,7 +21,43 @@ STATEMENTS = sorted(
     for each in files("restitution.examples").iterdir()
     if each.name.endswith(".impact")
 )
-PIECES = sorted(WORDS | set(NAMES)) + ["u", "v", "e", "1/2", "60°", "(", ")", ",", ":", "=", "<", "-", "+", "*", "/", "^", "√", "²", "i", "j", "3i", "at", "rest", "to", "3", "s.f.", "in", "terms", "of", "#", "\\", "~", "π", "μ", "½"]
+PIECES = sorted(WORDS | set(NAMES)) + [
+    "u",
+    "v",
+    "e",
+    "1/2",
+    "60°",
+    "(",
+    ")",
+    ",",
+    ":",
+    "=",
+    "<",
+    "-",
+    "+",
+    "*",
+    "/",
+    "^",
+    "√",
+    "²",
+    "i",
+    "j",
+    "3i",
+    "at",
+    "rest",
+    "to",
+    "3",
+    "s.f.",
+    "in",
+    "terms",
+    "of",
+    "#",
+    "\\",
+    "~",
+    "π",
+    "μ",
+    "½",
+]
 
 
 def outcome(text: str | bytes) -> str:

@@ -478,6 +478,8 @@ def _meant(
     names = reading.scan.names
     if previous is not None and previous.type in ("SPHERE", "WALL", "POINT"):
         return None
+    if previous is None and word != word.lower() and word.lower() in LINE_WORDS:
+        return f"unknown word '{word}': did you mean '{word.lower()}'?"
     if token.type == "LETTER" and "NAME" in expected and word[0].isupper():
         return unknown_name(word, names)
     if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:

@@ -90,7 +90,9 @@ def declared_names(lines: list[Line]) -> dict[str, str]:
     for line in lines:
         match = _DECLARATION.match(line.source.plain)
         if match:
-            for name in match.group(2).split(","):
-                if NAME.fullmatch(name.strip()):
-                    names.setdefault(name.strip(), match.group(1))
+            for told in match.group(2).split(","):
+                # What follows a name without a colon is a mistake, but not of the name.
+                name = told.split()[0] if told.strip() else ""
+                if NAME.fullmatch(name):
+                    names.setdefault(name, match.group(1))
     return names

@@ -145,7 +145,7 @@ def _winner(
     # Nothing that occurs may be beyond it: else a stationary point was missed.
     rng = random.Random(37)
     names = [region.letter]
-    for _ in range(60):
+    for _ in range(24):
         point = sample(names, region.setting.roles, rng)
         values = {**drawn, **point}
         if not region._possible(values):

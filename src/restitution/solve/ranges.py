@@ -35,7 +35,7 @@ from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, wor
 from restitution.solve.solution import Answer, ItemResult
 from restitution.solve.story import AnyOf, Condition
 
-DRAWS = 5
+DRAWS = 4
 DRAWS_TRIED = 60
 INFINITE = 10**30
 
@@ -661,7 +661,7 @@ def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> lis
     """Values that do occur, at many random points."""
     rng = random.Random(29)
     found = []
-    for _ in range(160):
+    for _ in range(60):
         point = {name: draw(region.setting.roles[name], rng) for name in free}
         values = {**drawn, **point}
         if region._possible(values):

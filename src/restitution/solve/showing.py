@@ -21,7 +21,8 @@ from restitution.solve.story import AnyOf, Condition, Equation
 if TYPE_CHECKING:
     from restitution.solve.solver import _Worker
 
-TRIALS = 300
+TRIALS = 160
+FEW = 16
 
 
 def show(worker: _Worker, step: Show, now: int) -> ItemResult:
@@ -55,24 +56,18 @@ def _refute(
     )
     hidden = sorted(name for name in outcome.letters.hidden_roles if name not in branch.values)
     roles = {**setting.roles, **outcome.letters.hidden_roles}
+    trials = TRIALS
     if isinstance(claim, Compare) and set(claim.operators) == {"="} and claim.figures is None:
-        symbolic = [
-            need
-            for need in requirements(claim, branch.story, now, step.place)
-            if isinstance(need, Equation)
-        ]
+        wanted = requirements(claim, branch.story, now, step.place)
+        symbolic = [need for need in wanted if isinstance(need, Equation)]
+        conditions = [need for need in wanted if not isinstance(need, Equation)]
         if all(_is_identity(need.value, roles) for need in symbolic):
-            sure = True
-        else:
-            sure = False
-        if sure and all(
-            not isinstance(need, Condition)
-            for need in requirements(claim, branch.story, now, step.place)
-        ):
-            return None
+            if not conditions:
+                return None
+            trials = FEW  # the equation holds; only a sign is left to be tried
     rng = random.Random(5)
     checked = 0
-    points = TRIALS if free or hidden else 1
+    points = trials if free or hidden else 1
     for n in range(points):
         values: dict[str, Any] = {}
         shown: dict[str, str] = {}

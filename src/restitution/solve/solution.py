@@ -90,7 +90,8 @@ class Branch:
 
     ``values`` maps letters and hidden unknowns, by name, to exact values; ``story`` is the story
     told with them put in, exactly; ``sample`` gives every letter and hidden unknown a number that
-    satisfies all facts (the letters left free at a representative value).
+    satisfies all facts (the letters left free at a representative value); ``numbers`` is the
+    story told with these, in high precision.
     """
 
     number: int
@@ -98,6 +99,7 @@ class Branch:
     angles: Mapping[str, tuple[sp.Expr, sp.Expr]]
     story: Story
     sample: Mapping[str, Any]
+    numbers: Story
 
 
 @dataclass(frozen=True)

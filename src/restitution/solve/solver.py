@@ -48,6 +48,7 @@ from restitution.solve import forms
 from restitution.solve.letters import is_angle
 from restitution.solve.part import (
     Letters,
+    Numbers,
     Outcome,
     Setting,
     Trial,
@@ -66,6 +67,7 @@ from restitution.solve.solution import (
     Solution,
 )
 from restitution.solve.story import Story
+from restitution.solve.verify import verify_principles, verify_value
 from restitution.vector import Vector
 
 
@@ -184,8 +186,10 @@ class _Worker:
         story = setting.tell(told) if trial.found.values else None
         if story is None:
             story = setting.tell(Letters(setting.roles, {}, {}, trial.samples))
+        numbers = setting.tell(Numbers(trial.samples[0]))
+        verify_principles(numbers)
         return Branch(
-            number, trial.found.values, trial.found.angles, story, trial.samples[0]
+            number, trial.found.values, trial.found.angles, story, trial.samples[0], numbers
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
@@ -276,6 +280,8 @@ class _Worker:
             samples = trial.samples if trial is not None else (branch.sample,)
             value = self._evaluate(item.expression, branch, now, samples, kind)
             self._complete(item, value, outcome, in_terms_of)
+            if kind != "direction":
+                verify_value(value, item, branch, now)
             answers.append(_answer(branch.number, value, kind, angle, item.percentage))
         if answers and isinstance(answers[0].value, tuple) and kind == "value":
             kind = "vector"

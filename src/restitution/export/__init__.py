@@ -1,0 +1,1 @@
+"""What leaves the package for other programs: solutions as JSON, answers without their working."""

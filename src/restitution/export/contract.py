@@ -1,0 +1,210 @@
+"""A solution as the JSON object that other programs read: one object a file, one a line.
+
+The object::
+
+    {"file", "title",
+     "parts": [{"part": label or null,
+                "items": [{"line", "text", "kind",
+                           "answers": [{"solution", "exact", "decimal", "display", "where"}],
+                           "holds", "counterexample",
+                           "rejected": [{"exact", "reason"}],
+                           "error"}]}],
+     "warnings": [text], "error"}
+
+``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
+letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
+``e_1``; a list of two such texts for a vector, a point or a direction. An error is null or
+``{"kind", "message", "line", "column"}``. Nothing here loads SymPy: what is asked for in an
+unreadable or unfinished file can be said without it.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Expression, Negate, Pair, Polar, Quantity
+from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
+
+if TYPE_CHECKING:
+    from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
+
+Object = dict[str, Any]
+
+_VECTORS = frozenset(("velocity", "momentum"))
+
+
+def solved(file: str, solution: Solution, label: str | None = None) -> Object:
+    """The object of a solved problem; of the one part ``label`` where that is given."""
+    parts = [
+        _part(part.part.label, [_item(part, item) for item in part.items])
+        for part in solution.parts.values()
+        if label is None or part.part.label == label
+    ]
+    return _file(
+        file,
+        solution.problem.title,
+        [part for part in parts if part["items"] or part["part"] is not None],
+        solution.warnings,
+        solution.error,
+    )
+
+
+def unreadable(file: str, error: RestitutionError) -> Object:
+    """The object of a file that could not be read."""
+    return _file(file, None, [], (), error)
+
+
+def unfinished(
+    file: str, problem: Problem, error: RestitutionError, label: str | None = None
+) -> Object:
+    """The object of a problem whose solving ended without a result: nothing is answered."""
+    parts = [
+        _part(part.label, [_unanswered(*asked, error) for asked in _asked(part)])
+        for part in problem.parts
+        if label is None or part.label == label
+    ]
+    shown = [part for part in parts if part["items"]]
+    return _file(file, problem.title, shown, problem.warnings, error)
+
+
+def to_json(content: Object) -> str:
+    """The object in one line; letters such as θ stand as they are."""
+    return json.dumps(content, ensure_ascii=False, allow_nan=False)
+
+
+def all_answered(content: Object) -> bool:
+    """Whether every item has an answer; a refuted ``show`` is one."""
+    if content["error"] is not None:
+        return False
+    items = [item for part in content["parts"] for item in part["items"]]
+    return all(
+        item["error"] is None and (item["answers"] or item["holds"] is not None) for item in items
+    )
+
+
+def _file(
+    file: str,
+    title: str | None,
+    parts: list[Object],
+    warnings: Iterable[str],
+    error: RestitutionError | None,
+) -> Object:
+    return {
+        "file": file,
+        "title": title,
+        "parts": parts,
+        "warnings": list(dict.fromkeys(warnings)),
+        "error": _error(error),
+    }
+
+
+def _part(label: str | None, items: list[Object]) -> Object:
+    return {"part": label, "items": items}
+
+
+def _item(part: PartSolution, item: ItemResult) -> Object:
+    error = item.error
+    if error is None and not item.answers and item.holds is None:
+        error = part.error
+    return {
+        "line": item.line,
+        "text": item.text,
+        "kind": item.kind,
+        "answers": [] if error is not None else [_answer(answer) for answer in item.answers],
+        "holds": None if error is not None else item.holds,
+        "counterexample": _exact_of(item.counterexample),
+        "rejected": [
+            {"exact": _plain(root.exact), "reason": root.reason} for root in item.rejected
+        ],
+        "error": _error(error, item.line),
+    }
+
+
+def _answer(answer: Answer) -> Object:
+    return {
+        "solution": answer.solution,
+        "exact": _plain(answer.exact),
+        "decimal": _decimal(answer.decimal),
+        "display": answer.display,
+        "where": _exact_of(answer.where),
+    }
+
+
+def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError) -> Object:
+    return {
+        "line": line,
+        "text": text,
+        "kind": kind,
+        "answers": [],
+        "holds": None,
+        "counterexample": None,
+        "rejected": [],
+        "error": _error(error, line),
+    }
+
+
+def _error(error: RestitutionError | None, line: int | None = None) -> Object | None:
+    if error is None:
+        return None
+    return {
+        "kind": error.kind if error.kind != RestitutionError.kind else "unsupported",
+        "message": error.message,
+        "line": error.line if error.line is not None else line,
+        "column": error.column,
+    }
+
+
+def _plain(exact: str | tuple[str, str]) -> str | list[str]:
+    return exact if isinstance(exact, str) else list(exact)
+
+
+def _exact_of(values: Mapping[str, str] | None) -> dict[str, str] | None:
+    return None if values is None else {name: str(value) for name, value in values.items()}
+
+
+def _decimal(value: float | tuple[float, float] | None) -> Any:
+    if isinstance(value, tuple):
+        pair = [_decimal(each) for each in value]
+        return None if None in pair else pair
+    # JSON knows no infinity.
+    return None if value is None or not math.isfinite(value) else float(value)
+
+
+# --- what was asked, by the text alone --------------------------------------------------------
+
+
+def _asked(part: Part) -> Iterator[tuple[int | None, str, str]]:
+    """Line, text and kind of every item of a part."""
+    for step in part.steps:
+        if isinstance(step, Show):
+            yield (None if step.place is None else step.place.line), step.text, "show"
+        elif isinstance(step, Find):
+            for item in step.items:
+                yield (None if item.place is None else item.place.line), item.text, _kind(item)
+
+
+def _kind(item: Value | Range | Extremum) -> str:
+    if isinstance(item, Range):
+        return "range"
+    if isinstance(item, Extremum):
+        return "extremum"
+    return _kind_of(item.expression)
+
+
+def _kind_of(expression: Expression) -> str:
+    if isinstance(expression, Negate):
+        return _kind_of(expression.operand)
+    if isinstance(expression, Pair | Polar):
+        return "vector"
+    if isinstance(expression, Quantity):
+        if expression.kind in _VECTORS or (expression.kind == "impulse" and expression.arguments):
+            return "vector"
+        if expression.kind == "position":
+            return "point"
+        if expression.kind == "line_of_centres":
+            return "direction"
+    return "value"

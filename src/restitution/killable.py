@@ -1,0 +1,209 @@
+"""Work in a process of its own, which can be stopped at any moment.
+
+A thread cannot be stopped in Python, and a computation inside a library does not look at a clock;
+a process can be killed. The one who asks needs none of the libraries of the work, so that they
+are loaded in one place only, and meanwhile the asker can read its input.
+
+On Linux the process is a fork, elsewhere a fresh interpreter; so ``serve`` and ``prepare`` have
+to be functions of a module.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import multiprocessing
+import signal
+import sys
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import TracebackType
+from typing import Any
+
+_START = 120.0
+"""Seconds for which loading the libraries may last: they are not part of what is limited."""
+
+_MEMORY = 4 * 2**30
+"""Bytes of memory that the work may take, where the system can limit that."""
+
+
+class Lost(Exception):
+    """The work ended otherwise than with an answer; ``details`` is a traceback, or empty."""
+
+    def __init__(self, message: str, details: str = "") -> None:
+        super().__init__(message)
+        self.details = details
+
+    def __reduce__(self) -> tuple[type[Lost], tuple[str, str]]:
+        return type(self), (str(self), self.details)
+
+
+class Worker:
+    """A process that answers requests one after another with ``serve(request)``.
+
+    It starts at once and calls ``prepare`` (loading libraries) while the caller does something
+    else. After it was stopped, the next request starts it anew. Use it as a context manager.
+    """
+
+    def __init__(self, serve: Callable[[Any], Any], prepare: Callable[[], None]) -> None:
+        self._serve = serve
+        self._prepare = prepare
+        self._context = multiprocessing.get_context(
+            "fork" if sys.platform.startswith("linux") else "spawn"
+        )
+        self._process: Any = None
+        self._pipe: Any = None
+        self._ready = False
+        self._start()
+
+    def ask(self, request: Any, limit: float | None = None) -> Any:
+        """The answer, or what ``serve`` raised, raised again here where it can be pickled.
+
+        Raises TimeoutError after ``limit`` seconds (None is no limit), and Lost where the
+        process ended or failed; it is killed then.
+        """
+        if self._process is None:
+            self._start()
+        try:
+            if not self._ready:
+                self._receive(_START)
+                self._ready = True
+            self._pipe.send((request, limit))
+            return self._receive(limit)
+        except TimeoutError:
+            self.close()
+            raise
+        except (EOFError, OSError) as error:
+            self.close()
+            raise Lost("the process that solves ended without an answer") from error
+        except BaseException as error:
+            # An error of the work leaves the process fit for the next; Ctrl-C does not.
+            if not isinstance(error, Exception):
+                self.close()
+            raise
+
+    def close(self) -> None:
+        """Kill the process; it holds nothing that could be lost."""
+        process, pipe = self._process, self._pipe
+        self._process = self._pipe = None
+        self._ready = False
+        if process is not None:
+            pipe.close()
+            process.kill()
+            process.join()
+            process.close()
+
+    def __enter__(self) -> Worker:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _start(self) -> None:
+        self._pipe, theirs = self._context.Pipe()
+        process: Any = self._context.Process  # type: ignore[attr-defined]
+        self._process = process(
+            target=_work, args=(theirs, self._pipe, self._serve, self._prepare), daemon=True
+        )
+        self._process.start()
+        theirs.close()
+
+    def _receive(self, limit: float | None) -> Any:
+        if not self._pipe.poll(limit):
+            raise TimeoutError
+        good, value = self._pipe.recv()
+        if not good:
+            raise value
+        return value
+
+
+def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[[], None]) -> None:
+    """The life of the process."""
+    # A fork holds a copy of the asker's end: while that is open, no end of file is seen.
+    other.close()
+    # Ctrl-C goes to all processes of the terminal; the asker decides what it means.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _limit_memory()
+    try:
+        prepare()
+        pipe.send((True, None))
+    except BaseException as error:
+        pipe.send((False, _portable(error)))
+        return
+    while True:
+        try:
+            request, limit = pipe.recv()
+        except EOFError:
+            return
+        _end_by_itself(limit)
+        reply: tuple[bool, Any]
+        try:
+            reply = True, serve(request)
+        except BaseException as error:
+            reply = False, _portable(error)
+        _end_by_itself(None)
+        try:
+            pipe.send(reply)
+        except (BrokenPipeError, ConnectionResetError):
+            return
+
+
+def _portable(error: BaseException) -> Exception:
+    """An error that can be sent: those of this package as they are, others by their text."""
+    if isinstance(error, MemoryError):
+        return Lost("there is not memory enough for this")
+    if isinstance(error, Exception) and hasattr(error, "kind") and hasattr(error, "message"):
+        return error
+    lines = traceback.format_exception_only(error)
+    return Lost(lines[-1].strip(), "".join(traceback.format_exception(error)))
+
+
+def _limit_memory() -> None:
+    try:
+        import resource
+    except ImportError:  # not on Windows
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    sizes = [size for size in (soft, hard, _MEMORY) if size != resource.RLIM_INFINITY]
+    with contextlib.suppress(ValueError, OSError):  # macOS refuses
+        resource.setrlimit(resource.RLIMIT_AS, (min(sizes), hard))
+
+
+def _end_by_itself(limit: float | None) -> None:
+    """Let the system end this process if the asker is gone and cannot."""
+    if hasattr(signal, "alarm"):
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+        signal.alarm(0 if limit is None else math.ceil(limit) + 5)
+
+
+@contextmanager
+def soft_limit(first: float | None, again: float, error: Exception) -> Iterator[None]:
+    """Raise ``error`` inside the block after ``first`` seconds, and after every ``again`` more.
+
+    Thereby whoever catches it can give up one piece of the work and go on with the next. Only
+    where there is an interval timer and in the main thread; elsewhere nothing happens. What a
+    library holds in memory may be left half done, so this is for a process that ends soon.
+    """
+    if first is None or not hasattr(signal, "setitimer"):
+        yield
+        return
+
+    def ring(number: int, frame: Any) -> None:
+        raise error
+
+    kept = signal.signal(signal.SIGALRM, ring)
+    # One timer serves both: the alarm that ends the process is put back afterwards.
+    left = signal.setitimer(signal.ITIMER_REAL, first, again)[0]
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, kept)
+        if left:
+            signal.alarm(math.ceil(left))
