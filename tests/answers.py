@@ -19,7 +19,7 @@ from restitution.expression import read_expression
 from restitution.expression.evaluate import evaluate
 from restitution.solve import ItemResult, Solution
 from restitution.solve.letters import Role
-from restitution.solve.numbers import Undefined, at, sample
+from restitution.solve.numbers import UndefinedError, at, sample
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _same(a: Any, b: Any, roles: dict[str, Role], kind: str) -> bool:
         try:
             x = [at(each, values) for each in a]
             y = [at(each, values) for each in b]
-        except (Undefined, KeyError):
+        except (UndefinedError, KeyError):
             continue
         if kind == "direction":
             size = abs(x[0]) + abs(x[1])

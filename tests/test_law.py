@@ -43,7 +43,7 @@ def turned(v: Vector) -> Vector:
     return Vector((3 * v.x - 4 * v.y) / 5, (4 * v.x + 3 * v.y) / 5)
 
 
-# --- the law and its principles ------------------------------------------------------------------
+# --- the law and its principles ---------------------------------------------------------------
 
 
 def test_closed_form_is_the_only_solution_of_the_principles():
@@ -97,7 +97,7 @@ def test_wall_is_a_body_of_no_inverse_mass():
     assert sympy.simplify(law.kinetic_energy_lost(*data) - lost) == 0
 
 
-# --- one body of test, every kind of number --------------------------------------------------------
+# --- one body of test, every kind of number ---------------------------------------------------
 
 KINDS = {
     "Fraction": Fraction,
@@ -157,7 +157,7 @@ def test_many_impacts_at_once_are_those_one_by_one():
         assert [first.x[k], first.y[k], second.x[k], second.y[k]] == pytest.approx(exact)
 
 
-# --- figures from books --------------------------------------------------------------------------
+# --- figures from books -----------------------------------------------------------------------
 
 
 def test_two_spheres_with_line_of_centres_along_j():
@@ -203,7 +203,7 @@ def test_corner_of_120_degrees():
     assert sympy.simplify(measure.speed(second) - sympy.sqrt(103) / 16) == 0
 
 
-# --- what must be true of any law of impact ---------------------------------------------------------
+# --- what must be true of any law of impact ---------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -260,7 +260,7 @@ def test_a_principle_that_fails_is_seen():
     assert law.change_across_line_of_centres(u1, v1 + c.turned_left(), c) != 0
 
 
-# --- vectors and measures --------------------------------------------------------------------------
+# --- vectors and measures ---------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("factor", [2, 0.5, Fraction(1, 3), sympy.Symbol("k"), np.float64(2)])
@@ -320,7 +320,7 @@ def test_small_angles_keep_their_figures():
     assert measure.angle_between(Vector(1.0, 0.0), Vector(1.0, 1e-9)) == pytest.approx(1e-9)
 
 
-# --- the source --------------------------------------------------------------------------------------
+# --- the source -------------------------------------------------------------------------------
 
 
 def test_source_of_the_law_has_no_branch_no_loop_no_float_and_no_import():

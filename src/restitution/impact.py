@@ -73,9 +73,7 @@ def impact(
     )
     after = Bodies(
         replace(before.first, velocity=v1, position=None),
-        second
-        if isinstance(second, Wall)
-        else replace(before.second, velocity=v2, position=None),
+        second if isinstance(second, Wall) else replace(before.second, velocity=v2, position=None),
     )
     return Hit(before, after, e, c)
 
@@ -452,11 +450,11 @@ def _one_kind(values: dict[str, Any]) -> dict[str, Any]:
     return {what: each(value, what) for what, value in values.items()}
 
 
-def _as_float(value: Any, what: str) -> Any:
+def _as_float(value: Any, what: str) -> float:
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        _refuse(value, what)
+        raise _refusal(value, what) from None
 
 
 def _as_exact(value: Any, what: str) -> Any:
@@ -468,11 +466,11 @@ def _as_exact(value: Any, what: str) -> Any:
         import sympy
 
         return sympy.Rational(int(value.numerator), int(value.denominator))
-    _refuse(value, what)
+    raise _refusal(value, what)
 
 
-def _refuse(value: Any, what: str) -> NoReturn:
-    raise StatementError(f"{what} is not a number or a vector: {value!r}")
+def _refusal(value: Any, what: str) -> StatementError:
+    return StatementError(f"{what} is not a number or a vector: {value!r}")
 
 
 def _vector(value: Any, what: str) -> Vector:

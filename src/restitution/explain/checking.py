@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explain.steps import Row
-from restitution.solve.numbers import Undefined, at
+from restitution.solve.numbers import UndefinedError, at
 
 _TOLERANCE = 1e-18
 _ORDERED = {"<": operator.lt, "≤": operator.le, ">": operator.gt, "≥": operator.ge}
@@ -32,7 +32,7 @@ def holds(row: Row, sample: Mapping[str, Any]) -> bool:
             sign = next((s for s in row.signs[i:k] if s != "="), "=")
             if not _related(left, sign, right, sample):
                 return False
-    except (Undefined, KeyError, TypeError, ValueError, ArithmeticError):
+    except (UndefinedError, KeyError, TypeError, ValueError, ArithmeticError):
         return False
     return True
 

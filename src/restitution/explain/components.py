@@ -27,7 +27,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem
 from restitution.solve.letters import POSITIVE, REAL, Role, trees
-from restitution.solve.numbers import Undefined, at
+from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -113,7 +113,7 @@ class _Named:
             return 0
         try:
             value = at(x, self.sample)
-        except (Undefined, KeyError, ArithmeticError):
+        except (UndefinedError, KeyError, ArithmeticError):
             return None
         return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
 
@@ -154,14 +154,14 @@ class Model:
         return [name for name in self.happening(number).bodies if name in self.story.spheres]
 
     def number(self, x: Any) -> Any:
-        """A numerical value by the sample; raises Undefined where there is none."""
+        """A numerical value by the sample; raises UndefinedError where there is none."""
         return at(sp.sympify(x), self.sample)
 
     def sign(self, x: Any) -> int:
         """The sign of an expression at the sample (0 where it has no value)."""
         try:
             value = self.number(x)
-        except (Undefined, KeyError, ArithmeticError):
+        except (UndefinedError, KeyError, ArithmeticError):
             return 0
         return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
 
@@ -232,7 +232,7 @@ def _hidden_values(told: Model, put: dict[sp.Symbol, sp.Expr]) -> None:
         if name not in told.sample:
             try:
                 told.sample[name] = at(sp.sympify(value), told.sample)
-            except (Undefined, KeyError, ArithmeticError):
+            except (UndefinedError, KeyError, ArithmeticError):
                 if f"_{key}" in told.sample:
                     told.sample[name] = told.sample[f"_{key}"]
 
@@ -263,7 +263,7 @@ def _in_letters(
         put[symbol] = value
         try:
             told.sample[symbol.name] = at(value, told.sample)
-        except (Undefined, KeyError, ArithmeticError):
+        except (UndefinedError, KeyError, ArithmeticError):
             pass
         across = tidy(u.dot(frame.t))
         after[body] = Vector(

@@ -9,6 +9,7 @@ of dot and cross products and never an inverse function.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -101,7 +102,7 @@ class Numeric:
 
     def sqrt(self, x: Scalar) -> Scalar:
         x = self.context.mpf(x) if not isinstance(x, self.context.mpc) else x
-        if x < 0 and x > -self.context.mpf(10) ** (8 - self.context.dps):
+        if x < 0 and x > -(self.context.mpf(10) ** (8 - self.context.dps)):
             return self.zero  # a square that rounding has made slightly negative
         if x < 0:
             raise ArithmeticError("square root of a negative number")
@@ -117,7 +118,8 @@ class Numeric:
         return result
 
     def cos_sin(self, x: Scalar) -> tuple[Scalar, Scalar]:
-        return self.context.cos_sin(x)
+        c, s = self.context.cos_sin(x)
+        return c, s
 
     def arctan2(self, y: Scalar, x: Scalar) -> Scalar:
         return self.context.atan2(y, x)
@@ -150,10 +152,8 @@ def root(x: sp.Expr) -> sp.Expr:
         return sp.sqrt(x)
     factored = sp.factor_terms(x) if not x.is_Mul else x
     if factored.is_Add and len(factored.free_symbols) <= 6 and sp.count_ops(factored) <= 60:
-        try:
+        with suppress(sp.PolynomialError, NotImplementedError):
             factored = sp.factor(factored)
-        except (sp.PolynomialError, NotImplementedError):  # pragma: no cover - stays as it is
-            pass
     return sp.sqrt(factored)
 
 

@@ -80,15 +80,9 @@ def solve_system(
         half = symbol / q
         replaced = []
         for each in current:
-            each = each.replace(
-                lambda n, x=symbol: n.is_Function and n.has(x) and n.func in (sp.tan, sp.cot),
-                lambda n: n.rewrite(sp.cos) if n.func is sp.sec else n.rewrite(sp.sin, sp.cos)
-                if False
-                else (sp.sin(n.args[0]) / sp.cos(n.args[0]) if n.func is sp.tan
-                      else sp.cos(n.args[0]) / sp.sin(n.args[0])),
-            )
-            each = _trig_in(each, symbol, half, c, s)
-            replaced.append(each)
+            each = each.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
+            each = each.replace(sp.cot, lambda a: sp.cos(a) / sp.sin(a))
+            replaced.append(_trig_in(each, symbol, half, c, s))
         current = replaced
         pairs[symbol] = (c, s)
     # Roots and sizes of what is unknown are squared away.
@@ -160,9 +154,7 @@ def _denominator(equations: Sequence[sp.Expr], symbol: sp.Symbol) -> int:
     return q
 
 
-def _trig_in(
-    x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.Symbol
-) -> sp.Expr:
+def _trig_in(x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.Symbol) -> sp.Expr:
     """Sines and cosines of multiples of ``base`` as polynomials in its cosine and sine."""
     mapping = {}
     for node in x.atoms(sp.sin, sp.cos):
@@ -204,19 +196,24 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
             return x
         chosen = radicals[0]
         if isinstance(chosen, sp.Abs):
-            base, square, one = chosen, chosen.args[0] ** 2, 1
+            base, square = chosen, chosen.args[0] ** 2
+        elif chosen.exp.q == 2:
+            base, square = sp.sqrt(chosen.base), chosen.base
         else:
-            q = chosen.exp.q
-            base, square, one = chosen.base ** sp.Rational(1, q), chosen.base, 1
-            if q != 2:
-                raise UnsupportedError("a root other than a square root of what is sought")
-        del one
+            raise UnsupportedError("a root other than a square root of what is sought")
         mark = sp.Dummy("root", nonnegative=True)
         replaced = x.replace(
-            lambda n, b=base: n == b
-            or (n.is_Pow and b.is_Pow and n.base == b.base and n.exp.is_Rational
-                and not n.exp.is_Integer),
-            lambda n, b=base: mark if n == b else mark ** (n.exp / b.exp),
+            lambda n, b=base: (
+                n == b
+                or (
+                    n.is_Pow
+                    and b.is_Pow
+                    and n.base == b.base
+                    and n.exp.is_Rational
+                    and not n.exp.is_Integer
+                )
+            ),
+            lambda n, b=base, mark=mark: mark if n == b else mark ** (n.exp / b.exp),
         )
         numerator = sp.expand(sp.together(replaced).as_numer_denom()[0])
         poly = sp.Poly(numerator, mark)
@@ -238,9 +235,7 @@ def _numerator(x: sp.Expr) -> sp.Expr:
     return sp.expand(sp.together(x).as_numer_denom()[0])
 
 
-def _by_tangent(
-    x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol
-) -> sp.Expr | None:
+def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
     """A polynomial in cosine and sine as one in the tangent, if its terms allow it."""
     if not x.has(c, s):
         return x
@@ -307,9 +302,7 @@ def _reduce(
     if kind == "linear?":
         a, b = _linear(equation, x)
         results = _substitute(x, neat(-b / a), others, left, found, zero, budget)
-        results = [
-            (values, more) for values, more in results if not _lost(a, values, zero)
-        ]
+        results = [(values, more) for values, more in results if not _lost(a, values, zero)]
         if not _nonzero(a):
             results += _reduce([a, b, *others], unknowns, found, zero, budget)
         return results
@@ -384,9 +377,8 @@ def _admissible(value: sp.Expr, x: sp.Symbol) -> bool:
     """Whether a number fits what is known of an unknown that people never see the value of."""
     if not value.is_real and value.is_real is not None:
         return False
-    if x.name.startswith(("cos_", "sin_", "tan_")) and x.is_positive and not value.is_positive:
-        return False
-    return True
+    trigonometric = x.name.startswith(("cos_", "sin_", "tan_"))
+    return not (trigonometric and x.is_positive and not value.is_positive)
 
 
 def _linear(equation: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
@@ -420,8 +412,6 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
         if not inside:
             if zero(factor):
                 return None
-            if not factor.free_symbols:
-                continue
             continue  # a factor of data alone is not zero in general
         kept.append(factor)
     if not kept and zero(equation):
@@ -476,8 +466,9 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
                     kind, cost = "linear?", 4
             elif degree == 2 and _only_even(equations, x):
                 a = sp.Poly(equation, x).coeff_monomial(x**2)
-                kind, cost = ("square", 3) if not a.free_symbols & free or _nonzero(a) else (
-                    "resultant", 8)
+                kind, cost = (
+                    ("square", 3) if not a.free_symbols & free or _nonzero(a) else ("resultant", 8)
+                )
             else:
                 kind, cost = "resultant", 8 + int(degree)
             key = (cost, size, rank)
@@ -523,8 +514,6 @@ def _by_resultant(
     with_x = [each for each in others if each.has(x)]
     without = [each for each in others if not each.has(x)]
     if not with_x:
-        if not left or not (equation.free_symbols & set(left)):
-            pass
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
         for values, rest in _reduce(without, left, found, zero, budget):
@@ -544,7 +533,7 @@ def _by_resultant(
     for values, rest in _reduce(without, left, found, zero, budget):
         candidates = [_numerator(each.xreplace(values)) for each in (equation, *with_x)]
         candidates = [each for each in candidates if each.has(x)] or candidates
-        simplest = min(candidates, key=lambda e: (sp.degree(e, x) if e.has(x) else 99))
+        simplest = min(candidates, key=lambda e: sp.degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):
             continue
         for value in roots(simplest, x):

@@ -14,7 +14,7 @@ from restitution.problem import Extremum, Part, Problem
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solve.letters import is_angle
-from restitution.solve.numbers import TINY, Sample, Undefined, at, sample
+from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
 from restitution.solve.part import Outcome, settle, work_out
 from restitution.solve.ranges import (
     DRAWS,
@@ -56,7 +56,11 @@ def find_extremum(
     found: list[tuple[Candidate, bool, Any]] = []
     for trial, value in _images(outcome, item.expression, now):
         own = Outcome(
-            setting, (trial,), outcome.letters, outcome.open_story, outcome.equations,
+            setting,
+            (trial,),
+            outcome.letters,
+            outcome.open_story,
+            outcome.equations,
             outcome.conditions,
         )
         best = _best(own, value, name, sign)
@@ -152,7 +156,7 @@ def _winner(
             continue
         try:
             seen = at(value, values)
-        except (Undefined, KeyError):
+        except (UndefinedError, KeyError):
             continue
         if sign * seen > sign * best[2] + TINY * 10**6 * (1 + abs(seen)):
             raise UnsupportedError("the extremum has no exact form that is found here")

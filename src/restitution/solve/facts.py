@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from restitution.errors import StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Name, Place
@@ -71,9 +73,7 @@ def _sphere(story: Story, name: Name) -> str:
     return name.name
 
 
-def _compare(
-    relation: Compare, story: Story, now: int, place: Place | None
-) -> list[Requirement]:
+def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> list[Requirement]:
     evaluator = story.evaluator(now)
     values = [evaluator.value(tree) for tree in relation.operands]
     found: list[Requirement] = []
@@ -102,10 +102,12 @@ def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[
         return [Equation(a.x - b.x, why, place, True), Equation(a.y - b.y, why, place, True)]
     if isinstance(left, Angle) or isinstance(right, Angle):
         evaluator = story.evaluator(0)
-        a, b = evaluator.as_angle(left), evaluator.as_angle(right)
+        one, other = evaluator.as_angle(left), evaluator.as_angle(right)
         return [
-            Equation(a.y * b.x - a.x * b.y, why, place, True),
-            Condition(a.x * b.x + a.y * b.y, ">", "the angles would differ by 180°", "fact"),
+            Equation(one.y * other.x - one.x * other.y, why, place, True),
+            Condition(
+                one.x * other.x + one.y * other.y, ">", "the angles would differ by 180°", "fact"
+            ),
         ]
     return [Equation(left - right, why, place, True)]
 
@@ -113,7 +115,7 @@ def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[
 def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
     if isinstance(left, Vector) or isinstance(right, Vector):
         raise StatementError("vectors cannot be compared by size: use abs(…)")
-    relation = ">=" if op.endswith("=") else ">"
+    relation: Literal[">", ">="] = ">=" if op.endswith("=") else ">"
     small, large = (left, right) if op.startswith("<") else (right, left)
     reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
@@ -124,9 +126,7 @@ def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
     return Condition(large - small, relation, reason, "fact")
 
 
-def _aligned(
-    relation: Aligned, story: Story, now: int, place: Place | None
-) -> list[Requirement]:
+def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> list[Requirement]:
     a, b = story.direction(relation.left, now), story.direction(relation.right, now)
     dot, cross = a.dot(b), a.cross(b)
     why = "a fact"
@@ -165,9 +165,7 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
     return [options[0] if len(options) == 1 else AnyOf(options, refused, "fact")]
 
 
-def _towards_wall(
-    relation: Meets, story: Story, now: int, name: str
-) -> tuple[list[Scalar], str]:
+def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[list[Scalar], str]:
     """What must be positive for a sphere to come to a wall.
 
     Without places the wall lies in front of the sphere, at any distance: on the side from which

@@ -28,7 +28,7 @@ def plain(value: Any, samples: Samples) -> Any:
 def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
     """Sizes |x| and roots of squares without bars where the sign of x is known."""
     for _ in range(4):
-        bars = [node for node in x.atoms(sp.Abs)]
+        bars = list(x.atoms(sp.Abs))
         if not bars:
             break
         put = {}
@@ -65,8 +65,9 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
         if sy is None:
             return sp.atan2(exact.tidy(y), exact.tidy(x))
         flat = sp.pi if sy > 0 else -sp.pi
-        return exact.tidy_angle(flat - sp.atan(exact.tidy(neat(-y / x))) if sy > 0 else
-                                flat + sp.atan(ratio))
+        return exact.tidy_angle(
+            flat - sp.atan(exact.tidy(neat(-y / x))) if sy > 0 else flat + sp.atan(ratio)
+        )
     if sy is not None and sy > 0:
         return exact.tidy_angle(sp.pi / 2 - sp.atan(exact.tidy(neat(x / y))))
     return sp.atan2(exact.tidy(y), exact.tidy(x))

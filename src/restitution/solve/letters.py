@@ -97,7 +97,7 @@ def roles(problem: Problem) -> dict[str, Role]:
             names.update(step.in_terms_of)
         elif isinstance(step, Impact) and step.e is None:
             names.add("e")
-    angles = _angles(problem)
+    used, named = _angles(problem)
     coefficients = _coefficients(problem)
     positive, real = _components(problem)
     measured = _measured(problem)
@@ -105,8 +105,8 @@ def roles(problem: Problem) -> dict[str, Role]:
     for name in sorted(names):
         if name in coefficients:
             role = COEFFICIENT
-        elif name in angles:
-            role = ACUTE if name in angles["used"] or name not in measured else measured[name]
+        elif name in used or name in named:
+            role = ACUTE if name in used or name not in measured else measured[name]
         elif name in real and name not in positive:
             role = REAL
         elif name in measured and name not in positive:
@@ -144,9 +144,7 @@ def trees_of_step(step: Step) -> Iterator[Expression]:
     """Every expression of one step."""
     match step:
         case Impact():
-            yield from (
-                tree for tree in (step.e, step.along, step.offset) if tree is not None
-            )
+            yield from (tree for tree in (step.e, step.along, step.offset) if tree is not None)
         case Kick():
             yield step.impulse
         case Let():
@@ -207,13 +205,13 @@ def _name(tree: Expression) -> str | None:
 # --- angles -----------------------------------------------------------------------------------
 
 
-def _angles(problem: Problem) -> dict[str, set[str]]:
-    """Letters that are angles: ``used`` as directions or under a sine, and ``named``."""
+def _angles(problem: Problem) -> tuple[set[str], set[str]]:
+    """Letters that are angles: used as directions or under a sine, and those that name one."""
     used: set[str] = set()
     walls = frozenset(wall.name for wall in problem.walls)
 
-    def direction(tree: Expression | None) -> None:
-        if tree is not None and isinstance(tree, Expression) and not is_vector(tree, walls):
+    def direction(tree: object) -> None:
+        if isinstance(tree, Expression) and not is_vector(tree, walls):
             used.update(_linear_letters(tree))
 
     lets = {s.letter: s.expression for _, s in problem.steps() if isinstance(s, Let)}
@@ -254,7 +252,7 @@ def _angles(problem: Problem) -> dict[str, set[str]]:
                         named.update(_linear_letters(tree))
         if len(named) == before:
             break
-    return {**dict.fromkeys(used | named, set()), "used": used, "named": named}
+    return used, named
 
 
 def _relations(step: Step) -> Iterator[Relation]:
@@ -359,7 +357,7 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
 
 
 def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
-    """``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + u sin α j`` u is a speed."""
+    """``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + …`` u is a speed."""
     try:
         vector = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     except StatementError:
@@ -368,7 +366,7 @@ def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
         return
     x, y = (sp.expand(part) for part in vector)
     for one, other in ((x, y), (y, x)):
-        coefficient, rest = one.as_coeff_Mul()
+        _, rest = one.as_coeff_Mul()
         if rest.is_Symbol and other != 0 and not other.has(rest):
             real.add(rest.name)
         else:

@@ -24,19 +24,19 @@ _CTX = FIELD.context
 Sample = dict[str, Any]
 
 
-class Undefined(ArithmeticError):
+class UndefinedError(ArithmeticError):
     """An expression has no real value at a point."""
 
 
 def at(x: Any, values: Mapping[str, Any]) -> Any:
     """The value of a SymPy expression with letters put in, by name, as an mpmath number.
 
-    Raises Undefined where it is not real, and KeyError for a letter without a value.
+    Raises UndefinedError where it is not real, and KeyError for a letter without a value.
     """
     try:
         return _at(sp.sympify(x, strict=True), values)
     except (ZeroDivisionError, OverflowError) as error:
-        raise Undefined(str(error)) from error
+        raise UndefinedError(str(error)) from error
 
 
 def _at(x: sp.Basic, values: Mapping[str, Any]) -> Any:
@@ -55,17 +55,17 @@ def _at(x: sp.Basic, values: Mapping[str, Any]) -> Any:
         if x.exp.is_Integer:
             n = int(x.exp)
             if n < 0 and base == 0:
-                raise Undefined("division by zero")
+                raise UndefinedError("division by zero")
             return base**n
         if base < 0:
-            if base > -_CTX.mpf(10) ** (12 - DIGITS):
+            if base > -(_CTX.mpf(10) ** (12 - DIGITS)):
                 return _CTX.mpf(0)
-            raise Undefined("root of a negative number")
+            raise UndefinedError("root of a negative number")
         if x.exp == sp.S.Half:
             return _CTX.sqrt(base)
         exponent = _at(x.exp, values)
         if base == 0 and exponent < 0:
-            raise Undefined("division by zero")
+            raise UndefinedError("division by zero")
         return _CTX.power(base, exponent)
     function = _FUNCTIONS.get(type(x))
     if function is not None:
@@ -75,15 +75,15 @@ def _at(x: sp.Basic, values: Mapping[str, Any]) -> Any:
     if x.is_Float:
         return _CTX.mpf(str(x))
     if x in (sp.oo, sp.zoo, sp.nan, -sp.oo):
-        raise Undefined(str(x))
+        raise UndefinedError(str(x))
     if isinstance(x, sp.Piecewise):
         for value, condition in x.args:
             if _holds(condition, values):
                 return _at(value, values)
-        raise Undefined("no case holds")
+        raise UndefinedError("no case holds")
     value = sp.N(x.xreplace(_floats(x, values)), DIGITS)
     if not value.is_real or not value.is_Float:
-        raise Undefined(str(x))
+        raise UndefinedError(str(x))
     return _CTX.mpf(str(value))
 
 
@@ -93,13 +93,14 @@ def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
     if condition in (False, sp.false):
         return False
     left, right = _at(condition.lhs, values), _at(condition.rhs, values)
-    return {
+    truths: dict[type, bool] = {
         sp.StrictLessThan: left < right,
         sp.LessThan: left <= right,
         sp.StrictGreaterThan: left > right,
         sp.GreaterThan: left >= right,
         sp.Equality: left == right,
-    }[type(condition)]
+    }
+    return truths[type(condition)]
 
 
 def _floats(x: sp.Basic, values: Mapping[str, Any]) -> dict[sp.Symbol, sp.Float]:
@@ -110,7 +111,7 @@ def _arc(name: str) -> Any:
     def function(x: Any) -> Any:
         if abs(x) > 1:
             if abs(x) > 1 + _CTX.mpf(10) ** (12 - DIGITS):
-                raise Undefined(f"{name} beyond 1")
+                raise UndefinedError(f"{name} beyond 1")
             x = _CTX.sign(x)
         return getattr(_CTX, name)(x)
 
@@ -162,7 +163,7 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
     for values in samples:
         try:
             value = at(x, values)
-        except Undefined:
+        except UndefinedError:
             continue
         sign = 0 if abs(value) < TINY else 1 if value > 0 else -1
         if found is None:
@@ -183,7 +184,7 @@ def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:
         values = sample(names, roles, rng)
         try:
             value = at(x, values)
-        except Undefined:
+        except UndefinedError:
             continue
         if abs(value) > TINY:
             return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -20,13 +20,11 @@ from restitution.errors import (
 from restitution.expression.evaluate import Symbolic, Value
 from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
 from restitution.problem import (
-    Arrival,
     Compare,
     Extremum,
     Find,
     Given,
     Impact,
-    Kick,
     Let,
     Part,
     Problem,
@@ -37,8 +35,8 @@ from restitution.problem import (
 from restitution.problem import Value as ValueItem
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.facts import givens, requirements
-from restitution.solve.letters import REAL, POSITIVE, Role, narrowed_by, roles
-from restitution.solve.numbers import FIELD, TINY, Sample, Undefined, at, sample, sign_at
+from restitution.solve.letters import POSITIVE, REAL, Role, narrowed_by, roles
+from restitution.solve.numbers import FIELD, TINY, Sample, UndefinedError, at, sample, sign_at
 from restitution.solve.story import AnyOf, Condition, Equation, Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
@@ -102,13 +100,13 @@ class Numbers:
 
     def letter(self, name: str) -> Any:
         if name not in self.values:
-            raise Undefined(name)
+            raise UndefinedError(name)
         return self.values[name]
 
     def hidden(self, key: str, phrase: str, sign: Sign) -> Any:
         name = f"_{key}"
         if name not in self.values:
-            raise Undefined(name)
+            raise UndefinedError(name)
         return self.values[name]
 
     def sign(self, x: Any) -> int:
@@ -164,7 +162,7 @@ class Setting:
     def examine(self, values: Mapping[str, Any], solved: Iterable[str]) -> tuple[str, str] | None:
         """Why these numbers are impossible, as (reason, kind); None if they are not.
 
-        Raises Undefined where something has no real value.
+        Raises UndefinedError where something has no real value.
         """
         story = self.tell(Numbers(values))
         wanted = self.requirements(story)
@@ -216,7 +214,7 @@ class Setting:
                 reasons[error.message, "equation"] += 1
                 last_error = error
                 continue
-            except (Undefined, ArithmeticError):
+            except (UndefinedError, ArithmeticError):
                 reasons["it would not be real", "equation"] += 1
                 continue
             if wrong is None:
@@ -261,11 +259,7 @@ def _outside(name: str, value: Any, role: Role | None) -> tuple[str, str] | None
     if role.kind == "restitution":
         return "a coefficient of restitution lies in [0, 1]", "coefficient"
     if role.kind == "angle":
-        ends = [
-            f"{float(x) * 180 / 3.141592653589793:.4g}°"
-            for x in (low, high)
-            if x is not None
-        ]
+        ends = [f"{float(x) * 180 / 3.141592653589793:.4g}°" for x in (low, high) if x is not None]
         return f"the angle must lie between {' and '.join(ends)}", "range"
     if below and low == 0:
         return f"{name} must be positive", "range"
@@ -399,9 +393,11 @@ def _clash(setting: Setting) -> RestitutionError:
     lines = sorted({given.place.line for given, _ in setting.facts if given.place is not None})
     place = setting.facts[-1][0].place if setting.facts else None
     if lines:
-        where = "line " + str(lines[0]) if len(lines) == 1 else "lines " + ", ".join(
-            map(str, lines[:-1])
-        ) + f" and {lines[-1]}"
+        where = (
+            "line " + str(lines[0])
+            if len(lines) == 1
+            else "lines " + ", ".join(map(str, lines[:-1])) + f" and {lines[-1]}"
+        )
         message = f"the facts clash: no values satisfy all that is given in {where} and the story"
     else:
         message = "the data clash: no values satisfy all that is told"
@@ -519,7 +515,7 @@ def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found
             continue
         try:
             value = at(found.values[x.name], {})
-        except (Undefined, KeyError):
+        except (UndefinedError, KeyError):
             continue
         if _outside(x.name, value, role) is None:
             kept.append(found)
@@ -546,9 +542,7 @@ def _solve_equations(
     chosen = (setting.extra_unknown | setting.asked | setting.carried) - set(letters_.values)
     for _ in range(8):
         unknowns = _ranked(setting, letters_, values, chosen)
-        angles = frozenset(
-            s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle"
-        )
+        angles = frozenset(s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle")
         acute = frozenset(s for s in angles if _acute(setting.roles[s.name]))
         found = solve_system(values, unknowns, angles, acute, known)
         leftover = [each for one in found for each in one.leftover]
@@ -579,9 +573,7 @@ def _ranked(
             return 2, name
         return 1, name
 
-    return sorted(
-        (s for s in present if s.name.startswith("_") or s.name in chosen), key=rank
-    )
+    return sorted((s for s in present if s.name.startswith("_") or s.name in chosen), key=rank)
 
 
 def _to_fix(
@@ -589,9 +581,7 @@ def _to_fix(
 ) -> str | None:
     """Which letter a left-over fact is taken to fix."""
     present = {s.name for each in leftover for s in each.free_symbols}
-    candidates = [
-        name for name in present if name not in chosen and name not in setting.protected
-    ]
+    candidates = [name for name in present if name not in chosen and name not in setting.protected]
     if not candidates:
         return None
     left_out = any(
@@ -639,7 +629,8 @@ def _to_fix(
             return 6, name
         return 7, name
 
-    return min(candidates, key=priority)
+    chosen_letter: str = min(candidates, key=priority)
+    return chosen_letter
 
 
 def impossible(trials: Sequence[Trial], place: Place | None) -> RestitutionError:
@@ -654,19 +645,3 @@ def impossible(trials: Sequence[Trial], place: Place | None) -> RestitutionError
     if kind == "fact":
         return ContradictionError(f"the facts clash: {reason}", line)
     return ImpossibleError(str(reason), line)
-
-
-__all__ = [
-    "Letters",
-    "Numbers",
-    "Outcome",
-    "Setting",
-    "Trial",
-    "holds",
-    "impossible",
-    "replace",
-    "settle",
-    "work_out",
-]
-
-_ = (Arrival, Kick)

@@ -11,6 +11,7 @@ import random
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -30,7 +31,7 @@ from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.algebra import solve_system
 from restitution.solve.letters import Role, is_angle
-from restitution.solve.numbers import TINY, Sample, Undefined, at, draw, sample
+from restitution.solve.numbers import TINY, Sample, UndefinedError, at, draw, sample
 from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, work_out
 from restitution.solve.solution import Answer, ItemResult
 from restitution.solve.story import AnyOf, Condition
@@ -67,6 +68,9 @@ class Region:
         self.role: Role = self.setting.roles[self.letter]
         self.symbol = self.role.symbol(self.letter)
         self.trials = [t for t in self.outcome.trials if t.kind != "equation"]
+        self._kept_atoms = self._atoms()
+        matter = {s.name for each in self._kept_atoms for s in each.free_symbols}
+        self.free = tuple(name for name in self.free if name in matter)
         self.points = self._critical()
 
     # --- where truth can change --------------------------------------------------------------
@@ -98,17 +102,20 @@ class Region:
         for name in self.free:
             role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
             for bound in (role.low, role.high):
-                if bound is not None:
+                if bound is not None and name in {
+                    s.name for each in found for s in each.free_symbols
+                }:
                     found.append(symbol - bound)
         unique: list[sp.Expr] = []
         for each in found:
             for part in _signs(each):
-                if part.free_symbols and part not in unique:
-                    unique.append(part)
+                for factor in _essential(part):
+                    if factor not in unique:
+                        unique.append(factor)
         return unique
 
     def _critical(self) -> list[sp.Expr]:
-        atoms = self._atoms()
+        atoms = self._kept_atoms
         points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
         free = {self.setting.roles[name].symbol(name) for name in self.free}
         plain = [each for each in atoms if not each.free_symbols & free]
@@ -168,21 +175,14 @@ class Region:
             extended: list[Sample] = []
             for known in chosen:
                 values = {**drawn, self.letter: value, **known}
-                numbers = _numeric_zeros(self._atoms_cached(), inner.symbol, values)
+                numbers = _numeric_zeros(self._kept_atoms, inner.symbol, values)
                 role = inner.role
                 for bound in (role.low, role.high):
                     if bound is not None:
                         numbers.append(at(bound, {}))
-                extended += [
-                    {**known, name: x} for x in _representatives(sorted(numbers), role)
-                ]
+                extended += [{**known, name: x} for x in _representatives(sorted(numbers), role)]
             chosen = extended[:200]
         return chosen
-
-    def _atoms_cached(self) -> list[sp.Expr]:
-        if not hasattr(self, "_kept_atoms"):
-            self._kept_atoms = self._atoms()
-        return self._kept_atoms
 
     def _possible(self, values: Sample) -> bool:
         for trial in self.trials:
@@ -200,7 +200,7 @@ class Region:
                     continue
                 if self.setting.examine(numbers, [*solved, self.letter, *self.free]) is None:
                     return True
-            except (Undefined, ArithmeticError, KeyError):
+            except (UndefinedError, ArithmeticError, KeyError):
                 continue
             except RestitutionError:
                 continue
@@ -230,7 +230,7 @@ class Region:
         for point in self.points:
             try:
                 value = at(point, drawn)
-            except (Undefined, KeyError):
+            except (UndefinedError, KeyError):
                 continue
             if not any(abs(value - other) < TINY * 10**3 for other, _ in numbered):
                 numbered.append((value, point))
@@ -247,13 +247,9 @@ class Region:
         )
         cells: list[tuple[sp.Expr | None, bool]] = []  # alternating: gap, point, gap, …
         edges = [None, *numbered, None]
-        for left, right in zip(edges, edges[1:], strict=False):
-            if left is None and low is not None:
-                inside = False
-            elif right is None and high is not None:
-                inside = False
-            else:
-                inside = self._gap(left, right, drawn)
+        for left, right in pairwise(edges):
+            beyond = (left is None and low is not None) or (right is None and high is not None)
+            inside = False if beyond else self._gap(left, right, drawn)
             cells.append((None, inside))
             if right is not None:
                 cells.append((right[1], self.allowed(right[0], drawn)))
@@ -288,11 +284,15 @@ def zeros(
     acute = frozenset(
         s
         for s in angles
-        if roles[s.name].low == 0 and roles[s.name].high is not None
+        if roles[s.name].low == 0
+        and roles[s.name].high is not None
         and bool(roles[s.name].high <= sp.pi / 2)
     )
-    bare = any(each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
-               for s in angles for each in equations)
+    bare = any(
+        each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
+        for s in angles
+        for each in equations
+    )
     if bare:
         angles = acute = frozenset()
     found = []
@@ -318,6 +318,15 @@ def _signs(x: sp.Expr) -> list[sp.Expr]:
     return [each for each in parts if each.free_symbols]
 
 
+def _essential(x: sp.Expr) -> list[sp.Expr]:
+    """The factors of an expression that can change sign."""
+    try:
+        factors = [f for f, _ in sp.factor_list(x)[1]] if sp.count_ops(x) < 400 else [x]
+    except (sp.PolynomialError, NotImplementedError):
+        factors = [x]
+    return [f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative]
+
+
 def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
     """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
     found = []
@@ -335,7 +344,7 @@ def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, 
         angle = expression.has(sp.sin, sp.cos, sp.tan)
         if angle:
             t = sp.Dummy("t")
-            expression = expression.rewrite(sp.tan) if False else expression.xreplace(
+            expression = expression.xreplace(
                 {
                     sp.sin(x): 2 * t / (1 + t**2),
                     sp.cos(x): (1 - t**2) / (1 + t**2),
@@ -362,15 +371,13 @@ def _representatives(numbers: list[Any], role: Role) -> list[Any]:
     if not numbers:
         return [at(sp.Rational(1, 3), {})]
     found = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
-    for a, b in zip(numbers, numbers[1:], strict=False):
+    for a, b in pairwise(numbers):
         found += [a, (a + b) / 2]
     found.append(numbers[-1])
     low = None if role.low is None else at(role.low, {})
     high = None if role.high is None else at(role.high, {})
     return [
-        x
-        for x in found
-        if (low is None or x >= low - TINY) and (high is None or x <= high + TINY)
+        x for x in found if (low is None or x >= low - TINY) and (high is None or x <= high + TINY)
     ]
 
 
@@ -526,8 +533,10 @@ def _range_of_quantity(
     free = _free(problem, part, first, in_terms_of) | set(named)
     fixed = {name for trial in first.trials for name in trial.found.values}
     del data
-    outcome = first if not named else work_out(
-        settle(problem, part, in_terms_of, frozenset(named), carried)
+    outcome = (
+        first
+        if not named
+        else work_out(settle(problem, part, in_terms_of, frozenset(named), carried))
     )
     values = _images(outcome, tree, now)
     present = {s.name for _, value in values for s in value.free_symbols}
@@ -546,9 +555,7 @@ def _range_of_quantity(
 
 def _restricted(problem: Problem, part: Part, outcome: Outcome) -> set[str]:
     """Letters that a fact keeps between bounds, and coefficients: what a range is asked over."""
-    found = {
-        name for name, role in outcome.setting.roles.items() if role.kind == "restitution"
-    }
+    found = {name for name, role in outcome.setting.roles.items() if role.kind == "restitution"}
     for each in problem.parts[: problem.parts.index(part) + 1]:
         if each.label is not None and each is not part:
             continue
@@ -565,9 +572,7 @@ def _restricted(problem: Problem, part: Part, outcome: Outcome) -> set[str]:
 def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, sp.Expr]]:
     found = []
     for trial in outcome.accepted:
-        told = Letters(
-            outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples
-        )
+        told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples)
         story = outcome.setting.tell(told)
         value = forms.plain(story.evaluator(now).value(tree), trial.samples)
         if isinstance(value, tuple):
@@ -578,9 +583,7 @@ def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, s
     return found
 
 
-def _image(
-    outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str]
-) -> sp.Set:
+def _image(outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str]) -> sp.Set:
     """The values of expressions as letters vary freely within what is allowed."""
     sets = []
     for trial, value in values:
@@ -620,41 +623,42 @@ def _image_of(outcome: Outcome, value: sp.Expr, free: list[str]) -> sp.Set:
         inside = _seen(region, value, free, drawn)
         if not inside:
             continue
-        low, high = min(inside), max(inside)
-        best_low = best_high = None
-        for candidate in candidates:
-            number = _limit_at(candidate.value, drawn)
-            if number is None:
-                continue
-            slack = TINY * 10**5 * (1 + abs(number))
-            if number <= low + slack and _near(region, candidate, drawn):
-                if best_low is None or number > best_low[0] + slack:
-                    best_low = (number, candidate)
-                elif abs(number - best_low[0]) <= slack and _is_reached(region, candidate, drawn):
-                    best_low = (number, candidate)
-            if number >= high - slack and _near(region, candidate, drawn):
-                if best_high is None or number < best_high[0] - slack:
-                    best_high = (number, candidate)
-                elif abs(number - best_high[0]) <= slack and _is_reached(region, candidate, drawn):
-                    best_high = (number, candidate)
-        if best_low is None or best_high is None:
-            raise UnsupportedError("the ends of this range have no exact form that is found here")
-        shapes.append(
-            (
-                [
-                    (
-                        End(best_low[1].value, _is_reached(region, best_low[1], drawn)),
-                        End(best_high[1].value, _is_reached(region, best_high[1], drawn)),
-                    )
-                ],
-                drawn,
-            )
-        )
+        ends = []
+        for sign, bound in ((-1, min(inside)), (1, max(inside))):
+            best = _bounding(region, candidates, drawn, sign, bound)
+            if best is None:
+                raise UnsupportedError(
+                    "the ends of this range have no exact form that is found here"
+                )
+            ends.append(End(best.value, _is_reached(region, best, drawn)))
+        shapes.append(([(ends[0], ends[1])], drawn))
         if len(shapes) == DRAWS:
             break
     if not shapes:
         raise ContradictionError("no values satisfy all that is told")
     return to_set(_reconcile(shapes))
+
+
+def _bounding(
+    region: Region, candidates: list[Candidate], drawn: Sample, sign: int, bound: Any
+) -> Candidate | None:
+    """The candidate next beyond the values seen, above (sign 1) or below (-1) them."""
+    best: tuple[Any, Candidate] | None = None
+    for candidate in candidates:
+        number = _limit_at(candidate.value, drawn)
+        if number is None:
+            continue
+        slack = TINY * 10**5 * (1 + abs(number))
+        if sign * number < sign * bound - slack or not _near(region, candidate, drawn):
+            continue
+        nearer = best is None or sign * number < sign * best[0] - slack
+        if nearer or (
+            best is not None
+            and abs(number - best[0]) <= slack
+            and _is_reached(region, candidate, drawn)
+        ):
+            best = (number, candidate)
+    return None if best is None else best[1]
 
 
 def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> list[Any]:
@@ -667,7 +671,7 @@ def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> lis
         if region._possible(values):
             try:
                 found.append(at(value, _with_solved(region, values)))
-            except (Undefined, KeyError):
+            except (UndefinedError, KeyError):
                 continue
     return found
 
@@ -685,7 +689,7 @@ def _candidates(
 ) -> list[Candidate]:
     """Stationary points and ends, letter by letter."""
     roles = outcome.setting.roles
-    atoms = region._atoms_cached()
+    atoms = region._kept_atoms
     open_: list[Candidate] = [Candidate(value, {})]
     for name in free:
         symbol = roles[name].symbol(name)
@@ -734,21 +738,57 @@ def limit(
     expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool = False
 ) -> sp.Expr | None:
     """The value of an expression at a point, or its limit there (from below if so asked)."""
-    if point not in (sp.oo, -sp.oo):
-        try:
-            value = expression.xreplace({symbol: sp.sympify(point)})
-            if not value.has(sp.nan, sp.zoo, sp.oo):
-                return exact.tidy(value)
-        except (ZeroDivisionError, TypeError):
-            pass
+    quick = _approached(_in_sines(expression), symbol, sp.sympify(point), below)
+    if quick is not None:
+        return quick if quick in (sp.oo, -sp.oo) else exact.tidy(quick)
     try:
         side = "-" if below or point == sp.oo else "+"
         value = sp.limit(expression, symbol, point, side)
-        if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
-            return None
-        return value
     except (NotImplementedError, ValueError, TypeError, RecursionError):
         return None
+    if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
+        return None
+    return value
+
+
+def _in_sines(x: sp.Expr) -> sp.Expr:
+    """Tangents as sine over cosine: they have values where a tangent has none."""
+    return x.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
+
+
+def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> sp.Expr | None:
+    """The limit where it can be had by putting in; None where it takes more."""
+    if not x.has(symbol):
+        return x
+    if point in (sp.oo, -sp.oo):
+        return None
+    if x.is_Add or (x.is_Mul and x.args[0].is_number and not x.args[0].has(symbol)):
+        parts = [_approached(each, symbol, point, below) for each in x.args]
+        if all(each is not None and each.is_finite is not False for each in parts):
+            return x.func(*parts)
+    if isinstance(x, sp.atan):
+        inner = _approached(x.args[0], symbol, point, below)
+        if inner in (sp.oo, -sp.oo):
+            return sp.pi / 2 if inner == sp.oo else -sp.pi / 2
+        return None if inner is None else sp.atan(inner)
+    top, bottom = sp.together(x).as_numer_denom()
+    try:
+        value, under = (each.xreplace({symbol: point}) for each in (top, bottom))
+        value, under = sp.expand(value), sp.expand(under)
+    except (ZeroDivisionError, TypeError):
+        return None
+    if any(each.has(sp.nan, sp.zoo, sp.oo) for each in (value, under)):
+        return None
+    if under != 0:
+        return value / under
+    if value == 0:
+        return None
+    step = sp.Rational(-1 if below else 1, 10**8)
+    near = bottom.xreplace({symbol: point + step})
+    product = value * near
+    if product.free_symbols:
+        return None
+    return sp.oo if sp.N(product) > 0 else -sp.oo
 
 
 def _limit_at(value: sp.Expr, drawn: Sample) -> Any | None:
@@ -756,7 +796,7 @@ def _limit_at(value: sp.Expr, drawn: Sample) -> Any | None:
         return INFINITE if value == sp.oo else -INFINITE
     try:
         return at(value, drawn)
-    except (Undefined, KeyError):
+    except (UndefinedError, KeyError):
         return None
 
 
@@ -767,7 +807,7 @@ def _numbers(region: Region, candidate: Candidate, drawn: Sample) -> Sample | No
             if point in (sp.oo, -sp.oo):
                 return None
             values[name] = at(point, values)
-    except (Undefined, KeyError):
+    except (UndefinedError, KeyError):
         return None
     return values
 
@@ -802,7 +842,7 @@ def _near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
                 else:
                     try:
                         trial[name] = at(point, trial) + shift * step
-                    except (Undefined, KeyError):
+                    except (UndefinedError, KeyError):
                         ok = False
                         break
             if ok and region._possible(trial):
@@ -816,9 +856,7 @@ def _near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
 def claimed_set(relation: Compare, subject: Range, evaluator: Evaluator) -> sp.Set:
     """The set that a chain such as ``0 < e < 1/2`` describes."""
     operands, operators = relation.operands, relation.operators
-    where = next(
-        (i for i, tree in enumerate(operands) if tree == subject.expression), None
-    )
+    where = next((i for i, tree in enumerate(operands) if tree == subject.expression), None)
     if where is None:
         raise UnsupportedError("the chain does not hold the quantity whose range is claimed")
     low, high = -sp.oo, sp.oo

@@ -10,10 +10,9 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.expression.tree import Letter
 from restitution.problem import Compare, Extremum, Range, Show
 from restitution.solve.facts import requirements
-from restitution.solve.numbers import FIELD, TINY, Undefined, at
+from restitution.solve.numbers import FIELD, TINY, UndefinedError, at
 from restitution.solve.part import Letters, Numbers, holds
 from restitution.solve.solution import Branch, ItemResult
 from restitution.solve.story import AnyOf, Condition, Equation
@@ -37,9 +36,7 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
     for branch in branches:
         refuted = _refute(worker, outcome, branch, step, now)
         if refuted is not None:
-            return ItemResult(
-                step, line, step.text, "show", holds=False, counterexample=refuted
-            )
+            return ItemResult(step, line, step.text, "show", holds=False, counterexample=refuted)
     return ItemResult(step, line, step.text, "show", holds=True)
 
 
@@ -50,9 +47,7 @@ def _refute(
     claim = step.relation
     setting = outcome.setting
     free = sorted(
-        name
-        for name in setting.roles
-        if name not in branch.values and name not in setting.lets
+        name for name in setting.roles if name not in branch.values and name not in setting.lets
     )
     hidden = sorted(name for name in outcome.letters.hidden_roles if name not in branch.values)
     roles = {**setting.roles, **outcome.letters.hidden_roles}
@@ -87,12 +82,10 @@ def _refute(
             if claim_fails(claim, story, now, step):
                 for name, value in branch.values.items():
                     if not name.startswith("_"):
-                        shown[name] = exact.sympy_text(
-                            exact.tidy(_with(value, shown, roles))
-                        )
+                        shown[name] = exact.sympy_text(exact.tidy(_with(value, shown, roles)))
                 used = _used(worker, outcome)
                 return {k: v for k, v in shown.items() if k in used}
-        except (Undefined, ArithmeticError, KeyError, RestitutionError):
+        except (UndefinedError, ArithmeticError, KeyError, RestitutionError):
             continue
         checked += 1
     if checked == 0:
@@ -203,8 +196,18 @@ def _nice(role: Any, rng: random.Random, n: int) -> tuple[str, Any]:
     high = None if role.high is None else _fraction(role.high)
     if role.kind == "restitution" or high is not None:
         top = high if high is not None else Fraction(1)
-        choices = (Fraction(1, 2), Fraction(1, 4), Fraction(3, 4), Fraction(1, 3), Fraction(9, 10),
-                   Fraction(1, 10), Fraction(0), Fraction(1), Fraction(1, 100), Fraction(99, 100))
+        choices = (
+            Fraction(1, 2),
+            Fraction(1, 4),
+            Fraction(3, 4),
+            Fraction(1, 3),
+            Fraction(9, 10),
+            Fraction(1, 10),
+            Fraction(0),
+            Fraction(1),
+            Fraction(1, 100),
+            Fraction(99, 100),
+        )
         share = rng.choice(choices)
         if share == 0 and not role.closed[0]:
             share = Fraction(1, 50)
@@ -212,7 +215,8 @@ def _nice(role: Any, rng: random.Random, n: int) -> tuple[str, Any]:
             share = Fraction(49, 50)
         value = low + share * (top - low)
     else:
-        value = Fraction(rng.choice((1, 2, 3, 4, 5, 1, 2, 10, 20, 50)), rng.choice((1, 1, 1, 2, 3, 7, 20)))
+        above = rng.choice((1, 2, 3, 4, 5, 1, 2, 10, 20, 50))
+        value = Fraction(above, rng.choice((1, 1, 1, 2, 3, 7, 20)))
         value = low + value if role.low is not None else value * rng.choice((1, -1))
     return str(sp.Rational(value.numerator, value.denominator)), FIELD.number(value)
 
@@ -241,8 +245,9 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
         claimed = evaluator.scalar(step.relation.operands[-1])
         value = found.answers[0].value
         ok = bool(exact.same(claimed, value))
-        return ItemResult(step, line, step.text, "show", holds=ok,
-                          counterexample=None if ok else {})
+        return ItemResult(
+            step, line, step.text, "show", holds=ok, counterexample=None if ok else {}
+        )
     assert isinstance(subject, Range)
     from restitution.solve.ranges import claimed_set, same_set
 
@@ -250,6 +255,3 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
     sets = [each.value for each in found.answers]
     ok = same_set(claimed, sp.Union(*sets) if sets else sp.S.EmptySet, roles)
     return ItemResult(step, line, step.text, "show", holds=ok, counterexample=None if ok else {})
-
-
-_ = Letter

@@ -163,8 +163,11 @@ class Solution:
                 shown = "shown" if item.holds else "false"
             else:
                 shown = "  or  ".join(answer.display for answer in item.answers)
-            lines.append(f"{label}{item.text} = {shown}" if item.holds is None else
-                         f"{label}{item.text}: {shown}")
+            lines.append(
+                f"{label}{item.text} = {shown}"
+                if item.holds is None
+                else f"{label}{item.text}: {shown}"
+            )
         return "\n".join(lines)
 
     __repr__ = __str__

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,16 +9,12 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import (
-    ContradictionError,
     ImpossibleError,
     MissingError,
     RestitutionError,
-    StatementError,
-    UnsupportedError,
 )
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
-    Apply,
     Expression,
     Letter,
     Name,
@@ -27,7 +22,6 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
-    walk,
 )
 from restitution.problem import (
     Arrival,
@@ -66,7 +60,6 @@ from restitution.solve.solution import (
     RejectedBranch,
     Solution,
 )
-from restitution.solve.story import Story
 from restitution.solve.verify import verify_principles, verify_value
 from restitution.vector import Vector
 
@@ -168,7 +161,7 @@ class _Worker:
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
         if not accepted:
-            blamed = [t for t in outcome.refused]
+            blamed = outcome.refused
             if blamed and all(t.kind == "coefficient" for t in blamed):
                 # The data imply an impossible coefficient: said, and the rest answered.
                 accepted = self._with_impossible_coefficient(outcome)
@@ -196,7 +189,7 @@ class _Worker:
         from dataclasses import replace
 
         from restitution.solve.letters import REAL
-        from restitution.solve.numbers import Undefined, at
+        from restitution.solve.numbers import UndefinedError, at
 
         kept = []
         for trial in outcome.refused:
@@ -204,7 +197,7 @@ class _Worker:
             try:
                 for name, value in trial.found.values.items():
                     values[name] = at(value, values)
-            except (Undefined, KeyError):
+            except (UndefinedError, KeyError):
                 continue
             for name, role in outcome.setting.roles.items():
                 values.setdefault(name, at(role.low or REAL.low or 1, {}))
@@ -234,9 +227,7 @@ class _Worker:
                 from restitution.solve.extrema import find_extremum
 
                 kind = "extremum"
-                return find_extremum(
-                    self.problem, self.part, item, now, in_terms_of, self.carried
-                )
+                return find_extremum(self.problem, self.part, item, now, in_terms_of, self.carried)
             kind = self._kind(item.expression)
             return self._value(item, now, in_terms_of, kind)
         except RestitutionError as error:
@@ -316,8 +307,7 @@ class _Worker:
             name
             for trial in outcome.refused
             for name in trial.found.values
-            if name in outcome.setting.roles
-            and outcome.setting.roles[name].kind == "restitution"
+            if name in outcome.setting.roles and outcome.setting.roles[name].kind == "restitution"
         } or {"e"}
         named = letters(item.expression)
         for name, (let, _) in outcome.setting.lets.items():
@@ -446,6 +436,3 @@ def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bo
         to_text(display(value, angle=angle, percentage=percentage)),
         angle=angle,
     )
-
-
-_ = (Apply, ContradictionError, Mapping, StatementError, Story, UnsupportedError, walk)

@@ -212,6 +212,11 @@ class Story:
             f"{tree.name} is a sphere, where a vector or a number is needed", *_where(tree.place)
         )
 
+    def _vector(self, tree: Any, what: str) -> Vector:
+        """A vector property of a body."""
+        x, y = self._read(tree, what, "vector")
+        return Vector(x, y)
+
     def _read(self, tree: Any, what: str, kind: str = "scalar", now: int = 0) -> Any:
         """A property of a body: a tree, or a number put in by Python."""
         if isinstance(tree, Expression):
@@ -235,12 +240,12 @@ class Story:
                 self.unknowns.hidden(f"u_{name}y", f"the velocity of {name} at the start", "real"),
             )
         else:
-            velocity = self._read(sphere.velocity, f"the velocity of {name}", "vector")
+            velocity = self._vector(sphere.velocity, f"the velocity of {name}")
             if self.field.exact:
                 velocity = self._neat(velocity)
         track.velocities.append((0, velocity))
         if sphere.position is not None:
-            where = self._read(sphere.position, f"the place of {name}", "vector")
+            where = self._vector(sphere.position, f"the place of {name}")
             track.places.append((0, where, self.field.zero))
 
     def mass(self, name: str) -> Scalar:
@@ -273,10 +278,10 @@ class Story:
         wall = self.walls[tree.name]
         if wall.along is not None:
             if isinstance(wall.along, tuple | list):
-                return self._read(wall.along, f"the direction of {wall.name}", "vector")
+                return self._vector(wall.along, f"the direction of {wall.name}")
             return self.evaluator(0).direction(wall.along)
         if wall.start is not None:
-            start, end = self._read(wall.start, "", "vector"), self._read(wall.end, "", "vector")
+            start, end = self._vector(wall.start, ""), self._vector(wall.end, "")
             return end - start
         if wall.centre is not None:
             hit = next((h for h in reversed(self.happenings) if wall.name in h.bodies), None)
@@ -630,9 +635,7 @@ class Story:
                 )
             where = known[0] + before * (time - known[1])
             self._tracks[name].places.append((number, where, time))
-        return Happening(
-            number, step, {name: before}, {name: after}, impulse=impulse, time=time
-        )
+        return Happening(number, step, {name: before}, {name: after}, impulse=impulse, time=time)
 
     def _still(self, v: Vector) -> bool:
         return self.field.is_zero(v.x) and self.field.is_zero(v.y)
@@ -689,7 +692,7 @@ class Story:
             self._flight(name, time - known[1], number, "times must be in order")
             self._tracks[name].places.append((number, where, time))
             return time
-        through = self._read(origin, f"the place of {wall.name}", "vector")
+        through = self._vector(origin, f"the place of {wall.name}")
         along = self.wall_direction(Name(wall.name))
         normal = along.turned_left()
         gap = normal.dot(known[0] - through)
@@ -707,7 +710,7 @@ class Story:
         if self.field.exact:
             where = self._neat(where)
         if wall.start is not None:
-            end = self._read(wall.end, f"the end of {wall.name}", "vector")
+            end = self._vector(wall.end, f"the end of {wall.name}")
             share = self._rational((where - through).dot(along))
             reason = f"{name} passes the end of {wall.name}"
             self.conditions.append(Condition(share, ">", reason, "place"))
@@ -736,7 +739,7 @@ class Story:
                 continue
             if left is not None and wall.name in left.bodies:
                 continue  # it has just left that wall
-            through = self._read(origin, "", "vector")
+            through = self._vector(origin, "")
             along = self.wall_direction(Name(wall.name))
             normal = along.turned_left()
             gap, speed = normal.dot(start - through), normal.dot(velocity)
@@ -768,7 +771,7 @@ class Story:
         velocity: Vector,
         radius: Scalar | None,
     ) -> Scalar | None:
-        centre = self._read(wall.centre, f"the centre of {wall.name}", "vector")
+        centre = self._vector(wall.centre, f"the centre of {wall.name}")
         size = self._read(wall.radius, f"the radius of {wall.name}")
         if known is None:
             return None
@@ -787,9 +790,7 @@ class Story:
             flight = -2 * ov / vv
         else:
             under = self._rational(ov * ov - vv * excess)
-            self.conditions.append(
-                Condition(under, ">", f"{name} passes by {wall.name}", "place")
-            )
+            self.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
             depth = self.field.sqrt(under)
             flight = (-ov - depth) / vv if inside == 1 else (-ov + depth) / vv
         flight = self._rational(flight)
@@ -810,11 +811,7 @@ class Story:
         return self._impact_of_spheres(number, step)
 
     def _coefficient(self, number: int, step: Impact) -> Scalar:
-        e = (
-            self._letter("e")
-            if step.e is None
-            else self.evaluator(number - 1).scalar(step.e)
-        )
+        e = self._letter("e") if step.e is None else self.evaluator(number - 1).scalar(step.e)
         reason = "a coefficient of restitution lies in [0, 1]"
         one = self.field.number(Fraction(1))
         self.conditions.append(Condition(e, ">=", reason, "coefficient"))
@@ -870,7 +867,7 @@ class Story:
         if wall.centre is not None:
             known = self.place(name, number)
             if known is not None and self._tracks[name].places[-1][0] == number:
-                c = known[0] - self._read(wall.centre, "", "vector")
+                c = known[0] - self._vector(wall.centre, "")
             else:
                 phrase = f"the place where {name} strikes {wall.name}"
                 c = Vector(

@@ -12,7 +12,7 @@ from restitution import law
 from restitution.errors import UnsupportedError
 from restitution.expression.evaluate import Angle
 from restitution.problem import Impact, Value
-from restitution.solve.numbers import FIELD, Undefined, at
+from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Story
 from restitution.vector import Vector
@@ -72,7 +72,7 @@ def verify_value(value: Any, item: Value, branch: Branch, now: int) -> None:
             for number, each in pairs
             if abs(number - at(each, branch.sample)) > CLOSE * (1 + abs(number))
         ]
-    except (Undefined, KeyError):
+    except (UndefinedError, KeyError):
         return  # nothing to compare at this point
     if wrong:
         raise UnsupportedError(

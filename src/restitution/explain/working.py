@@ -1,0 +1,818 @@
+"""The working of one part: principles as equations, in an order in which each line follows.
+
+Nothing is solved here that the solution does not say already. The equations of the textbook are
+put in an order, written with the values put in that are known so far, and what they give is taken
+from the solution. Small linear steps (two components from two equations) are done with letters
+still in them, as a teacher would.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import sympy as sp
+
+from restitution.exact import tidy, tidy_angle
+from restitution.explain.checking import holds
+from restitution.explain.components import Component, Frame, Law, Model
+from restitution.explain.order import blocks, needed
+from restitution.explain.phrases import (
+    ORDINALS,
+    answer,
+    chain,
+    difference,
+    direction_words,
+    listed,
+    look,
+    product_of,
+    relation,
+)
+from restitution.explain.steps import Row, Side, Step, StepKind, Words, side
+from restitution.problem import Arrival, Impact
+from restitution.render import layout as lay
+from restitution.render.layout import Bold, Layout
+from restitution.solve.forms import signed
+from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.solution import RejectedBranch
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True)
+class Equation:
+    """An equation to be used: its residual, and how its step is written when it is."""
+
+    residual: sp.Expr
+    kind: Literal["momentum", "restitution", "fact"]
+    number: int
+    step: Callable[[], Step | None]
+    key: Any = None
+
+
+@dataclass
+class Working:
+    """Steps as they are written down, and what is known so far."""
+
+    model: Model
+    facts: list[Equation] = field(default_factory=list)
+    alternatives: Sequence[Mapping[sp.Symbol, sp.Expr]] = ()
+    rejected: Sequence[RejectedBranch] = ()
+    steps: list[Step] = field(default_factory=list)
+    known: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    carried: dict[sp.Symbol, tuple[str, sp.Expr]] = field(default_factory=dict)
+    wanted: set[sp.Symbol] = field(default_factory=set)
+    across: bool = True
+    done: set[Any] = field(default_factory=set)
+    dropped: list[str] = field(default_factory=list)
+    derived: dict[Any, Any] = field(default_factory=dict)
+
+    # --- values ---------------------------------------------------------------------------
+
+    def put(self, x: Any) -> Any:
+        """An expression with everything put in that is known so far."""
+        if isinstance(x, Vector):
+            return Vector(self.put(x.x), self.put(x.y))
+        x = self._known(sp.sympify(x))
+        return tidy(self.resolved(x))
+
+    def _known(self, x: sp.Expr) -> sp.Expr:
+        for _ in range(6):
+            inside = {s: self.known[s] for s in x.free_symbols if s in self.known}
+            if not inside:
+                break
+            x = x.xreplace(inside)
+        return x
+
+    def resolved(self, x: sp.Expr) -> sp.Expr:
+        """Sizes |x| without bars, by the sign at the sample."""
+        return signed(x, [self.model.sample]) if x.has(sp.Abs) else x
+
+    def open(self, x: Any) -> frozenset[sp.Symbol]:
+        """The unknowns in an expression that are not known yet."""
+        if isinstance(x, tuple):
+            return self.open(x[0]) | self.open(x[1])
+        return frozenset(
+            s for s in self._known(sp.sympify(x)).free_symbols if s in self.model.final
+        )
+
+    def sign(self, x: Any) -> int:
+        return self.model.sign(self._known(sp.sympify(x)))
+
+    # --- writing down ---------------------------------------------------------------------
+
+    def write(
+        self,
+        kind: StepKind,
+        rows: Iterable[Row] = (),
+        principle: str | None = None,
+        words: Words = (),
+        mark: str = "",
+        values: Mapping[str, Any] | None = None,
+    ) -> None:
+        """Adds a step; lines that the values contradict are left out and noted."""
+        checked = []
+        for row in rows:
+            if holds(row, self.model.sample):
+                checked.append(row)
+            else:
+                self.dropped.append(_plain(row))
+        if not checked and not words and not (principle and mark):
+            return
+        step = Step(kind, tuple(checked), principle, words, mark, dict(values or {}))
+        if step not in self.steps:
+            self.steps.append(step)
+
+    def add(self, step: Step | None) -> None:
+        """Adds a step that is ready, after the same check."""
+        if step is not None:
+            self.write(step.kind, step.rows, step.principle, step.words, step.mark, step.values)
+
+    def determine(self, symbol: sp.Symbol, value: Any | None = None) -> None:
+        """From here on an unknown has its value."""
+        self.known[symbol] = self.model.final[symbol] if value is None else value
+
+    # --- reaching what is wanted --------------------------------------------------------------
+
+    def reach(self, wanted: Iterable[sp.Symbol]) -> None:
+        """Writes the working that determines these unknowns."""
+        goal = {s for s in wanted if s in self.model.final} - set(self.known)
+        self._carry(goal)
+        goal -= set(self.known)
+        if not goal:
+            return
+        equations = self._equations()
+        sets = [self.open(each.residual) for each in equations]
+        for block in needed(blocks(sets), goal):
+            group = [equations[index] for index in block.equations]
+            self._block(group, set(block.unknowns))
+        left = sorted(goal - set(self.known), key=lambda s: s.name)
+        if left:
+            self._state(left)
+
+    def _carry(self, goal: set[sp.Symbol]) -> None:
+        """Results of earlier parts that serve here."""
+        rows = []
+        label = ""
+        for symbol in sorted(goal, key=lambda s: s.name):
+            if symbol in self.carried:
+                label, value = self.carried[symbol]
+                self.determine(symbol, value)
+                self._told_about(symbol)
+                if symbol.name not in {s.name for s in value.free_symbols}:
+                    rows.append(chain(side(symbol), side(value)))
+        if rows:
+            where = f"From part ({label}):" if label else "From before:"
+            self.write("result", rows, words=(where,))
+
+    def _told_about(self, symbol: sp.Symbol) -> None:
+        for number, body in self.model.components:
+            if self.model.components[number, body].symbol == symbol:
+                self.done.add(("setting", number))
+
+    def _state(self, symbols: Sequence[sp.Symbol]) -> None:
+        """What could not be derived line by line is stated, so that the rest can go on."""
+        rows = []
+        for symbol in symbols:
+            self.determine(symbol)
+            rows.append(self.value_row(symbol))
+        self.write("solve", rows, words=("The equations together give",))
+
+    def _equations(self) -> list[Equation]:
+        laws = [self._law(each) for each in self.model.laws]
+        numbers = sorted({each.number for each in (*laws, *self.facts)})
+        ordered: list[Equation] = [each for each in self.facts if each.number < 0]
+        for number in numbers:
+            if number >= 0:
+                ordered += [each for each in laws if each.number == number]
+                ordered += [each for each in self.facts if each.number == number]
+        return ordered
+
+    def _law(self, law: Law) -> Equation:
+        return Equation(
+            law.residual,
+            law.kind,
+            law.number,
+            lambda: self._momentum(law.number)
+            if law.kind == "momentum"
+            else self._restitution(law.number),
+        )
+
+    def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+        for number in sorted({each.number for each in group if each.kind != "fact"}):
+            self.setting(number)
+        if len(group) == 1:
+            self._use(group[0])
+            (x,) = unknowns
+            self._root(x, group[0])
+            return
+        if len(group) == 2 and {each.kind for each in group} == {"momentum", "restitution"}:
+            if group[0].number == group[1].number:
+                self._pair(group, unknowns)
+                return
+        self._system(group, unknowns)
+
+    def _use(self, equation: Equation) -> None:
+        key = (equation.kind, equation.number, equation.key)
+        if key in self.done:
+            return
+        self.done.add(key)
+        self.add(equation.step())
+
+    def _pair(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+        for each in group:
+            self._use(each)
+        ordered = self._ordered(unknowns)
+        chosen = [x for x in ordered if x in self.wanted] or ordered
+        for x in ordered:
+            self.determine(x)
+        rows = [self.value_row(x, mark="A1") for x in chosen]
+        self.write("solve", rows, words=("Solving simultaneously:",), mark="")
+
+    def _ordered(self, symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
+        order = [each.symbol for each in self.model.components.values()]
+        return sorted(
+            symbols, key=lambda s: (order.index(s) if s in order else len(order), s.name)
+        )
+
+    def value_row(self, x: sp.Symbol, mark: str = "", value: Any = None) -> Row:
+        """``v = 2``."""
+        found = self.put(x) if value is None else value
+        if self.is_angle(x):
+            return chain(side(x), *answer(tidy_angle(found), angle=True), mark=mark)
+        return chain(side(x), side(found), mark=mark)
+
+    def is_angle(self, x: sp.Symbol) -> bool:
+        role = self.model.unknowns.roles.get(x.name)
+        return role is not None and role.kind == "angle"
+
+    # --- systems ----------------------------------------------------------------------------------
+
+    def _system(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+        left = list(group)
+        local: list[sp.Symbol] = []
+        for number in sorted({each.number for each in group if each.kind != "fact"}):
+            pair = [e for e in left if e.number == number and e.kind != "fact"]
+            parts = [
+                c.symbol
+                for (n, _), c in self.model.components.items()
+                if n == number and c.symbol in unknowns and c.symbol not in self.known
+            ]
+            if not pair or len(pair) != len(parts):
+                continue
+            found = self._linear(pair, parts)
+            if found is None:
+                continue
+            for each in pair:
+                self._use(each)
+                left.remove(each)
+            for symbol in parts:
+                self.known[symbol] = found[symbol]
+                local.append(symbol)
+            needed_later = {
+                s for e in left for s in sp.sympify(e.residual).free_symbols
+            } | self.wanted
+            chosen = [x for x in parts if x in needed_later] or parts
+            if len(pair) > 1:
+                rows = [self.value_row(x, mark="A1") for x in chosen]
+                self.write("solve", rows, words=("Solving simultaneously:",))
+        self._finish(left, unknowns - set(local), local)
+        rows = []
+        for symbol in [x for x in self._ordered(local) if x in self.wanted]:
+            before = tidy(sp.sympify(self.known[symbol]))
+            final = self.model.final[symbol]
+            if look(before) != look(final):
+                rows.append(chain(side(symbol), side(final)))
+        for symbol in unknowns:
+            self.determine(symbol)
+        if rows:
+            self.write("solve", rows, words=("So",))
+
+    def _linear(
+        self, pair: Sequence[Equation], parts: Sequence[sp.Symbol]
+    ) -> dict[sp.Symbol, sp.Expr] | None:
+        try:
+            found = sp.linsolve([self._known(sp.sympify(e.residual)) for e in pair], *parts)
+        except (ValueError, NotImplementedError):
+            return None
+        solutions = list(found)
+        if len(solutions) != 1:
+            return None
+        values = dict(zip(parts, (tidy(each) for each in solutions[0]), strict=True))
+        if any(v.free_symbols & set(parts) for v in values.values()):
+            return None
+        return values
+
+    def _finish(
+        self, left: list[Equation], unknowns: set[sp.Symbol], local: list[sp.Symbol]
+    ) -> None:
+        """Facts that fix the letters left: one at a time where that can be."""
+        left = list(left)
+        while left:
+            opened = [(each, self.open(each.residual)) for each in left]
+            opened = [(each, inside) for each, inside in opened if inside]
+            if not opened:
+                return
+            left = [each for each, _ in opened]
+            single = next(((e, u) for e, u in opened if len(u) == 1), None)
+            if single is not None:
+                equation, inside = single
+                self._use(equation)
+                (x,) = inside
+                self._root(x, equation)
+                left.remove(equation)
+                continue
+            choice = self._eliminable(opened, {s for _, u in opened for s in u})
+            if choice is None:
+                break
+            equation, x, value = choice
+            self._use(equation)
+            left.remove(equation)
+            self.known[x] = value
+            self.write("solve", [self.value_row(x, value=value)], words=("so",))
+            local.append(x)
+        rest = {s for each in left for s in self.open(each.residual)}
+        if rest:
+            for each in left:
+                self._use(each)
+            for x in rest:
+                self.determine(x)
+            rows = [self.value_row(x, mark="A1") for x in self._ordered(rest)]
+            self.write("solve", rows, words=("Solving these together:",))
+
+    def _eliminable(
+        self, opened: Sequence[tuple[Equation, frozenset[sp.Symbol]]], among: set[sp.Symbol]
+    ) -> tuple[Equation, sp.Symbol, sp.Expr] | None:
+        """An equation that is linear in one of its unknowns, and what it gives."""
+        best: tuple[tuple[float, ...], Equation, sp.Symbol, sp.Expr] | None = None
+        order = self._ordered(among)
+        for position, (equation, inside) in enumerate(opened):
+            numerator = self.numerator(equation.residual)
+            for x in inside:
+                if self.is_angle(x) or not numerator.is_polynomial(x):
+                    continue
+                poly = sp.Poly(numerator, x)
+                if poly.degree() != 1:
+                    continue
+                a, b = poly.all_coeffs()
+                if self.model.sign(a) == 0:
+                    continue
+                value = tidy(-b / a)
+                key = (float(sp.count_ops(value)), position, order.index(x))
+                if best is None or key < best[0]:
+                    best = (key, equation, x, value)
+        return None if best is None else best[1:]
+
+    def numerator(self, residual: Any) -> sp.Expr:
+        """What has to vanish: the factors of the numerator that are zero at the sample."""
+        x = self.resolved(self._known(sp.sympify(residual)))
+        above = sp.fraction(sp.together(x))[0]
+        try:
+            _, factors = sp.factor_list(sp.expand(above))
+        except (sp.PolynomialError, NotImplementedError):
+            return sp.expand(above)
+        kept = sp.Integer(1)
+        for factor, _ in factors:
+            if self.model.sign(factor) == 0:
+                kept *= factor
+        return sp.expand(above) if kept == 1 else kept
+
+    # --- one equation for one unknown ------------------------------------------------------------
+
+    def _root(self, x: sp.Symbol, equation: Equation) -> None:
+        """The lines from an equation to the value of its only unknown."""
+        numerator = self.numerator(equation.residual)
+        others = self._other_roots(x, equation.residual)
+        before = dict(self.known)
+        self.determine(x)
+        value = self.model.final[x]
+        rows: list[Row] = []
+        if self.is_angle(x):
+            rows = self._angle_rows(x, numerator, value)
+        elif numerator.is_polynomial(x):
+            rows = self._polynomial_rows(x, numerator, value, others)
+        if not rows:
+            rows = [self._roots_row(x, value, others)]
+        del before
+        note = self._why_rejected(x, equation.residual)
+        if note:
+            last = rows[-1]
+            rows[-1] = Row(last.operands, last.signs, last.values, last.mark, note)
+        if equation.kind == "fact" and self._already(rows):
+            return
+        last = rows[-1]
+        if not last.mark:
+            rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
+        self.write("solve", rows, values={x.name: value})
+
+    def _already(self, rows: Sequence[Row]) -> bool:
+        """Whether the step just written says the same."""
+        if len(rows) != 1 or not self.steps or not self.steps[-1].rows:
+            return False
+        return self.steps[-1].rows[-1].operands[:2] == rows[0].operands[:2]
+
+    def _roots_row(self, x: sp.Symbol, value: sp.Expr, others: Sequence[sp.Expr]) -> Row:
+        first = self.value_row(x, value=value)
+        if not others:
+            return first
+        values = sorted([value, *others], key=lambda v: float(self.model.number(v)))
+        rows = [self.value_row(x, value=each) for each in values]
+        cases = [lay.Relation(tuple(o for o in r.operands if o is not None), r.signs)
+                 for r in rows]
+        tail: list[Layout] = []
+        for index, case in enumerate(cases):
+            if index:
+                tail.append(case)
+        body = lay.Phrase(
+            (lay.Relation(cases[0].operands[1:], cases[0].signs[1:]), *tail), " or "
+        ) if len(cases[0].operands) > 2 else lay.Phrase((cases[0].operands[1], *tail), " or ")
+        return Row((look(x), body), ("=",), (None, None))
+
+    def _other_roots(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
+        """Values in other solutions that satisfy the same equation."""
+        found: list[sp.Expr] = []
+        own = self.model.final[x]
+        for final in self.alternatives:
+            value = final.get(x)
+            if value is None or any(self._equal(value, each) for each in (own, *found)):
+                continue
+            if self._satisfies(x, value, residual):
+                found.append(value)
+        return found
+
+    def _equal(self, a: Any, b: Any) -> bool:
+        return self.model.sign(sp.sympify(a) - sp.sympify(b)) == 0
+
+    def _satisfies(self, x: sp.Symbol, value: Any, residual: Any) -> bool:
+        try:
+            number = self.model.number(value)
+            here = self._known(sp.sympify(residual))
+            found = at(here, {**self.model.sample, x.name: number})
+        except (UndefinedError, KeyError, ArithmeticError):
+            return False
+        return bool(abs(found) < 1e-15)
+
+    def _why_rejected(self, x: sp.Symbol, residual: Any) -> Words:
+        key = self._hidden_key(x)
+        out: list[str | Layout] = []
+        seen: list[Any] = []
+        known = self.known.pop(x, None)
+        for branch in self.rejected:
+            value = branch.values.get(key)
+            if value is None or any(self._equal(value, each) for each in seen):
+                continue
+            value = sp.sympify(value)
+            if self._equal(value, self.model.final[x]) or not self._satisfies(x, value, residual):
+                continue
+            seen.append(value)
+            shown_ = self.value_row(x, value=tidy(value))
+            layout = lay.Relation(
+                tuple(o for o in shown_.operands if o is not None)[:2], ("=",)
+            )
+            out += ["; " if out else "", layout, f" is rejected: {branch.reason}"]
+        if known is not None:
+            self.known[x] = known
+        return tuple(each for each in out if each != "")
+
+    def _hidden_key(self, x: sp.Symbol) -> str:
+        for key, name in self.model.unknowns.names.items():
+            if name == x.name:
+                return f"_{key}"
+        return x.name
+
+    def _polynomial_rows(
+        self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr, others: Sequence[sp.Expr]
+    ) -> list[Row]:
+        poly = sp.Poly(numerator, x)
+        final = self._roots_row(x, value, others)
+        if poly.degree() == 1:
+            return [final]
+        rows: list[Row] = []
+        if poly.degree() == 2 and poly.coeff_monomial(x) == 0:
+            a, c = poly.coeff_monomial(x**2), poly.coeff_monomial(1)
+            rows.append(chain(side(x**2), side(tidy(-c / a))))
+            return [*rows, final]
+        expanded = self._cleared(poly.as_expr())
+        rows.append(relation(side(expanded), "=", side(sp.Integer(0))))
+        factored = sp.factor(expanded)
+        if factored.is_Mul and sum(f.has(x) for f in factored.args) > 1:
+            rows.append(relation(side(factored), "=", side(sp.Integer(0))))
+        return [*rows, final]
+
+    def _cleared(self, expression: sp.Expr) -> sp.Expr:
+        """Whole coefficients without a common factor, the highest power positive."""
+        try:
+            _, cleared = sp.expand(expression).as_content_primitive()
+            cleared = sp.expand(sp.fraction(sp.together(cleared))[0])
+        except (AttributeError, sp.PolynomialError):
+            cleared = expression
+        return -cleared if cleared.could_extract_minus_sign() else cleared
+
+    def _angle_rows(self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr) -> list[Row]:
+        """From sines and cosines to the tangent, and to the angle."""
+        t = sp.Dummy("t", positive=True)
+        tangent = sp.tan(x)
+        poly = by_tangent(numerator, x, t)
+        angle = chain(side(x), *answer(tidy_angle(value), angle=True), mark="A1")
+        if poly is None:
+            return [angle]
+        own = tidy(sp.tan(value))
+        rows: list[Row] = []
+        factors = [f for f, _ in sp.factor_list(poly)[1] if f.has(t)]
+        kept = [f for f in factors if self._vanishes(f, t, own)] or factors
+        p = sp.Poly(sp.Mul(*kept), t)
+        if p.degree() == 1:
+            rows.append(chain(side(tangent), side(tidy(-p.coeff_monomial(1) / p.LC()))))
+        elif p.degree() == 2 and p.coeff_monomial(t) == 0:
+            square = tidy(-p.coeff_monomial(1) / p.LC())
+            rows.append(chain(side(tangent**2), side(square)))
+            rows.append(chain(side(tangent), side(own)))
+        else:
+            whole = self._cleared(p.as_expr())
+            rows.append(relation(side(whole.xreplace({t: tangent})), "=", side(sp.Integer(0))))
+            factored = sp.factor(whole)
+            if factored.is_Mul and sum(f.has(t) for f in factored.args) > 1:
+                rows.append(
+                    relation(side(factored.xreplace({t: tangent})), "=", side(sp.Integer(0)))
+                )
+            rows.append(chain(side(tangent), side(own)))
+        if not value.free_symbols:
+            rows.append(angle)
+        return rows
+
+    def _vanishes(self, factor: sp.Expr, t: sp.Symbol, own: sp.Expr) -> bool:
+        return self.model.sign(factor.xreplace({t: own})) == 0
+
+    # --- the principles ----------------------------------------------------------------------------
+
+    def setting(self, number: int) -> None:
+        """Sets the axes of an impact, names the unknown components, and what does not change."""
+        if ("setting", number) in self.done:
+            return
+        self.done.add(("setting", number))
+        frame = self.model.frames[number]
+        self._before(number)
+        self._heading(number)
+        unknown = [
+            c for (n, _), c in self.model.components.items() if n == number
+        ]
+        if frame.wall is None:
+            self._setting_of_spheres(frame, unknown)
+        else:
+            self._setting_of_wall(frame, unknown)
+        self._unchanged(number)
+
+    def _before(self, number: int) -> None:
+        """What the velocities before and the line of centres rest on is found first."""
+        happening = self.model.happening(number)
+        inside: set[sp.Symbol] = set()
+        for body in happening.bodies:
+            if body in happening.before:
+                inside |= {
+                    s
+                    for part in happening.before[body]
+                    for s in sp.sympify(part).free_symbols
+                    if any(s == c.symbol for c in self.model.components.values())
+                }
+        self.reach({s for s in inside if s not in self.known and self._reachable(s, number)})
+        for each in self.model.story.happenings[: number - 1]:
+            if any(body in happening.bodies for body in each.bodies):
+                self.other_event(each.number)
+
+    def _reachable(self, symbol: sp.Symbol, number: int) -> bool:
+        """Whether earlier impacts alone fix a component."""
+        laws = [self._law(each) for each in self.model.laws if each.number < number]
+        sets = [self.open(each.residual) for each in laws]
+        return any(symbol in block.unknowns for block in blocks(sets))
+
+    def other_event(self, number: int) -> None:
+        """A blow from outside, told before what follows it (set by the module of quantities)."""
+
+    def _heading(self, number: int) -> None:
+        impacts = [h for h in self.model.story.happenings if isinstance(h.step, Impact)]
+        if len(impacts) < 2:
+            return
+        happening = self.model.happening(number)
+        order = 1 + impacts.index(happening) if happening in impacts else number
+        name = f"{ORDINALS[order]} impact" if order < len(ORDINALS) else f"impact {order}"
+        first, second = happening.bodies
+        self.write("heading", words=(f"{name[0].upper()}{name[1:]}: {first} hits {second}",))
+
+    def _setting_of_spheres(self, frame: Frame, unknown: Sequence[Component]) -> None:
+        n = frame.n
+        words: list[str | Layout] = []
+        if frame.axis is not None:
+            words += ["The line of centres is parallel to ", Bold(frame.axis), ". "]
+            sense: Words = (" in the direction of ", Bold(frame.axis))
+        else:
+            self.line_of_centres(frame)
+            first, second = self.model.happening(frame.number).bodies
+            sense = (f" along the line of centres, in the sense from {first} to {second}",)
+        open_ = [c for c in unknown if c.symbol not in self.known]
+        if open_:
+            words += [
+                "Let ",
+                *listed((look(c.symbol),) for c in open_),
+                " be the component" + ("s" if len(open_) > 1 else "") + " of the velocit",
+                ("ies" if len(open_) > 1 else "y") + " of ",
+                *listed((c.body,) for c in open_),
+                *sense,
+                " after the impact.",
+            ]
+        del n
+        self.write("setting", words=tuple(words))
+        self._resolved(frame)
+
+    def line_of_centres(self, frame: Frame) -> None:
+        """How the line of centres is known where it is along no axis (see ``geometry``)."""
+        from restitution.explain.geometry import line_of_centres
+
+        line_of_centres(self, frame)
+
+    def _setting_of_wall(self, frame: Frame, unknown: Sequence[Component]) -> None:
+        (component,) = unknown
+        if frame.by_values:
+            self.line_of_centres(frame)
+        if component.symbol in self.known:
+            words: Words = (
+                f"Resolve the velocity of {component.body} parallel and perpendicular to "
+                f"{frame.wall}.",
+            )
+        else:
+            words = (
+                f"Resolve parallel and perpendicular to {frame.wall}. Let ",
+                look(component.symbol),
+                f" be the component of the velocity of {component.body} perpendicular to "
+                f"{frame.wall}, away from it, after the impact.",
+            )
+        self.write("setting", words=words)
+        self._resolved(frame)
+
+    def _resolved(self, frame: Frame) -> None:
+        """The components before, where they have to be worked out."""
+        from restitution.explain.geometry import resolved
+
+        rows = resolved(self, frame)
+        if rows:
+            along = "along and across the line of centres"
+            if frame.wall is not None:
+                along = f"towards {frame.wall} and parallel to it"
+            self.write("principle", rows, words=(f"Components before the impact, {along}:",))
+
+    def _unchanged(self, number: int) -> None:
+        if not self.across:
+            return
+        frame = self.model.frames[number]
+        parts: list[Words] = []
+        for body in self.model.spheres(number):
+            _, t = self.model.before(number, body)
+            value = self.put(t)
+            if self.open(value):
+                continue
+            parts.append((look(value), f" for {body}"))
+        if not parts:
+            return
+        if all(part[0] == lay.Number("0") for part in parts):
+            if frame.wall is None and len(parts) == 2:
+                return
+            if frame.wall is not None:
+                return
+        if frame.wall is not None:
+            value = parts[0][0]
+            self.write(
+                "principle",
+                principle=f"Parallel to {frame.wall} the velocity does not change",
+                words=("the component stays ", value, "."),
+                mark="B1",
+            )
+            return
+        self.write(
+            "principle",
+            principle="Perpendicular to the line of centres the velocities do not change",
+            words=("the components stay ", *listed(parts), "."),
+            mark="B1",
+        )
+
+    def _momentum(self, number: int) -> Step:
+        story = self.model.story
+        first, second = self.model.happening(number).bodies
+        masses = [self.put(story.mass(name)) for name in (first, second)]
+        before = [self.put(self.model.before(number, name)[0]) for name in (first, second)]
+        after = [self.put(self.model.after(number, name)) for name in (first, second)]
+        left_terms = [(m, u) for m, u in zip(masses, before, strict=True) if u != 0]
+        right_terms = [(m, v) for m, v in zip(masses, after, strict=True) if v != 0]
+        left_value = tidy(sum(m * u for m, u in left_terms)) if left_terms else sp.Integer(0)
+        right_value = sum((m * v for m, v in right_terms), sp.Integer(0))
+        left = side(left_value, lay.sum_of(left_terms) if left_terms else None)
+        right = side(right_value, lay.sum_of(right_terms) if right_terms else None)
+        rows = [chain(left, right, mark="M1 A1")]
+        rows += self._simpler(masses, left_terms, right_terms, rows[0])
+        return Step(
+            "principle", tuple(rows), "Conservation of momentum along the line of centres"
+        )
+
+    def _simpler(
+        self,
+        masses: Sequence[sp.Expr],
+        left: Sequence[tuple[sp.Expr, sp.Expr]],
+        right: Sequence[tuple[sp.Expr, sp.Expr]],
+        first: Row,
+    ) -> list[Row]:
+        common = _common(masses)
+        total = tidy(sum((m / common * u for m, u in left), sp.Integer(0)))
+        ratios = [(tidy(m / common), v) for m, v in right]
+        value = sum((m * v for m, v in ratios), sp.Integer(0))
+        row = chain(
+            side(total), side(value, lay.sum_of(ratios) if ratios else lay.Number("0"))
+        )
+        return [] if row.operands == first.operands else [row]
+
+    def _restitution(self, number: int) -> Step:
+        frame = self.model.frames[number]
+        happening = self.model.happening(number)
+        e = self.put(happening.e)
+        if frame.wall is not None:
+            body = happening.bodies[0]
+            w = self.put(self.model.after(number, body))
+            approach = self.put(-self.model.before(number, body)[0])
+            value = tidy(e * approach)
+            row = chain(
+                side(w), side(e * approach, product_of(e, approach)), side(value), mark="M1 A1"
+            )
+            return Step("principle", (row,), "Newton's experimental law")
+        first, second = happening.bodies
+        u1, u2 = (self.put(self.model.before(number, name)[0]) for name in (first, second))
+        v, w = (self.put(self.model.after(number, name)) for name in (first, second))
+        approach = tidy(u1 - u2)
+        separation = side(w - v, difference(w, v))
+        sides: list[Any] = [separation]
+        sign = 1
+        if self.model.sign(approach) < 0 and not approach.free_symbols:
+            sign = -1
+            sides = [side(v - w, difference(v, w))]
+            u1, u2, approach = u2, u1, -approach
+        del sign
+        gap = difference(u1, u2)
+        bracket = lay.Brackets(gap) if isinstance(gap, lay.Sum) else gap
+        if e == 1:
+            sides.append(side(approach, gap))
+        elif e == 0:
+            sides.append(side(sp.Integer(0)))
+        else:
+            sides.append(side(e * approach, product_of(e, bracket)))
+        sides.append(side(tidy(e * approach)))
+        return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
+
+
+def _common(masses: Sequence[sp.Expr]) -> sp.Expr:
+    """The common factor of the masses."""
+    common = masses[0]
+    for each in masses[1:]:
+        common = sp.gcd(common, each)
+    if common.is_number and not common.is_Rational:
+        return sp.Integer(1)
+    denominators = [sp.fraction(m / common)[1] for m in masses]
+    scale = sp.Integer(1)
+    for each in denominators:
+        if each.is_Integer:
+            scale = sp.ilcm(scale, each)
+    return common / scale if common != 0 else sp.Integer(1)
+
+
+def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
+    """A polynomial in the sine and cosine of an angle as one in its tangent, if it can be."""
+    c, s = sp.Symbol("_c", positive=True), sp.Symbol("_s", positive=True)
+    rewritten = sp.expand_trig(x) if x.has(sp.sin, sp.cos) else x
+    rewritten = rewritten.subs(sp.tan(angle), s / c)
+    rewritten = rewritten.subs({sp.sin(angle): s, sp.cos(angle): c})
+    if rewritten.has(angle):
+        return None
+    rewritten = sp.expand(sp.fraction(sp.together(rewritten))[0])
+    if not rewritten.is_polynomial(c, s) or not rewritten.has(c, s):
+        return None
+    poly = sp.Poly(rewritten, c, s)
+    sums = {sum(m) for m in poly.monoms()}
+    if len({m % 2 for m in sums}) > 1:
+        return None
+    top = max(sums)
+    total = sp.Integer(0)
+    for (a, b), coefficient in poly.terms():
+        total += coefficient * t**b * (1 + t**2) ** ((top - a - b) // 2)
+    return sp.expand(total)
+
+
+def _plain(row: Row) -> str:
+    from restitution.render.text import to_text
+
+    parts = [to_text(row.operands[0]) if row.operands[0] is not None else ""]
+    for sign, operand in zip(row.signs, row.operands[1:], strict=True):
+        parts += [sign, to_text(operand) if operand is not None else ""]
+    return " ".join(parts)
+
+
+def arrivals(model: Model) -> list[int]:
+    """The numbers of the events in which a sphere only comes to a place."""
+    return [h.number for h in model.story.happenings if isinstance(h.step, Arrival)]
+
+
+__all__ = ["Equation", "Side", "Working", "arrivals", "by_tangent", "direction_words"]

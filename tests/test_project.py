@@ -1,0 +1,110 @@
+"""What must hold for the files of the project, whatever they say."""
+
+from __future__ import annotations
+
+import ast
+import re
+import shutil
+import subprocess
+import tomllib
+from importlib.metadata import metadata
+from pathlib import Path
+
+import pytest
+
+import restitution
+
+ROOT = Path(__file__).resolve().parent.parent
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+
+# Put together here, so that this file does not name them either.
+REGISTRIES = [
+    ".".join(parts)
+    for parts in (
+        ("pypi", "org"),
+        ("files", "pythonhosted", "org"),
+        ("registry", "npmjs", "org"),
+        ("registry", "yarnpkg", "com"),
+        ("cdn", "jsdelivr", "net"),
+        ("unpkg", "com"),
+        ("cdnjs", "cloudflare", "com"),
+        ("crates", "io"),
+        ("proxy", "golang", "org"),
+        ("conda", "anaconda", "org"),
+    )
+]
+
+
+def tracked_files() -> list[Path]:
+    if not (ROOT / ".git").exists() or shutil.which("git") is None:
+        pytest.skip("not a checkout")
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if listed.returncode:
+        pytest.skip("not a checkout that git reads")
+    return [path for name in listed.stdout.split("\0") if name and (path := ROOT / name).is_file()]
+
+
+def test_no_file_names_a_host_of_packages():
+    """What is fetched, and from where, is decided by the machine that fetches."""
+    named = re.compile("|".join(map(re.escape, REGISTRIES)).encode(), re.IGNORECASE)
+    found = [path for path in tracked_files() if named.search(path.read_bytes())]
+    assert found == []
+
+
+def test_files_are_text_in_utf8_with_unix_lines():
+    suffixes = {".py", ".pyi", ".md", ".toml", ".impact", ".html", ".css", ".js"}
+    for path in tracked_files():
+        if path.suffix in suffixes:
+            assert "\r" not in path.read_bytes().decode("utf-8"), path
+
+
+def test_one_version():
+    assert restitution.__version__ == PYPROJECT["project"]["version"]
+    assert metadata("restitution")["Version"] == restitution.__version__
+
+
+def test_changelog_tells_of_this_version():
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    headings = re.findall(r"^## (\S+)", changelog, re.MULTILINE)
+    assert headings and (headings[0] == "Unreleased" or headings[0] == restitution.__version__)
+
+
+def test_every_dependency_is_pinned_for_development():
+    """Whoever clones the project gets the versions it was tested with."""
+    pinned = {
+        re.split(r"[=\[ ;]", line)[0].lower()
+        for line in PYPROJECT["tool"]["uv"]["constraint-dependencies"]
+    }
+    groups = PYPROJECT["dependency-groups"]["dev"]
+    extras = PYPROJECT["project"].get("optional-dependencies", {}).values()
+    wanted = [*PYPROJECT["project"]["dependencies"], *groups]
+    wanted += [each for extra in extras for each in extra]
+    names = {re.split(r"[<>=~!\[ ;]", each)[0].lower() for each in wanted if isinstance(each, str)}
+    assert names - pinned - {"restitution"} == set()
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT / "src")))
+def test_nothing_executes_text(path):
+    """A user's text is read by a grammar: SymPy's readers of text execute it."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if not isinstance(node, ast.Call):
+            continue
+        where = f"{path.name}, line {node.lineno}"
+        method = isinstance(node.func, ast.Attribute)
+        name = node.func.attr if method else getattr(node.func, "id", "")
+        assert name not in {"parse_expr", "parse_latex"}, where
+        assert method or name not in {"eval", "exec", "compile"}, where
+        if name in {"sympify", "S"}:
+            strict = any(
+                each.arg == "strict" and getattr(each.value, "value", None) is True
+                for each in node.keywords
+            )
+            numbers = all(isinstance(getattr(x, "value", None), int | float) for x in node.args)
+            assert strict or numbers, f"{where}: sympify without strict=True"
