@@ -398,7 +398,7 @@ def events_told() -> st.SearchStrategy[p.Event]:
             _maybe(scalars()),
             line,
         ),
-        st.builds(lambda a, w, e: p.Impact(a, w, e), sphere_names, wall_names, _maybe(scalars())),
+        st.builds(p.Impact, sphere_names, wall_names, _maybe(scalars())),
         st.builds(p.Kick, sphere_names, vectors()),
         st.builds(p.Arrival, sphere_names, st.one_of(points(), st.builds(Name, wall_names))),
     )

@@ -954,8 +954,12 @@ def _samples(total: Expr) -> Iterator[float]:
     if any(letter.is_extended_nonnegative is not True for letter in letters):
         return
     generator = random.Random(5)
-    for _ in range(6):
+    # One letter after the other is made large: u − 8v has no sign of its own.
+    large = [letter for letter in letters if letter.is_positive and letter.name not in ("sin", "cos")]
+    for index in range(6 + len(large)):
         point = {letter: _sample(letter, generator, False) for letter in letters}
+        if index >= 6:
+            point[large[index - 6]] = Float(1000)
         if len(letters) == 2 and all(getattr(x, "name", "") in ("sin", "cos") for x in letters):
             a = generator.uniform(0.05, 1.5)
             point = {x: Float(sympy.sin(a) if x.name == "sin" else sympy.cos(a)) for x in letters}

@@ -41,7 +41,7 @@ _SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
 
 
 def to_statement(problem: Problem) -> str:
-    """The statement of a problem; ``parse`` reads it back as an equal Problem.
+    r"""The statement of a problem; ``parse`` reads it back as an equal Problem.
 
     A body is told on one line, however many lines told of it. Raises StatementError for what
     no text can say: numbers that are not exact, a name that is none, a title of several lines.

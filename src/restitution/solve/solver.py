@@ -165,8 +165,7 @@ class _Worker:
             if blamed and all(t.kind == "coefficient" for t in blamed):
                 # The data imply an impossible coefficient: said, and the rest answered.
                 accepted = self._with_impossible_coefficient(outcome)
-                for trial in blamed:
-                    self._warn_of_coefficient(outcome, trial)
+                self._warn_of_coefficient(outcome, blamed)
             if not accepted:
                 raise impossible(outcome.trials, self.part.place)
         made = []
@@ -204,14 +203,18 @@ class _Worker:
             kept.append(replace(trial, samples=(values,)))
         return kept
 
-    def _warn_of_coefficient(self, outcome: Outcome, trial: Trial) -> None:
-        for name, value in trial.found.values.items():
-            role = outcome.setting.roles.get(name)
-            if role is not None and role.kind == "restitution":
-                shown = to_text(display(exact.tidy(value)))
-                text = f"the data imply {name} = {shown}, and {trial.reason}"
-                if text not in self.warnings:
-                    self.warnings.append(text)
+    def _warn_of_coefficient(self, outcome: Outcome, trials: list[Trial]) -> None:
+        implied = []
+        for trial in trials:
+            for name, value in trial.found.values.items():
+                role = outcome.setting.roles.get(name)
+                if role is not None and role.kind == "restitution":
+                    text = f"{name} = {to_text(display(exact.tidy(value)))}"
+                    if text not in implied:
+                        implied.append(text)
+        text = f"the data imply {' or '.join(implied)}, and {trials[0].reason}"
+        if implied and text not in self.warnings:
+            self.warnings.append(text)
 
     # --- items --------------------------------------------------------------------------------
 
@@ -270,7 +273,7 @@ class _Worker:
             trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
             samples = trial.samples if trial is not None else (branch.sample,)
             value = self._evaluate(item.expression, branch, now, samples, kind)
-            self._complete(item, value, outcome, in_terms_of)
+            self._complete(item, value, outcome, branch, in_terms_of)
             if kind != "direction":
                 verify_value(value, item, branch, now)
             answers.append(_answer(branch.number, value, kind, angle, item.percentage))
@@ -317,14 +320,17 @@ class _Worker:
             trial = outcome.refused[0]
             name = min(named & blamed)
             value = trial.found.values.get(name)
-            shown = "" if value is None else f"{name} = {to_text(display(exact.tidy(value)))}: "
-            raise ImpossibleError(f"{shown}{trial.reason}")
+            if value is None:
+                raise ImpossibleError(str(trial.reason))
+            shown = to_text(display(exact.tidy(value)))
+            raise ImpossibleError(f"{name} = {shown} rejected: {trial.reason}")
 
     def _complete(
         self,
         item: Value,
         value: Any,
         outcome: Outcome,
+        branch: Branch,
         in_terms_of: tuple[str, ...] | None,
     ) -> None:
         """Everything in an answer must be data."""
@@ -332,7 +338,7 @@ class _Worker:
         present = {s.name for part in parts for s in part.free_symbols}
         hidden = sorted(name for name in present if name.startswith("_"))
         if hidden:
-            phrases = list(dict.fromkeys(_phrase(outcome, name) for name in hidden))
+            phrases = list(dict.fromkeys(_phrase(branch, name) for name in hidden))
             raise MissingError(f"{_called(item)} needs {' and '.join(phrases)}")
         asked = present & outcome.setting.asked
         if asked and not has_quantity(item.expression):
@@ -396,8 +402,10 @@ class _Worker:
             return ItemResult(step, line, step.text, "show", error=error)
 
 
-def _phrase(outcome: Outcome, name: str) -> str:
-    return outcome.letters.phrases.get(name, name.lstrip("_"))
+def _phrase(branch: Branch, name: str) -> str:
+    unknowns = branch.story.unknowns
+    assert isinstance(unknowns, Letters)
+    return unknowns.phrases.get(name, name.lstrip("_"))
 
 
 def _called(item: Value) -> str:

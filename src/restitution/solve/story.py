@@ -322,7 +322,8 @@ class Story:
 
     def velocity(self, name: str, stage: int) -> Vector:
         """The velocity of a sphere just after event ``stage`` (0 is the start)."""
-        return next(v for n, v in reversed(self._tracks[name].velocities) if n <= stage)
+        known: list[Vector] = [v for n, v in self._tracks[name].velocities if n <= stage]
+        return known[-1]
 
     def latest(self, name: str, now: int) -> Happening | None:
         """The latest event of a body among the first ``now``."""
@@ -569,7 +570,9 @@ class Story:
             return known[0]
         if event.time is None:
             return self._missing_place(name)
-        return known[0] + self.velocity(name, n) * (event.time - known[1])
+        where, when = known
+        moved: Vector = where + self.velocity(name, n) * (event.time - when)
+        return moved
 
     def _position_when(self, name: str, t: Scalar, now: int) -> Vector:
         """The place at a time: on the piece of the path that the time belongs to."""
@@ -582,7 +585,8 @@ class Story:
             if sign is not None and sign >= 0:
                 chosen = each
         n, where, when = chosen
-        return where + self.velocity(name, n) * (t - when)
+        moved: Vector = where + self.velocity(name, n) * (t - when)
+        return moved
 
     def _missing_place(self, name: str) -> Vector:
         phrase = f"where {name} is"
