@@ -955,7 +955,9 @@ def _samples(total: Expr) -> Iterator[float]:
         return
     generator = random.Random(5)
     # One letter after the other is made large: u − 8v has no sign of its own.
-    large = [letter for letter in letters if letter.is_positive and letter.name not in ("sin", "cos")]
+    large = [
+        letter for letter in letters if letter.is_positive and letter.name not in ("sin", "cos")
+    ]
     for index in range(6 + len(large)):
         point = {letter: _sample(letter, generator, False) for letter in letters}
         if index >= 6:

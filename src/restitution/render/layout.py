@@ -417,7 +417,7 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
     cosine and tangent are always shown in degrees.
     """
     if isinstance(value, bool | int | Ratio):
-        value = sympy.sympify(value)
+        value = sympy.sympify(value, strict=True)
     if isinstance(value, float):
         return decimal_number(sympy.Float(value))
     if isinstance(value, sympy.Set):

@@ -64,7 +64,7 @@ def solve_system(
         return vanishes(x, roles)  # type: ignore[arg-type]
 
     sought = list(unknowns)
-    current = [sp.sympify(each) for each in equations]
+    current = [sp.sympify(each, strict=True) for each in equations]
     generators: list[sp.Symbol] = []
     pairs: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
     tangents: dict[sp.Symbol, sp.Symbol] = {}
@@ -179,7 +179,7 @@ def _trig_in(x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.S
 def _rational(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
     """An equation freed of roots and sizes of expressions in the unknowns, by squaring."""
     for _ in range(6):
-        x = sp.sympify(x)
+        x = sp.sympify(x, strict=True)
         radicals = sorted(
             (
                 node
@@ -322,7 +322,7 @@ def _reduce(
 
 def _lost(a: sp.Expr, values: Assignment, zero: Zero) -> bool:
     try:
-        return zero(sp.sympify(a.xreplace(values)))
+        return zero(sp.sympify(a.xreplace(values), strict=True))
     except (ZeroDivisionError, TypeError):
         return False
 

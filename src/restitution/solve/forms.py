@@ -22,7 +22,7 @@ def plain(value: Any, samples: Samples) -> Any:
         return Vector(plain(value.x, samples), plain(value.y, samples))
     if isinstance(value, Angle):
         return angle(value, samples)
-    return exact.tidy(signed(sp.sympify(value), samples))
+    return exact.tidy(signed(sp.sympify(value, strict=True), samples))
 
 
 def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
@@ -44,7 +44,7 @@ def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
 
 def angle(value: Angle, samples: Samples) -> sp.Expr:
     """An angle in radians, by an inverse tangent where that is possible."""
-    x, y = (signed(sp.sympify(part), samples) for part in (value.x, value.y))
+    x, y = (signed(sp.sympify(part, strict=True), samples) for part in (value.x, value.y))
     if not x.free_symbols and not y.free_symbols:
         return exact.tidy_angle(sp.atan2(_number(y), _number(x)))
     sx, sy = sign_at(x, samples), sign_at(y, samples)
@@ -79,7 +79,7 @@ def _number(x: sp.Expr) -> sp.Expr:
 
 def direction(value: Vector, samples: Samples) -> Vector:
     """A direction vector, up to scale, without fractions or common factors."""
-    x, y = (signed(sp.sympify(part), samples) for part in value)
+    x, y = (signed(sp.sympify(part, strict=True), samples) for part in value)
     if x == 0:
         return Vector(sp.Integer(0), sp.Integer(sign_at(y, samples) or 1))
     if y == 0:

@@ -77,7 +77,7 @@ class Letters:
         return {**self.roles, **self.hidden_roles}
 
     def sign(self, x: sp.Expr) -> int | None:
-        x = sp.sympify(x)
+        x = sp.sympify(x, strict=True)
         if x.is_positive:
             return 1
         if x.is_negative:
@@ -453,7 +453,7 @@ def _letter_branches(
             continue
         a = a.measure() if isinstance(a, Angle) else a
         b = b.measure() if isinstance(b, Angle) else b
-        pending.append(sp.sympify(a - b))
+        pending.append(sp.sympify(a - b, strict=True))
     taken: set[str] = set()
     # A letter alone on one side stands for the other side.
     substitutions: dict[sp.Symbol, sp.Expr] = {}
@@ -481,7 +481,7 @@ def _letter_branches(
             new = []
             for values, angles in branches:
                 put = {setting.roles[n].symbol(n): v for n, v in values.items()}
-                current = sp.sympify(equation.xreplace(put))
+                current = sp.sympify(equation.xreplace(put), strict=True)
                 current = current.doit() if current.free_symbols else current
                 free = current.free_symbols
                 if len(free) != 1:
@@ -536,7 +536,7 @@ def _solve_equations(
     setting: Setting, letters_: Letters, equations: Sequence[Equation], story: Story
 ) -> list[Found]:
     """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
-    values = [sp.sympify(each.value) for each in equations]
+    values = [sp.sympify(each.value, strict=True) for each in equations]
     values = [each for each in values if each != 0]
     known = letters_.all_roles()
     chosen = (setting.extra_unknown | setting.asked | setting.carried) - set(letters_.values)

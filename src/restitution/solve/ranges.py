@@ -84,9 +84,9 @@ class Region:
             needs = [*story.conditions, *self.setting.requirements(story)]
             for need in needs:
                 if isinstance(need, Condition):
-                    found.append(sp.sympify(need.value))
+                    found.append(sp.sympify(need.value, strict=True))
                 elif isinstance(need, AnyOf):
-                    found += [sp.sympify(option.value) for option in need.options]
+                    found += [sp.sympify(option.value, strict=True) for option in need.options]
             for name, value in trial.found.values.items():
                 role = self.setting.roles.get(name) or told.hidden_roles.get(name)
                 if role is None:
@@ -718,7 +718,7 @@ def _candidates(
                 reduced = limit(expression, symbol, point, from_below == point)
                 if reduced is not None:
                     where = {
-                        n: sp.sympify(v).xreplace({symbol: point})
+                        n: sp.sympify(v, strict=True).xreplace({symbol: point})
                         for n, v in candidate.where.items()
                     }
                     after.append(Candidate(reduced, {**where, name: point}))
@@ -738,7 +738,7 @@ def limit(
     expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool = False
 ) -> sp.Expr | None:
     """The value of an expression at a point, or its limit there (from below if so asked)."""
-    quick = _approached(_in_sines(expression), symbol, sp.sympify(point), below)
+    quick = _approached(_in_sines(expression), symbol, sp.sympify(point, strict=True), below)
     if quick is not None:
         return quick if quick in (sp.oo, -sp.oo) else exact.tidy(quick)
     try:

@@ -169,7 +169,7 @@ def _leading(tree: Any) -> Fraction:
     from restitution.expression.evaluate import evaluate
 
     value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
-    coefficient, _ = sp.sympify(value).as_coeff_Mul()
+    coefficient, _ = sp.sympify(value, strict=True).as_coeff_Mul()
     if not coefficient.is_Rational or coefficient == 0:
         raise UnsupportedError("a rounded result is a number, perhaps times letters")
     return Fraction(int(coefficient.p), int(coefficient.q))
@@ -178,7 +178,7 @@ def _leading(tree: Any) -> Fraction:
 def _is_identity(value: Any, roles: Any) -> bool:
     from restitution.solve.numbers import vanishes
 
-    value = sp.sympify(value)
+    value = sp.sympify(value, strict=True)
     if value == 0:
         return True
     return vanishes(value, roles) or bool(exact.is_zero(value))

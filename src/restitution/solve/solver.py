@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.language.checking import check
 from restitution.problem import (
     Arrival,
     Extremum,
@@ -68,8 +69,10 @@ def solve(problem: Problem) -> Solution:
     """Solves every part of a problem.
 
     What cannot be answered carries its own error in the result, so that one item takes no other
-    with it; nothing is raised for a mistake in the question.
+    with it. Raises StatementError for a problem that makes no sense (a body that is not there, a
+    number where a vector is needed), as reading its text would have done.
     """
+    check(problem)
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()

@@ -1,0 +1,240 @@
+"""Directions: where the line of centres lies, and velocities resolved along it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explain.components import Frame
+from restitution.explain.phrases import chain, difference, direction_words, look, product_of
+from restitution.explain.steps import Row, Side, shown, side
+from restitution.problem import Impact
+from restitution.render import layout as lay
+from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+
+def resolved(work: Working, frame: Frame) -> list[Row]:
+    """Components before an impact, where they are not simply the given ones."""
+    rows: list[Row] = []
+    happening = work.model.happening(frame.number)
+    for body in work.model.spheres(frame.number):
+        u = happening.before[body]
+        raw_n, raw_t = work.model.before(frame.number, body)
+        if frame.wall is not None:
+            raw_n = tidy(-raw_n)
+        if work.open(raw_n) or work.open(raw_t):
+            continue
+        un, ut = work.put(raw_n), work.put(raw_t)
+        if un == 0 and ut == 0:
+            continue
+        looks = _split(un, ut, work.put(Vector(*u)), frame)
+        if looks is None and (raw_n != un or raw_t != ut) and _has_angle(raw_n, raw_t):
+            looks = look(raw_n), look(raw_t)
+        if looks is None:
+            continue
+        names = ("along", "across")
+        if frame.wall is not None:
+            names = (f"towards {frame.wall}", f"parallel to {frame.wall}")
+        else:
+            names = (f"{body} {names[0]}", f"{body} {names[1]}")
+        for name, laid, value in zip(names, looks, (un, ut), strict=True):
+            if value == 0 and name == names[1]:
+                continue
+            rows.append(chain(shown(Words(name)), Side(laid, value), side(value)))
+    return rows
+
+
+def _has_angle(*values: sp.Expr) -> bool:
+    return any(value.has(sp.cos, sp.sin, sp.tan) for value in values)
+
+
+def _split(
+    un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame
+) -> tuple[Layout, Layout] | None:
+    """``u cos 60°`` and ``u sin 60°``, or scalar products."""
+    size = tidy(sp.sqrt(tidy(sp.expand(un**2 + ut**2))))
+    first, second = tidy(un / size), tidy(ut / size)
+    if first == 0 or second == 0:
+        return None
+    if not first.free_symbols and not second.free_symbols:
+        degrees = sp.N(sp.atan2(abs(second), abs(first)) * 180 / sp.pi, 20)
+        nearest = round(float(degrees) / 15) * 15
+        if abs(degrees - nearest) < 1e-12:
+            angle = lay.Degrees(Number(str(nearest)))
+            laid = lay.product(look(size), lay.function("cos", angle))
+            other = lay.product(look(size), lay.function("sin", angle))
+            return (
+                lay.negative(laid) if sp.N(first) < 0 else laid,
+                lay.negative(other) if sp.N(second) < 0 else other,
+            )
+    if frame.axis is not None:
+        return None
+    sign = -1 if frame.wall is not None else 1
+    return _scalar(u, frame.n * sign), _scalar(u, frame.t)
+
+
+def _scalar(u: Vector, n: Vector) -> Layout:
+    """``(6**i** − 5**j**)·(3**i** + 4**j**)/5``."""
+    x, y = sp.sympify(n.x), sp.sympify(n.y)
+    ratio = tidy(sp.radsimp(y / x)) if x != 0 else None
+    first = Brackets(look((u.x, u.y)))
+    if isinstance(ratio, sp.Rational):
+        sign = 1 if sp.N(x) > 0 else -1
+        way = (sign * ratio.q, sign * ratio.p)
+        size = tidy(sp.sqrt(sp.Integer(way[0] ** 2 + way[1] ** 2)))
+        above = lay.product(first, Brackets(lay.vector(*way)), sign="·")
+        return lay.fraction(above, look(size))
+    return lay.product(first, Brackets(lay.vector(n.x, n.y)), sign="·")
+
+
+def line_of_centres(work: Working, frame: Frame) -> None:
+    """How the line of centres, or the normal of a wall, comes to be known."""
+    happening = work.model.happening(frame.number)
+    step = happening.step
+    assert isinstance(step, Impact)
+    story = work.model.story
+    if frame.wall is not None:
+        wall = story.walls[frame.wall]
+        if wall.centre is not None:
+            work.write(
+                "principle",
+                words=(
+                    f"The impulse acts along the radius of {frame.wall} through the point of "
+                    "impact, in the direction of ",
+                    direction_words(frame.n.x, frame.n.y),
+                    ".",
+                ),
+            )
+        else:
+            _by_change(work, frame, step.first, f"perpendicular to {frame.wall}")
+        return
+    if step.offset is not None:
+        _by_offset(work, frame, step)
+        return
+    if step.along is not None:
+        x, y = work.put(frame.n)
+        laid = direction_words(x, y)
+        work.write(
+            "setting", words=("The line of centres is in the direction of ", laid, ".")
+        )
+        return
+    places = [work.model.branch.story.place(name, frame.number) for name in (step.first, step.second)]
+    if all(places) and not any(
+        key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names
+    ):
+        one, other = (Vector(tidy(p[0].x), tidy(p[0].y)) for p in places if p is not None)
+        work.write(
+            "principle",
+            [
+                chain(
+                    side((tidy(other.x - one.x), tidy(other.y - one.y)),
+                         difference(Bold("r", step.second), Bold("r", step.first))),
+                    side(
+                        (other.x - one.x, other.y - one.y),
+                        lay.Sum((("+", Brackets(look((other.x, other.y)))),
+                                 ("-", Brackets(look((one.x, one.y)))))),
+                    ),
+                    side((tidy(other.x - one.x), tidy(other.y - one.y))),
+                )
+            ],
+            words=("The line of centres joins the centres at the impact:",),
+        )
+        return
+    body = step.first
+    after = work.model.branch.story.velocity(body, frame.number)
+    if {s.name for s in sp.sympify(after.x).free_symbols} & {"_"}:
+        body = step.second
+    _by_change(work, frame, _better(work, step, frame.number), "along the line of centres")
+
+
+def _better(work: Working, step: Impact, number: int) -> str:
+    """The sphere whose velocities are given: its change is the simpler to write."""
+    final = work.model.branch.story
+
+    def cost(name: str) -> int:
+        v, u = final.velocity(name, number), final.velocity(name, number - 1)
+        return int(sum(sp.count_ops(x) for x in (*v, *u)))
+
+    return min((step.first, step.second), key=cost)
+
+
+def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
+    """The change of a sphere's velocity is parallel to the impulse."""
+    final = work.model.branch.story
+    v, u = (final.velocity(body, frame.number - k) for k in (0, 1))
+    v, u = Vector(tidy(v.x), tidy(v.y)), Vector(tidy(u.x), tidy(u.y))
+    change = Vector(tidy(v.x - u.x), tidy(v.y - u.y))
+    row = chain(
+        side(
+            (change.x, change.y),
+            lay.Words(f"change of velocity of {body}"),
+        ),
+        side(
+            (change.x, change.y),
+            lay.Sum((("+", Brackets(look((v.x, v.y)))), ("-", Brackets(look((u.x, u.y)))))),
+        ),
+        side((change.x, change.y)),
+        mark="M1",
+    )
+    words: tuple[Any, ...] = (
+        f"The impulse on {body} acts {what}, and so does the change of its velocity:",
+    )
+    work.write("principle", [row], words=words)
+    work.write(
+        "setting",
+        words=(
+            "So the line of centres is parallel to "
+            if frame.wall is None
+            else f"So {frame.wall} is perpendicular to ",
+            direction_words(frame.n.x, frame.n.y),
+            "."
+            if frame.wall is None
+            else ", and parallel to ",
+            *(() if frame.wall is None else (direction_words(frame.t.x, frame.t.y), ".")),
+        ),
+        mark="A1",
+    )
+
+
+def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
+    """sin θ = d/2r for the angle θ between the line of centres and the relative path."""
+    story = work.model.story
+    assert step.offset is not None
+    raw = story.evaluator(frame.number - 1).scalar(step.offset)
+    r = story.radius(step.first)
+    if r is None:
+        return
+    d = work.put(raw)
+    if work.open(d):
+        return
+    happening = work.model.happening(frame.number)
+    approach = happening.before[step.first] - happening.before[step.second]
+    theta = Letter("theta") if "theta" not in work.model.unknowns.roles else Letter("phi")
+    d = d if work.sign(d) >= 0 else tidy(-d)
+    ratio = tidy(d / (2 * work.put(r)))
+    cosine = tidy(sp.sqrt(tidy(1 - ratio**2)))
+    rows = [
+        chain(
+            shown(lay.function("sin", theta)),
+            side(ratio, lay.fraction(look(d), look(tidy(2 * work.put(r))))),
+            side(ratio),
+            mark="M1",
+        ),
+        chain(shown(lay.function("cos", theta)), side(cosine), mark="A1"),
+    ]
+    del approach
+    still = happening.before[step.second]
+    path = f"the path of {step.first}"
+    if not (story.field.is_zero(still.x) and story.field.is_zero(still.y)):
+        path = f"the path of {step.first} relative to {step.second}"
+    work.write(
+        "principle",
+        rows,
+        words=("The line of centres makes an angle ", theta, f" with {path}, where",),
+    )

@@ -1,0 +1,715 @@
+"""Quantities with their values put in: kinetic energies, impulses, speeds, angles, times."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.exact import tidy, tidy_angle
+from restitution.explain.phrases import (
+    answer,
+    chain,
+    difference,
+    half_m,
+    look,
+    minus,
+    product_of,
+    square,
+)
+from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    has_quantity,
+)
+from restitution.problem import Impact, Kick
+from restitution.render import layout as lay
+from restitution.render.layout import Brackets, Layout, Number
+from restitution.solve import forms
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+# What a quantity rests on across the line of centres as well as along it.
+WHOLE = frozenset(
+    {
+        "velocity", "speed", "direction", "across", "along", "angle", "deflection", "energy",
+        "momentum", "position", "distance", "dot", "time",
+    }
+)
+
+
+@dataclass(frozen=True)
+class Derived:
+    """How a quantity is found: lines with the values put in, and the value."""
+
+    rows: tuple[Row, ...]
+    value: Any
+    words: Words = ()
+    principle: str | None = None
+
+
+def stage_of(work: Working, tree: Quantity, now: int, body: str | None) -> int:
+    return work.model.story._stage(tree, now, body)  # noqa: SLF001
+
+
+def name_of(tree: Expression) -> str | None:
+    """The sphere that a quantity is of."""
+    if isinstance(tree, Quantity) and tree.arguments and isinstance(tree.arguments[0], Name):
+        return tree.arguments[0].name
+    return None
+
+
+def components(work: Working, body: str, stage: int) -> tuple[sp.Expr, sp.Expr]:
+    """The components in which a velocity is best known: those of its latest impact."""
+    v = work.model.story.velocity(body, stage)
+    frame = work.model.owner(body, stage)
+    if frame is None or frame.axis is not None:
+        return work.put(v.x), work.put(v.y)
+    return work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
+
+
+def evaluated(work: Working, tree: Expression, now: int) -> Any:
+    """The value of a tree with all that is known put in: an expression, a pair or an angle."""
+    value = work.model.story.evaluator(now).value(tree)
+    return plain(work, value)
+
+
+def plain(work: Working, value: Any) -> Any:
+    if isinstance(value, Vector):
+        return (work.put(value.x), work.put(value.y))
+    if isinstance(value, Angle):
+        return forms.angle(
+            Angle(work.put(value.x), work.put(value.y), value.measure), [work.model.sample]
+        )
+    return work.put(value)
+
+
+def inside(work: Working, tree: Expression, now: int) -> frozenset[sp.Symbol]:
+    """The unknowns on which a tree rests."""
+    value = work.model.story.evaluator(now).value(tree)
+    if isinstance(value, Angle):
+        return work.open(value.x) | work.open(value.y)
+    return work.open(tuple(value) if isinstance(value, Vector) else value)
+
+
+# --- expressions with values put in -------------------------------------------------------------
+
+
+def put_in(work: Working, tree: Expression, now: int) -> Side:
+    """An expression with the values of its quantities put in, not worked out."""
+    value = evaluated(work, tree, now)
+    return Side(_laid(work, tree, now), value)
+
+
+def _laid(work: Working, tree: Expression, now: int) -> Layout:
+    match tree:
+        case Quantity():
+            return formula(work, tree, now).layout
+        case Negate(operand):
+            return lay.negative(_laid(work, operand, now))
+        case Binary(op, left, right) if has_quantity(tree):
+            a, b = _laid(work, left, now), _laid(work, right, now)
+            return _combined(op, a, b)
+        case Apply("abs", argument):
+            return Brackets(_laid(work, argument, now), "||")
+    if isinstance(tree, Letter) or not has_quantity(tree):
+        value = evaluated(work, tree, now)
+        angle = isinstance(tree, Letter) and _is_angle(work, tree)
+        return look(value, angle=angle)
+    return lay.from_tree(tree)
+
+
+def _is_angle(work: Working, tree: Expression) -> bool:
+    from restitution.solve.letters import is_angle
+
+    walls = frozenset(wall.name for wall in work.model.problem.walls)
+    angles = {n for n, role in work.model.unknowns.roles.items() if role.kind == "angle"}
+    return is_angle(tree, angles, walls)
+
+
+def _combined(op: str, a: Layout, b: Layout) -> Layout:
+    if op == "+":
+        return lay.total([a, b])
+    if op == "-":
+        return minus(a, b)
+    if op == "*":
+        return product_of(a, b)
+    if op == "/":
+        return lay.fraction(a, b)
+    return lay.power(lay.bracketed(a), b)
+
+
+def formula(work: Working, tree: Quantity, now: int) -> Side:
+    """A quantity in components, with the values put in."""
+    value = evaluated(work, tree, now)
+    body = name_of(tree)
+    made: Layout | None = None
+    kind = tree.kind
+    if kind == "speed" and body is not None:
+        made = _speed(*components(work, body, stage_of(work, tree, now, body)))
+    elif kind == "energy":
+        stage = stage_of(work, tree, now, body)
+        names = [body] if body is not None else list(work.model.story.spheres)
+        made = lay.total([_energy(work, name, stage) for name in names])
+    elif kind == "energy_lost":
+        made = energy_lost(work, work.model.story._event(tree, now).number)  # noqa: SLF001
+    elif kind == "impulse" and body is None:
+        made = impulse(work, work.model.story._event(tree, now).number)  # noqa: SLF001
+    elif kind == "angle" or kind == "deflection" or kind == "direction":
+        return Side(look(value, angle=not isinstance(value, tuple)), value)
+    return Side(made if made is not None else look(value), value)
+
+
+def _speed(a: sp.Expr, b: sp.Expr) -> Layout:
+    if a == 0 or b == 0:
+        rest = b if a == 0 else a
+        laid = look(rest)
+        sign, size = lay.split_sign(laid)
+        return size if sign == "-" else laid
+    return lay.Root(lay.total([square(a), square(b)]))
+
+
+def _energy(work: Working, name: str, stage: int) -> Layout:
+    mass = work.put(work.model.story.mass(name))
+    return half_m(mass, *components(work, name, stage))
+
+
+def energy_lost(work: Working, number: int) -> Layout:
+    """½m(u² − v²) of each sphere, along the line of centres."""
+    event = work.model.happening(number)
+    if number not in work.model.frames:
+        total: Layout = Number("0")
+        for name in event.bodies:
+            total = minus(_energy(work, name, number - 1), _energy(work, name, number))
+        return total
+    before: list[Layout] = []
+    after: list[Layout] = []
+    for name in work.model.spheres(number):
+        mass = work.put(work.model.story.mass(name))
+        u = work.put(work.model.before(number, name)[0])
+        v = work.put(work.model.after(number, name))
+        before.append(half_m(mass, u))
+        after.append(half_m(mass, v))
+    first = lay.total([each for each in before if each != Number("0")])
+    kept = [each for each in after if each != Number("0")]
+    if not kept:
+        return first
+    return minus(first, lay.total(kept))
+
+
+def impulse(work: Working, number: int) -> Layout | None:
+    """m(v − u) along the line of centres, so that it is positive."""
+    event = work.model.happening(number)
+    if number not in work.model.frames:
+        return None
+    name = _impulse_body(work, number)
+    mass = work.put(work.model.story.mass(name))
+    u = work.put(work.model.before(number, name)[0])
+    v = work.put(work.model.after(number, name))
+    if work.sign(v - u) < 0:
+        u, v = v, u
+    del event
+    gap = difference(v, u)
+    if mass == 1:
+        return gap
+    return product_of(mass, Brackets(gap) if isinstance(gap, lay.Sum) else gap)
+
+
+def _impulse_body(work: Working, number: int) -> str:
+    """The sphere whose change of momentum is the shortest to write: one at rest before."""
+    names = work.model.spheres(number)
+
+    def cost(name: str) -> tuple[int, float]:
+        u, _ = work.model.before(number, name)
+        v = work.model.after(number, name)
+        still = 0 if work.put(u) == 0 else 1
+        return len(work.open(v)), still + float(sp.count_ops(work.put(v))) / 100
+
+    return min(names, key=cost)
+
+
+# --- how a quantity is derived --------------------------------------------------------------------
+
+
+def derive(
+    work: Working, tree: Quantity, now: int, *, percentage: bool = False, mark: str = "A1"
+) -> Derived:
+    """The lines by which a quantity is found once the components are known."""
+    body = name_of(tree)
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    kind = tree.kind
+    if kind == "velocity" and body is not None:
+        return _derive_velocity(work, tree, body, now, mark)
+    if kind == "deflection" and body is not None:
+        return _derive_deflection(work, tree, body, now)
+    if kind == "angle":
+        return _derive_angle(work, tree, now)
+    if kind == "direction" and not isinstance(value, tuple):
+        return _derive_direction(work, tree, body, now, value)
+    if kind in ("along", "across"):
+        return _derive_component(work, tree, now)
+    if kind == "energy_lost":
+        event = work.model.story._event(tree, now)  # noqa: SLF001
+        words: Words = ()
+        if event.number in work.model.frames:
+            frame = work.model.frames[event.number]
+            across = any(
+                work.put(work.model.before(event.number, b)[1]) != 0
+                for b in work.model.spheres(event.number)
+            )
+            if across:
+                place = "perpendicular to the line of centres"
+                if frame.wall is not None:
+                    place = f"parallel to {frame.wall}"
+                words = (f"The components {place} do not change, and lose no kinetic energy:",)
+        made = formula(work, tree, now)
+        return Derived(
+            (_result(name, made, value, mark=f"M1 {mark}"),), value, words
+        )
+    if kind == "impulse":
+        return _derive_impulse(work, tree, body, now, mark)
+    if kind == "line_of_centres":
+        return _derive_line(work, tree, now, value)
+    if kind in ("position", "time", "distance"):
+        from restitution.explain.journeys import derive_place
+
+        return derive_place(work, tree, now)
+    if kind == "momentum":
+        return _derive_momentum(work, tree, body, now, value)
+    if kind == "dot":
+        a, b = (evaluated(work, each, now) for each in tree.arguments)
+        made = Side(
+            lay.total([product_of(x, y) for x, y in zip(a, b, strict=True)]), value
+        )
+        return Derived((_result(name, made, value, mark=mark),), value)
+    if kind == "total_energy_lost":
+        return _derive_total_loss(work, tree, now, value)
+    made = formula(work, tree, now)
+    return Derived((_result(name, made, value, percentage=percentage, mark=f"M1 {mark}"
+                            if kind != "mass" else mark),), value)
+
+
+def _result(
+    name: Any,
+    made: Side | None,
+    value: Any,
+    *,
+    angle: bool = False,
+    percentage: bool = False,
+    mark: str = "A1",
+) -> Row:
+    sides: list[Any] = [name if isinstance(name, Side) else Side(lay.as_layout(name), value)]
+    if made is not None and made.layout != look(value, angle=angle):
+        sides.append(made)
+    sides += answer(value, angle=angle, percentage=percentage)
+    return chain(*sides, mark=mark)
+
+
+def _derive_velocity(
+    work: Working, tree: Quantity, body: str, now: int, mark: str
+) -> Derived:
+    stage = stage_of(work, tree, now, body)
+    value = evaluated(work, tree, now)
+    frame = work.model.owner(body, stage)
+    event = work.model.story.latest(body, stage)
+    rows: list[Row] = []
+    made: Side | None = None
+    if event is not None and isinstance(event.step, Kick) and stage >= event.number:
+        return Derived((), value) if ("kick", event.number) in work.done and _told(
+            work, body, stage
+        ) else Derived((_result(lay.from_tree(tree), None, value, mark=mark),), value)
+    if frame is not None and frame.axis is None and value != (0, 0):
+        v = work.model.story.velocity(body, stage)
+        a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
+        terms = []
+        for part, way in ((a, frame.n), (b, frame.t)):
+            if part == 0:
+                continue
+            x, y = work.put(way)
+            unit = lay.vector(x, y)
+            if isinstance(unit, lay.Sum):
+                unit = Brackets(unit)
+            terms.append(product_of(part, unit) if part != 1 else unit)
+        if terms:
+            made = Side(lay.total(terms), value)
+    rows.append(_result(lay.from_tree(tree), made, value, mark=mark))
+    return Derived(tuple(rows), value)
+
+
+def _told(work: Working, body: str, stage: int) -> bool:
+    return ("velocity", body, stage) in work.done
+
+
+def _derive_component(work: Working, tree: Quantity, now: int) -> Derived:
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    v = evaluated(work, tree.arguments[0], now)
+    d = work.model.story.direction(tree.arguments[1], now)
+    d = Vector(work.put(d.x), work.put(d.y))
+    if tree.kind == "across":
+        d = d.turned_left()
+    if d.x == 0 or d.y == 0:
+        return Derived((_result(name, None, value),), value)
+    size = tidy(sp.sqrt(tidy(d.dot(d))))
+    above = lay.product(Brackets(look(v)), Brackets(look((d.x, d.y))), sign="·")
+    made = Side(lay.fraction(above, look(size)), value)
+    return Derived((_result(name, made, value, mark="M1 A1"),), value)
+
+
+def _derive_direction(
+    work: Working, tree: Quantity, body: str | None, now: int, value: Any
+) -> Derived:
+    assert body is not None
+    v = work.model.story.velocity(body, stage_of(work, tree, now, body))
+    x, y = work.put(v.x), work.put(v.y)
+    name = lay.from_tree(tree)
+    row = _result(name, None, value, angle=True)
+    if x == 0 or y == 0:
+        return Derived((row,), value)
+    if x.free_symbols or y.free_symbols or True:
+        tangent = tidy(y / x)
+        rows = (
+            chain(
+                side(tangent, lay.function("tan", name)),
+                side(tangent, lay.fraction(look(y), look(x)))
+                if not isinstance(look(y), lay.Fraction) else side(tangent),
+                side(tangent),
+                mark="M1",
+            ),
+            row,
+        )
+        return Derived(rows, value)
+
+
+def _lines(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:
+    made = [work.model.story.direction(each, now) for each in tree.arguments]
+    return tuple(Vector(work.put(d.x), work.put(d.y)) for d in made)  # type: ignore[return-value]
+
+
+def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    story = work.model.story
+    a, b = _lines(work, tree, now)
+    sharp = any(story._is_line(each) for each in tree.arguments)  # noqa: SLF001
+    dot = tidy(a.dot(b))
+    final = _result(name, None, value, angle=True)
+    if work.sign(dot) == 0:
+        row = chain(shown(lay.Words("scalar product")), side(sp.Integer(0)), mark="M1")
+        del row
+        return Derived((final,), value)
+    frame = _frame_along(work, tree, now)
+    if sharp and frame is not None:
+        u, v = frame
+        u, v = (tidy(-x) if work.sign(x) < 0 else x for x in (u, v))
+        if u == 0:
+            return Derived((final,), value)
+        tangent = tidy(v / u)
+        rows = (
+            chain(
+                side(tangent, lay.function("tan", _short_angle(name))),
+                side(tangent, lay.fraction(look(v), look(u))),
+                side(tangent),
+                mark="M1",
+            ),
+            final,
+        )
+        return Derived(rows, value)
+    return Derived((*_cosine_rows(work, a, b, value, sharp), final), value)
+
+
+def _short_angle(name: Layout) -> Layout:
+    return Brackets(name)
+
+
+def _frame_along(
+    work: Working, tree: Quantity, now: int
+) -> tuple[sp.Expr, sp.Expr] | None:
+    """Components of the first direction along and across the second, if these are known."""
+    vector, line = tree.arguments
+    if work.model.story._is_line(vector):  # noqa: SLF001
+        vector, line = line, vector
+    if not isinstance(vector, Quantity) or vector.kind != "velocity":
+        return None
+    v = work.model.story.evaluator(now).vector(vector)
+    d = work.model.story.direction(line, now)
+    size = tidy(sp.sqrt(tidy(sp.expand(work.put(d.dot(d))))))
+    along = work.put(v.dot(d) / size)
+    across = work.put(v.dot(d.turned_left()) / size)
+    return along, across
+
+
+def _cosine_rows(
+    work: Working, a: Vector, b: Vector, value: Any, sharp: bool = False
+) -> list[Row]:
+    """cos θ from the scalar product, with the values put in."""
+    theta = _theta(work)
+    dot = tidy(a.dot(b))
+    cosine = tidy(sp.cos(value))
+    if cosine.has(sp.atan, sp.atan2) or sp.count_ops(cosine) > 12:
+        cosine = tidy(dot / (sp.sqrt(tidy(a.dot(a))) * sp.sqrt(tidy(b.dot(b)))))
+    products = [
+        product_of(x, y)
+        for x, y in zip(a, b, strict=True)
+        if x != 0 and y != 0
+    ]
+    above = lay.total(
+        [_opened(each) for each in products]
+    )
+    sizes = [look(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))) for each in (a, b)]
+    below = product_of(*[each for each in sizes if each != Number("1")] or [Number("1")])
+    if sharp and work.sign(dot) < 0:
+        above = Brackets(above, "||")
+    return [
+        chain(
+            side(cosine, lay.function("cos", theta)),
+            side(cosine, lay.fraction(above, below)),
+            side(cosine),
+            mark="M1",
+        )
+    ]
+
+
+def _opened(laid: Layout) -> Layout:
+    return laid
+
+
+def _theta(work: Working) -> Layout:
+    used = work.model.unknowns.roles
+    return lay.Letter(next(n for n in ("theta", "phi", "psi", "delta") if n not in used))
+
+
+def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> Derived:
+    event = work.model.story._event(tree, now, body)  # noqa: SLF001
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    before = work.put(event.before[body])
+    after = work.put(event.after[body])
+    final = _result(name, None, value, angle=True)
+    frame = work.model.frames.get(event.number)
+    if frame is None or not _numeric_angle(before, after):
+        return _deflection_by_tangents(work, event.number, body, value, name)
+    dot = tidy(before.dot(after))
+    if work.sign(dot) == 0:
+        return Derived(
+            (chain(shown(_dot_layout(before, after)), side(sp.Integer(0)), mark="M1"), final),
+            value,
+            ("The scalar product of the velocities before and after is zero:",),
+        )
+    if frame.wall is not None:
+        return _deflection_at_wall(work, event.number, body, value, name)
+    rows = _cosine_rows(work, _scaled(before), _scaled(after), value)
+    return Derived(
+        (*rows, final), value,
+        (f"The angle of deflection of {body} is the angle between its velocities before and "
+         "after:",),
+    )
+
+
+def _scaled(v: Vector) -> Vector:
+    """A vector without the letters common to its components."""
+    x, y = v
+    letters = (sp.sympify(x).free_symbols | sp.sympify(y).free_symbols)
+    if not letters:
+        return v
+    common = sp.sympify(x if x != 0 else y)
+    number, rest = common.as_independent(*letters, as_Add=False)
+    del number
+    return Vector(tidy(x / rest), tidy(y / rest))
+
+
+def _dot_layout(a: Vector, b: Vector) -> Layout:
+    return lay.product(Brackets(look((a.x, a.y))), Brackets(look((b.x, b.y))), sign="·")
+
+
+def _numeric_angle(*vectors: Vector) -> bool:
+    """Whether the directions are free of letters, as in 3u i − 4u j."""
+    for v in vectors:
+        x, y = v
+        if x == 0 or y == 0:
+            continue
+        if tidy(y / x).free_symbols:
+            return False
+    return True
+
+
+def _deflection_at_wall(
+    work: Working, number: int, body: str, value: Any, name: Layout
+) -> Derived:
+    """α + β: the angles to the wall before and after."""
+    un, ut = (work.put(x) for x in work.model.before(number, body))
+    v = work.put(work.model.after(number, body))
+    wall = work.model.frames[number].wall
+    first = _angle_of(work, tidy(-un), ut)
+    second = _angle_of(work, v, ut)
+    if ut == 0:
+        return Derived((_result(name, None, value, angle=True),), value,
+                       (f"{body} comes straight back:",))
+    made = Side(
+        lay.total([look(each, angle=True) for each in (first, second) if each != 0]),
+        tidy(first + second),
+    )
+    return Derived(
+        (_result(name, made, value, angle=True, mark="M1 A1"),),
+        value,
+        (f"{body} is turned through the angle that its path makes with {wall} before and the "
+         "angle that it makes after:",),
+    )
+
+
+def _angle_of(work: Working, above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    if below == 0:
+        return sp.pi / 2
+    return tidy_angle(sp.atan(tidy(work.resolved(above / below))))
+
+
+def _deflection_by_tangents(
+    work: Working, number: int, body: str, value: Any, name: Layout
+) -> Derived:
+    """tan(β − α) or tan(α + β) from the tangents of the angles to the line."""
+    final = _result(name, None, value, angle=True)
+    if number not in work.model.frames:
+        event = work.model.happening(number)
+        rows = _cosine_rows(work, work.put(event.before[body]), work.put(event.after[body]), value)
+        return Derived((*rows, final), value)
+    un, ut = (work.put(x) for x in work.model.before(number, body))
+    v = work.put(work.model.after(number, body))
+    if work.sign(ut) < 0:
+        ut = tidy(-ut)
+    frame = work.model.frames[number]
+    tangent = tidy(work.resolved(sp.Abs(ut * (un - v)) / (un * v + ut**2)))
+    if frame.wall is not None:
+        a, b = tidy(-un / ut), tidy(v / ut)
+        words: Words = (
+            f"{body} is turned through the sum of the angles that its path makes with "
+            f"{frame.wall} before and after:",
+        )
+        top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), product_of(a, b))
+    else:
+        if work.sign(v) == 0 or work.sign(un) == 0:
+            return Derived((final,), value, (f"{body} moves off perpendicular to the line of "
+                                             "centres:",) if work.sign(v) == 0 else ())
+        a, b = tidy(ut / un), tidy(ut / v)
+        big, small = (b, a) if work.sign((b - a) * (1 + a * b)) * work.sign(tangent) > 0 else (a, b)
+        words = (
+            f"The angle of deflection of {body} is the difference of the angles that its "
+            "velocities make with the line of centres:",
+        )
+        top = difference(big, small)
+        bottom = lay.total([Number("1"), product_of(a, b)])
+    if sp.sympify(tangent).has(sp.zoo, sp.nan):
+        return Derived((final,), value)
+    rows = [
+        chain(
+            side(tangent, lay.function("tan", Brackets(name))),
+            side(tangent, lay.fraction(top, bottom)),
+            side(tangent),
+            mark="M1 A1",
+        )
+    ]
+    if sp.sympify(value).is_number or not sp.sympify(value).has(sp.atan, sp.atan2):
+        rows.append(final)
+    return Derived(tuple(rows), value, words)
+
+
+def _derive_impulse(
+    work: Working, tree: Quantity, body: str | None, now: int, mark: str
+) -> Derived:
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    story = work.model.story
+    event = story._event(tree, now, body)  # noqa: SLF001
+    if body is not None:
+        if isinstance(event.step, Impact) and event.number in work.model.frames:
+            v, u = work.put(event.after[body]), work.put(event.before[body])
+            mass = work.put(story.mass(body))
+            gap = _vector_difference(v, u)
+            made = Side(product_of(mass, Brackets(gap)) if mass != 1 else gap, value)
+            return Derived(
+                (_result(name, made, value, mark=f"M1 {mark}"),),
+                value,
+                ("Impulse = change of momentum:",),
+            )
+        return Derived((_result(name, None, value, mark=mark),), value)
+    made_ = formula(work, tree, now)
+    words: Words = ()
+    if event.number in work.model.frames:
+        which = _impulse_body(work, event.number)
+        along = "along the line of centres"
+        frame = work.model.frames[event.number]
+        if frame.wall is not None:
+            along = f"perpendicular to {frame.wall}"
+        words = (f"Impulse = change of momentum of {which} {along}:",)
+    return Derived((_result(name, made_, value, mark=f"M1 {mark}"),), value, words)
+
+
+def _vector_difference(v: Vector, u: Vector) -> Layout:
+    first, second = look((v.x, v.y)), look((u.x, u.y))
+    if second == lay.ZERO_VECTOR:
+        return first
+    a: Layout = Brackets(first) if isinstance(first, lay.Sum) else first
+    b: Layout = Brackets(second) if isinstance(second, lay.Sum) else second
+    return lay.Sum((("+", a), ("-", b)))
+
+
+def _derive_line(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
+    name = lay.from_tree(tree)
+    return Derived((_result(name, None, value),), value)
+
+
+def _derive_momentum(
+    work: Working, tree: Quantity, body: str | None, now: int, value: Any
+) -> Derived:
+    story = work.model.story
+    stage = stage_of(work, tree, now, body)
+    names = [body] if body is not None else list(story.spheres)
+    terms = []
+    for each in names:
+        v = work.put(story.velocity(each, stage))
+        if v == (0, 0):
+            continue
+        laid = look((v.x, v.y))
+        if isinstance(laid, lay.Sum):
+            laid = Brackets(laid)
+        terms.append(product_of(work.put(story.mass(each)), laid))
+    made = Side(lay.total(terms), value) if terms else None
+    return Derived((_result(lay.from_tree(tree), made, value, mark="M1 A1"),), value)
+
+
+def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
+    upto = stage_of(work, tree, now, None)
+    story = work.model.story
+    before = lay.total(
+        [e for e in (_energy(work, n, 0) for n in story.spheres) if e != Number("0")]
+        or [Number("0")]
+    )
+    after = lay.total(
+        [e for e in (_energy(work, n, upto) for n in story.spheres) if e != Number("0")]
+        or [Number("0")]
+    )
+    made = Side(minus(before, after), value)
+    kicked = any(isinstance(h.step, Kick) for h in story.happenings[:upto])
+    return Derived(
+        (_result(lay.from_tree(tree), None if kicked else made, value, mark="M1 A1"),), value
+    )
+
+
+def quantities_in(tree: Expression) -> Sequence[Quantity]:
+    """The quantities of an expression that are not inside another, in order."""
+    if isinstance(tree, Quantity):
+        return (tree,)
+    from restitution.expression.tree import children
+
+    return tuple(q for each in children(tree) for q in quantities_in(each))
