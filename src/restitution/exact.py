@@ -338,6 +338,20 @@ def _tidy_number(value: Expr) -> Expr:
     return _content_out(value)
 
 
+def denested(value: Expr) -> Expr:
+    """Roots inside roots undone where that leaves none; else the number as it is."""
+    plain = sympy.sqrtdenest(value)
+    return value if is_nested(plain) else plain
+
+
+def is_nested(value: Expr) -> bool:
+    """Whether a root stands under a root."""
+    return any(
+        isinstance(node, Pow) and not node.exp.is_Integer and node.base.has(Pow)
+        for node in sympy.preorder_traversal(value)
+    )
+
+
 def _denest(value: Expr) -> Expr:
     """Each root simplified, the innermost first."""
     if value.is_Atom or not value.has(Pow):
@@ -362,8 +376,7 @@ def _denest(value: Expr) -> Expr:
         top = sympy.sqrt(Integer(content.p * content.q)) / content.q
         coefficient, surd = top.as_coeff_Mul()
         inside = rest if surd is S.One else sympy.expand(surd**2 * rest)
-        denested = sympy.sqrtdenest(sympy.sqrt(inside))
-        root = coefficient * denested
+        root = coefficient * denested(sympy.sqrt(inside))
     power = root ** (2 * value.exp)
     return sympy.expand(power) if value.exp.p > 1 else power
 
@@ -1022,8 +1035,10 @@ def _tidy_angle(value: Expr) -> Expr:
     quotient = sympy.expand(value / sympy.pi)
     if quotient.is_Rational:
         return quotient * sympy.pi
-    direction = _direction(value)
     size = value.evalf(40)
+    if isinstance(value, sympy.atan) and is_nested(value.args[0]) and not _near_nice(size):
+        return value.func(_tidy_number(value.args[0]))
+    direction = _direction(value)
     if direction is None or not size.is_real:
         return _tidy_parts(value)
     cosine, sine = (_tidy_number(each) for each in direction)
@@ -1042,10 +1057,11 @@ def _tidy_angle(value: Expr) -> Expr:
             form = sympy.atan(tangent) if inner < pi / 2 else pi - sympy.atan(tangent)
         else:
             form = -sympy.atan(tangent) if inner > -pi / 2 else sympy.atan(tangent) - pi
-        candidates.append((cost(form) - (2 if tangent.is_Rational else 0), form))
+        candidates.append((cost(form) - (3 if tangent.is_Rational else 1), form))
         if not tangent.is_Rational:
             form = sympy.acos(cosine) if inner > 0 else -sympy.acos(cosine)
-            candidates.append((cost(form) - (1 if cosine.is_Rational else 0), form))
+            obtuse = 4 if cosine.is_negative else 0  # 180° − arctan(…) is what is written then
+            candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
             form = sympy.asin(abs(sine))
             form = form if abs(inner) < pi / 2 else pi - form
             form = form if inner > 0 else -form
@@ -1056,6 +1072,14 @@ def _tidy_angle(value: Expr) -> Expr:
         return _tidy_parts(value)
     plain = _tidy_parts(value)
     return form if cost(form) <= cost(plain) + 3 else plain
+
+
+def _near_nice(size: Expr) -> bool:
+    """Whether an angle is within 10⁻²⁰ of one of the well-known fractions of π."""
+    ratio = (size / sympy.pi).evalf(30)
+    return any(
+        abs(ratio * step - sympy.floor(ratio * step + _HALF)) < Float("1e-20") for step in (24, 10)
+    )
 
 
 def _nice(size: Expr, cosine: Expr, sine: Expr) -> Rational | None:

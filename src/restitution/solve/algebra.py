@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from restitution.errors import UnsupportedError
+from restitution.exact import denested
 from restitution.solve.neat import neat
 from restitution.solve.numbers import vanishes
 
@@ -346,9 +347,7 @@ def _square_roots(value: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 def _sqrt(value: sp.Expr) -> sp.Expr:
     value = sp.factor(value) if value.free_symbols else sp.radsimp(value)
     result = sp.sqrt(value)
-    if not value.free_symbols:
-        result = sp.sqrtdenest(result)
-    return result
+    return denested(result) if not value.free_symbols else result
 
 
 def _substitute(
@@ -645,6 +644,10 @@ def _rational_multiple(poly: sp.Poly, x: sp.Symbol) -> sp.Poly:
 
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
+    if a.is_number and not a.is_Rational:
+        # Dividing first keeps surds out of the denominator under the root.
+        b, c = (sp.radsimp(sp.expand(each / a), max_terms=4) for each in (b, c))
+        a = sp.Integer(1)
     discriminant = sp.expand(b * b - 4 * a * c)
     if discriminant.is_number:
         discriminant = sp.radsimp(discriminant)
@@ -658,5 +661,5 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
-        return sp.sqrtdenest(sp.radsimp(sp.expand(value), max_terms=4))
+        return denested(sp.radsimp(sp.expand(value), max_terms=4))
     return neat(value)

@@ -13,6 +13,7 @@ from restitution.expression.tree import Letter
 from restitution.problem import Extremum, Part, Problem
 from restitution.render.layout import display
 from restitution.render.text import to_text
+from restitution.solve import forms
 from restitution.solve.letters import is_angle
 from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
 from restitution.solve.part import Outcome, settle, work_out
@@ -53,7 +54,7 @@ def find_extremum(
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
-    found: list[tuple[Candidate, bool, Any]] = []
+    found: list[tuple[Candidate, bool, Any, Sample]] = []
     for trial, value in _images(outcome, item.expression, now):
         own = Outcome(
             setting,
@@ -68,8 +69,8 @@ def find_extremum(
             found.append(best)
     if not found:
         raise ContradictionError("no values satisfy all that is told")
-    candidate, reached, _ = max(found, key=lambda each: sign * each[2])
-    value = exact.tidy(candidate.value)
+    candidate, reached, _, drawn = max(found, key=lambda each: sign * each[2])
+    value = forms.plain(candidate.value, [drawn])
     if angle and value.has(sp.atan, sp.asin, sp.acos, sp.atan2, sp.pi):
         value = exact.tidy_angle(value)
     place = candidate.where[name]
@@ -96,7 +97,7 @@ def find_extremum(
 
 def _best(
     outcome: Outcome, value: sp.Expr, name: str, sign: int
-) -> tuple[Candidate, bool, Any] | None:
+) -> tuple[Candidate, bool, Any, Sample] | None:
     region = Region(outcome, name)
     roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
     symbol = region.symbol
@@ -112,7 +113,7 @@ def _best(
             candidates.append(Candidate(at_point, {name: point}))
     data = region.data()
     rng = random.Random(31)
-    winners: list[tuple[Candidate, bool, Any]] = []
+    winners: list[tuple[Candidate, bool, Any, Sample]] = []
     for _ in range(DRAWS_TRIED if data else 1):
         drawn = sample(data, roles, rng)
         chosen = _winner(region, value, candidates, drawn, sign)
@@ -130,8 +131,8 @@ def _best(
 
 def _winner(
     region: Region, value: sp.Expr, candidates: list[Candidate], drawn: Sample, sign: int
-) -> tuple[Candidate, bool, Any] | None:
-    best: tuple[Candidate, bool, Any] | None = None
+) -> tuple[Candidate, bool, Any, Sample] | None:
+    best: tuple[Candidate, bool, Any, Sample] | None = None
     for candidate in candidates:
         number = _limit_at(candidate.value, drawn)
         if number is None or not _near(region, candidate, drawn):
@@ -143,7 +144,7 @@ def _winner(
             or sign * number > sign * best[2] + slack
             or (abs(number - best[2]) <= slack and reached and not best[1])
         ):
-            best = (candidate, reached, number)
+            best = (candidate, reached, number, drawn)
     if best is None:
         return None
     # Nothing that occurs may be beyond it: else a stationary point was missed.

@@ -1,0 +1,524 @@
+"""From what is asked to steps: one item of ``find`` or one ``show`` after another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explain.phrases import answer, chain, look
+from restitution.explain.quantities import (
+    WHOLE,
+    _laid,
+    derive,
+    evaluated,
+    inside,
+    name_of,
+    put_in,
+    quantities_in,
+    stage_of,
+)
+from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Meets,
+    Part,
+    Problem,
+    Range,
+    Relation,
+    Show,
+    Value,
+)
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solve.letters import trees_of_relation
+from restitution.solve.solution import Answer, ItemResult
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+
+def stages(problem: Problem, part: Part) -> Iterator[tuple[Any, int]]:
+    """The items and shows of a part, each with the number of events told before it."""
+    now = 0
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif each is part and isinstance(step, Find):
+                for item in step.items:
+                    yield item, now
+            elif each is part and isinstance(step, Show):
+                yield step, now
+
+
+def trees_of(item: Any) -> list[Expression]:
+    """The expressions of an item."""
+    if isinstance(item, Show):
+        found = list(trees_of_relation(item.relation))
+        if item.subject is not None:
+            found.append(item.subject.expression)
+        return found
+    return [item.expression]
+
+
+def speaks_across(problem: Problem, part: Part) -> bool:
+    """Whether anything asked or given rests on more than components along lines of centres."""
+    pending: list[Expression] = []
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Given) and (each.label is None or each is part):
+                for relation in step.relations:
+                    pending += trees_of_relation(relation)
+                    if isinstance(relation, Aligned):
+                        return True
+            elif each is part and isinstance(step, Find | Show):
+                if isinstance(step, Show) and isinstance(step.relation, Aligned):
+                    return True
+                items = step.items if isinstance(step, Find) else (step,)
+                for item in items:
+                    pending += trees_of(item)
+    for tree in pending:
+        for node in walk(tree):
+            if isinstance(node, Quantity) and node.kind in WHOLE:
+                if node.kind == "energy" or node.stage != 0:
+                    return True
+    return False
+
+
+def explain_item(work: Working, result: ItemResult, now: int, number: int) -> None:
+    """Writes the working of one item, for one solution."""
+    if result.error is not None:
+        message = result.error.message
+        work.write("note", words=(f"{result.text}: no answer, as {message}.",))
+        return
+    item = result.item
+    mine = [a for a in result.answers if a.solution == number] or list(result.answers)
+    answer_ = mine[0] if mine else None
+    if isinstance(item, Value) and answer_ is not None:
+        _value(work, item, answer_, now)
+    elif isinstance(item, Range) and answer_ is not None:
+        from restitution.explain.bounds import explain_range
+
+        explain_range(work, item.expression, answer_, now)
+    elif isinstance(item, Extremum) and answer_ is not None:
+        from restitution.explain.bounds import explain_extremum
+
+        explain_extremum(work, item, answer_, now)
+    elif isinstance(item, Show):
+        _show(work, item, result, now)
+
+
+# --- values --------------------------------------------------------------------------------------
+
+
+def prepare(work: Working, tree: Expression, now: int) -> None:
+    """Everything on which a tree rests."""
+    for quantity in quantities_in(tree):
+        _events_of(work, quantity, now)
+    if isinstance(tree, Quantity) and tree.kind in ("position", "time", "distance"):
+        _journey_first(work, tree, now)
+    work.reach(inside(work, tree, now))
+    for quantity in quantities_in(tree):
+        _settings_of(work, quantity, now)
+
+
+def _journey_first(work: Working, tree: Quantity, now: int) -> None:
+    del work, tree, now
+
+
+def _events_of(work: Working, tree: Quantity, now: int) -> None:
+    """Blows that came before the quantity is taken."""
+    from restitution.explain.blows import kick
+
+    body = name_of(tree)
+    story = work.model.story
+    if isinstance(tree.stage, int):
+        upto = tree.stage
+    elif tree.stage == "before":
+        upto = stage_of(work, tree, now, body)
+    else:
+        upto = now
+    for event in story.happenings[:upto]:
+        if isinstance(event.step, Kick) and (body is None or body == event.step.body):
+            kick(work, event.number)
+    for argument in tree.arguments:
+        for inner in quantities_in(argument):
+            _events_of(work, inner, now)
+
+
+def _settings_of(work: Working, tree: Quantity, now: int) -> None:
+    """The axes of the impact that a quantity speaks of, even if nothing had to be found."""
+    story = work.model.story
+    body = name_of(tree)
+    if tree.kind in ("line_of_centres",) and work.model.frames:
+        event = story._event(tree, now)  # noqa: SLF001
+        if event.number in work.model.frames:
+            frame = work.model.frames[event.number]
+            if frame.by_values or frame.axis is None:
+                work.setting(event.number)
+    if body in story.spheres and tree.kind in ("velocity", "speed", "direction", "deflection"):
+        stage = stage_of(work, tree, now, body) if tree.kind != "deflection" else now
+        latest = story.latest(body, stage) if stage else None
+        if latest is not None and latest.number in work.model.frames:
+            work.setting(latest.number)
+    for argument in tree.arguments:
+        for inner in quantities_in(argument):
+            _settings_of(work, inner, now)
+
+
+def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
+    tree = item.expression
+    key = ("item", str(item.text), now)
+    if key in work.done:
+        return
+    work.done.add(key)
+    prepare(work, tree, now)
+    found = answer_.value
+    if isinstance(tree, Quantity):
+        derived = derive(work, tree, now, percentage=item.percentage)
+        rows = _ending(work, derived.rows, lay.from_tree(tree), derived.value, answer_, item)
+        work.write("result", rows, derived.principle, derived.words)
+        return
+    for quantity in quantities_in(tree):
+        _sub_result(work, quantity, now)
+    _final(work, tree, found, answer_, now, item.percentage)
+
+
+def _same(work: Working, a: Any, b: Any) -> bool:
+    if isinstance(a, tuple) or isinstance(b, tuple):
+        return (
+            isinstance(a, tuple)
+            and isinstance(b, tuple)
+            and all(_same(work, x, y) for x, y in zip(a, b, strict=True))
+        )
+    return work.model.sign(sp.sympify(a) - sp.sympify(b)) == 0
+
+
+def _ending(
+    work: Working,
+    rows: tuple[Row, ...],
+    name: Layout,
+    value: Any,
+    answer_: Answer,
+    item: Value,
+) -> list[Row]:
+    """The rows, with the solution's own form of the result where it looks different."""
+    made = list(rows)
+    target = answer_.value
+    if isinstance(target, sp.Set) or not _same(work, target, value):
+        return made
+    wanted = look(tuple(target) if isinstance(target, tuple) else target, angle=answer_.angle)
+    shown_ = {operand for row in made for operand in row.operands}
+    if wanted in shown_ or any(
+        side_.layout in shown_
+        for side_ in answer(
+            tuple(target) if isinstance(target, tuple) else target,
+            angle=answer_.angle,
+            percentage=item.percentage,
+        )
+    ):
+        return made
+    pair = tuple(target) if isinstance(target, tuple) else target
+    made.append(
+        chain(
+            Side(name, pair),
+            *answer(pair, angle=answer_.angle, percentage=item.percentage),
+            mark="A1",
+        )
+    )
+    return made
+
+
+def _sub_result(work: Working, tree: Quantity, now: int) -> None:
+    """A quantity inside an expression: derived once, then known."""
+    key = ("quantity", tree, now if tree.stage is None else None)
+    if key in work.done:
+        return
+    work.done.add(key)
+    if tree.kind in ("mass", "speed", "line_of_centres") and tree.stage == 0:
+        return
+    derived = derive(work, tree, now)
+    if not derived.rows:
+        return
+    work.write("result", derived.rows, derived.principle, derived.words)
+
+
+def _final(
+    work: Working, tree: Expression, found: Any, answer_: Answer, now: int, percentage: bool
+) -> None:
+    value = tuple(found) if isinstance(found, tuple) else found
+    ending = answer(value, angle=answer_.angle, percentage=percentage)
+    name = lay.from_tree(tree)
+    if not quantities_in(tree):
+        if isinstance(tree, Letter) and _stated(work, look(name), ending):
+            return
+        own = side(evaluated(work, tree, now), name)
+        sides = [Side(name, own.value), *ending]
+        if isinstance(tree, Letter):
+            row = chain(*sides, mark="A1")
+        else:
+            row = chain(*sides, mark="A1")
+            if _stated(work, name, ending):
+                return
+        work.write("result", [row])
+        return
+    made = Side(_values_in(work, tree, now), value)
+    work.write("result", [chain(Side(name, value), made, *ending, mark="A1")])
+
+
+def _values_in(work: Working, tree: Expression, now: int) -> Layout:
+    """The expression with the worked-out values of its quantities."""
+    from restitution.explain.quantities import _combined
+    from restitution.expression.tree import Apply, Binary, Negate
+
+    match tree:
+        case Quantity():
+            value = evaluated(work, tree, now)
+            return look(value, angle=not isinstance(value, tuple)
+                        and tree.kind in ("angle", "deflection", "direction"))
+        case Negate(operand):
+            return lay.negative(_values_in(work, operand, now))
+        case Binary(op, left, right):
+            return _combined(op, _values_in(work, left, now), _values_in(work, right, now))
+        case Apply(function, argument) if function not in ("sqrt", "abs"):
+            return lay.function(function, _values_in(work, argument, now))
+    return _laid(work, tree, now)
+
+
+def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
+    """Whether the last lines already say so."""
+    looks = {each.layout for each in ending}
+    for step in work.steps:
+        for row in step.rows:
+            if row.operands and row.operands[0] == name and any(
+                operand in looks for operand in row.operands[1:]
+            ):
+                return True
+            if row.operands and row.operands[0] == name and len(row.operands) > 1 and isinstance(
+                row.operands[1], lay.Phrase
+            ):
+                return True
+    return False
+
+
+# --- shows ---------------------------------------------------------------------------------------
+
+
+def _show(work: Working, item: Show, result: ItemResult, now: int) -> None:
+    if result.holds is False:
+        _refute(work, item, result, now)
+        return
+    if item.subject is not None:
+        from restitution.explain.bounds import explain_shown_bound
+
+        explain_shown_bound(work, item, result, now)
+        return
+    relation = item.relation
+    for tree in trees_of_relation(relation):
+        for quantity in quantities_in(tree):
+            _events_of(work, quantity, now)
+    if isinstance(relation, Compare):
+        _show_compare(work, relation, now)
+    elif isinstance(relation, Aligned):
+        _show_aligned(work, relation, now)
+    elif isinstance(relation, AtRest):
+        _show_rest(work, relation, now)
+    elif isinstance(relation, Meets):
+        from restitution.explain.bounds import explain_meets
+
+        explain_meets(work, relation, now)
+
+
+def _show_compare(work: Working, relation: Compare, now: int) -> None:
+    for left, op, right in zip(
+        relation.operands, relation.operators, relation.operands[1:], strict=False
+    ):
+        for tree in (left, right):
+            prepare(work, tree, now)
+        for tree in (left, right):
+            for quantity in quantities_in(tree):
+                _sub_result(work, quantity, now)
+        a, b = evaluated(work, left, now), evaluated(work, right, now)
+        if op == "=":
+            _show_equal(work, left, right, a, b, now, relation.figures)
+        else:
+            _show_ordered(work, left, op, right, a, b, now)
+
+
+def _show_equal(
+    work: Working,
+    left: Expression,
+    right: Expression,
+    a: Any,
+    b: Any,
+    now: int,
+    figures: int | None,
+) -> None:
+    first, last = lay.from_tree(left), lay.from_tree(right)
+    rows: list[Row] = []
+    if figures is not None:
+        exact = answer(a)
+        rows.append(
+            chain(Side(first, a), *exact[:1], shown(last), mark="A1*",
+                  note=(f"to {figures} significant figures",))
+        )
+    else:
+        left_middle = Side(_values_in(work, left, now), a)
+        right_middle = Side(_values_in(work, right, now), b)
+        angle = not isinstance(a, tuple) and _angle_tree(work, left)
+        plain_value = side(a, look(a, angle=angle))
+        if quantities_in(right) and not isinstance(right, Letter):
+            rows.append(chain(Side(first, a), left_middle, plain_value))
+            rows.append(chain(Side(last, b), right_middle, side(b, look(b, angle=angle))))
+            rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
+        else:
+            rows.append(
+                chain(Side(first, a), left_middle, plain_value, Side(last, b), mark="A1*",
+                      note=("as required",))
+            )
+    work.write("result", rows)
+
+
+def _angle_tree(work: Working, tree: Expression) -> bool:
+    from restitution.explain.quantities import _is_angle
+
+    return _is_angle(work, tree)
+
+
+def _show_ordered(
+    work: Working,
+    left: Expression,
+    op: str,
+    right: Expression,
+    a: Any,
+    b: Any,
+    now: int,
+) -> None:
+    sign = lay.SIGNS.get(op, op)
+    first, last = lay.from_tree(left), lay.from_tree(right)
+    angle = _angle_tree(work, left)
+    rows: list[Row] = []
+    if quantities_in(left):
+        rows.append(chain(Side(first, a), side(a, look(a, angle=angle))))
+    if quantities_in(right):
+        rows.append(chain(Side(last, b), side(b, look(b, angle=angle))))
+    words: Words = ()
+    if not angle:
+        gap = tidy(sp.sympify(b - a)) if op.startswith("<") else tidy(sp.sympify(a - b))
+        big, small = (last, first) if op.startswith("<") else (first, last)
+        if gap.free_symbols:
+            rows.append(
+                Row(
+                    (lay.Sum((("+", big), ("-", lay.bracketed(small)))), look(gap),
+                     lay.Number("0")),
+                    ("=", ">" if "=" not in op else "≥"),
+                    (gap, gap, sp.Integer(0)),
+                    "M1",
+                )
+            )
+    rows.append(
+        Row((first, last), (sign,), (a, b), "A1*", ("as required",))
+    )
+    work.write("result", rows, words=words)
+
+
+def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
+    story = work.model.story
+    ways = []
+    for tree in (relation.left, relation.right):
+        work.reach(work.open(tuple(story.direction(tree, now))))
+        for quantity in quantities_in(tree):
+            _settings_of(work, quantity, now)
+            if quantity.kind in ("velocity", "momentum"):
+                _sub_result(work, quantity, now)
+        ways.append(Vector(*work.put(story.direction(tree, now))))
+    a, b = ways
+    first, last = lay.from_tree(relation.left), lay.from_tree(relation.right)
+    if relation.relation == "perpendicular to":
+        products = [(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
+        if products:
+            total = sum((x * y for x, y in products), sp.Integer(0))
+            row = chain(
+                side(total, lay.product(_in_brackets(first), _in_brackets(last), sign="·")),
+                side(total, lay.sum_of(products)),
+                side(sp.Integer(0)),
+                mark="M1 A1",
+            )
+            work.write("result", [row], words=("The scalar product is",))
+    else:
+        pick = "x" if a.x != 0 else "y"
+        if getattr(b, pick) != 0:
+            ratio = tidy(getattr(a, pick) / getattr(b, pick))
+            row = chain(
+                side((a.x, a.y), first),
+                side((a.x, a.y)),
+                side((a.x, a.y), _times(ratio, look((b.x, b.y)))),
+                mark="M1",
+            )
+            work.write("result", [row])
+    work.write(
+        "result",
+        words=("So ", first, f" is {relation.relation} ", last, ", as required."),
+        mark="A1*",
+    )
+
+
+def _times(ratio: sp.Expr, laid: Layout) -> Layout:
+    if ratio == 1:
+        return laid
+    inner = lay.Brackets(laid) if isinstance(laid, lay.Sum) else laid
+    if ratio == -1:
+        return lay.negative(inner)
+    return lay.product(look(ratio), inner)
+
+
+def _in_brackets(laid: Layout) -> Layout:
+    if isinstance(laid, lay.Bold):
+        return laid
+    return lay.Brackets(laid)
+
+
+def _show_rest(work: Working, relation: AtRest, now: int) -> None:
+    velocity = Quantity("velocity", (Name(relation.body.name),))
+    prepare(work, velocity, now)
+    value = evaluated(work, velocity, now)
+    row = chain(side(value, lay.from_tree(velocity)), side(value), mark="A1*")
+    work.write("result", [row])
+    work.write("result", words=(f"So {relation.body.name} is at rest, as required.",))
+
+
+def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
+    """A false statement: what is true instead, and numbers that show it."""
+    relation: Relation = item.relation
+    if isinstance(relation, Compare) and item.subject is None:
+        for tree in relation.operands:
+            prepare(work, tree, now)
+            for quantity in quantities_in(tree):
+                _sub_result(work, quantity, now)
+    given = dict(result.counterexample or {})
+    words: list[str | Layout] = [f"{result.text} is false"]
+    if given:
+        words.append(": for instance with ")
+        for index, (name, value) in enumerate(given.items()):
+            if index:
+                words.append(", ")
+            words += [lay.letter(name), f" = {value}"]
+        words.append(" it does not hold")
+    words.append(".")
+    work.write("note", words=tuple(words))
+
+
+__all__ = ["explain_item", "put_in", "speaks_across", "stages", "trees_of"]

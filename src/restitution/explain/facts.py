@@ -1,0 +1,402 @@
+"""The facts of a question as equations in components."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explain.phrases import chain, look, square
+from restitution.explain.quantities import (
+    components,
+    name_of,
+    plain,
+    put_in,
+    stage_of,
+)
+from restitution.explain.steps import Row, Step, Words, shown, side
+from restitution.explain.working import Equation
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.problem import (
+    Aligned,
+    AtRest,
+    Compare,
+    Given,
+    Part,
+    Problem,
+    Relation,
+)
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solve import facts as solve_facts
+from restitution.solve.story import Equation as StoryEquation
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+
+def fact_equations(work: Working, problem: Problem, part: Part,
+                   protected: frozenset[str]) -> list[Equation]:
+    """All facts in force as equations, and the equations that the telling itself asks for."""
+    found: list[Equation] = []
+    for given, now in solve_facts.givens(problem, part):
+        for relation in given.relations:
+            found += _of_relation(work, relation, now, given)
+    from restitution.solve.story import lets_of
+
+    for name, (let, now) in lets_of(problem, part).items():
+        if name in protected:
+            relation = Compare((Letter(name), let.expression), ("=",))
+            found += _of_relation(work, relation, now, None)
+    found += _of_story(work)
+    return found
+
+
+def _of_story(work: Working) -> list[Equation]:
+    """A sphere that comes to a point it is said to come to, two that meet."""
+    from restitution.explain.journeys import meeting_step
+
+    found = []
+    for index, each in enumerate(work.model.story.equations):
+        if each.reason.startswith(("Newton", "the line of centres", "the direction", "the place")):
+            continue
+
+        def step(each: StoryEquation = each) -> Step | None:
+            return meeting_step(work, each)
+
+        found.append(
+            Equation(sp.sympify(each.value), "fact", 900 + index, step, ("story", index))
+        )
+    return found
+
+
+def _of_relation(
+    work: Working, relation: Relation, now: int, given: Given | None
+) -> list[Equation]:
+    place = given.place if given is not None else None
+    try:
+        match relation:
+            case Compare():
+                return _of_compare(work, relation, now)
+            case Aligned() | AtRest():
+                needs = solve_facts.requirements(relation, work.model.story, now, place)
+                return [
+                    Equation(
+                        sp.sympify(need.value),
+                        "fact",
+                        now,
+                        _directions_step(work, relation, now, need),
+                        (relation, index),
+                    )
+                    for index, need in enumerate(needs)
+                    if isinstance(need, StoryEquation)
+                ]
+    except (RestitutionError, AttributeError, TypeError):
+        return []
+    return []
+
+
+def _of_compare(work: Working, relation: Compare, now: int) -> list[Equation]:
+    found: list[Equation] = []
+    for left, op, right in zip(
+        relation.operands, relation.operators, relation.operands[1:], strict=False
+    ):
+        if op != "=":
+            continue
+        if not has_quantity(left) and not has_quantity(right):
+            found += _between_letters(work, left, right)
+        else:
+            found += _equality(work, left, right, now)
+    return found
+
+
+def _between_letters(work: Working, left: Expression, right: Expression) -> list[Equation]:
+    """``tan α = 3/4``; ``e = 1/2`` needs no line."""
+    evaluator = work.model.story.evaluator(0)
+    a, b = evaluator.value(left), evaluator.value(right)
+    if isinstance(a, Vector) or isinstance(b, Vector):
+        return []
+    a = a.measure() if isinstance(a, Angle) else a
+    b = b.measure() if isinstance(b, Angle) else b
+    residual = sp.sympify(a - b)
+    named = letters(left) | letters(right)
+    lone = isinstance(left, Letter) or isinstance(right, Letter)
+
+    def step() -> Step | None:
+        if lone or not named <= set(work.model.unknowns.roles):
+            return None
+        row = chain(side(a, lay.from_tree(left)), side(b, lay.from_tree(right)))
+        rows = [row]
+        if len(named) == 1:
+            (name,) = named
+            symbol = work.model.unknowns.letter(name)
+            if work.is_angle(symbol) and symbol in work.model.final:
+                value = work.model.final[symbol]
+                rows += [
+                    chain(side(f(symbol)), side(tidy(f(value))))
+                    for f in (sp.sin, sp.cos)
+                    if not isinstance(a, f) and tidy(f(value)).is_algebraic
+                ]
+        return Step("fact", tuple(rows), words=("From",) if len(rows) == 1 else ("From the data:",))
+
+    return [Equation(residual, "fact", -1, step, ("letters", str(residual)))]
+
+
+def silent(equation: Equation) -> bool:
+    """Whether an equation is a datum between letters, whose value needs no line of its own."""
+    return equation.number == -1
+
+
+def _words(left: Expression, right: Expression) -> Words:
+    relation = lay.Relation((lay.from_tree(left), lay.from_tree(right)), ("=",))
+    return ("It is given that ", relation, ":")
+
+
+def _equality(
+    work: Working, left: Expression, right: Expression, now: int
+) -> list[Equation]:
+    evaluator = work.model.story.evaluator(now)
+    a, b = evaluator.value(left), evaluator.value(right)
+    key = (left, right, now)
+    if isinstance(a, Vector) or isinstance(b, Vector):
+        return _vectors(work, left, right, now, evaluator.vector(left), evaluator.vector(right))
+    speed = next(
+        (
+            (one, other, value)
+            for one, other, value in ((left, right, b), (right, left, a))
+            if isinstance(one, Quantity) and one.kind == "speed" and not isinstance(value, Angle)
+        ),
+        None,
+    )
+    if speed is not None:
+        return [_speed(work, *speed, now)]
+    if isinstance(a, Angle) or isinstance(b, Angle):
+        residual = solve_facts.equal(work.model.story, a, b, None)[0]
+        assert isinstance(residual, StoryEquation)
+        return [
+            Equation(
+                sp.sympify(residual.value),
+                "fact",
+                now,
+                lambda: _angle_step(work, left, right, now),
+                key,
+            )
+        ]
+    residual = sp.sympify(a - b)
+    return [Equation(residual, "fact", now, lambda: _scalar_step(work, left, right, now), key)]
+
+
+def _scalar_step(work: Working, left: Expression, right: Expression, now: int) -> Step:
+    a, b = put_in(work, left, now), put_in(work, right, now)
+    words = _words(left, right)
+    row = chain(a, b, mark="M1 A1")
+    rows = [row]
+    return Step("fact", tuple(rows), words=words)
+
+
+def _speed(
+    work: Working, tree: Quantity, other: Expression, value: Any, now: int
+) -> Equation:
+    body = name_of(tree)
+    assert body is not None
+    stage = stage_of(work, tree, now, body)
+    v = work.model.story.velocity(body, stage)
+    residual = sp.sympify(v.dot(v) - sp.sympify(value) ** 2)
+
+    def step() -> Step:
+        parts = [x for x in components(work, body, stage) if x != 0]
+        total = sum((x**2 for x in parts), sp.Integer(0))
+        right = put_in(work, other, now)
+        result = sp.sympify(right.value) ** 2
+        row = chain(
+            side(total, lay.total([square(x) for x in parts])),
+            side(result, square(right.value) if not has_quantity(other)
+                 else lay.power(lay.bracketed(right.layout), lay.Number("2"))),
+            mark="M1 A1",
+        )
+        return Step("fact", (row,), words=_words(tree, other))
+
+    return Equation(residual, "fact", now, step, (tree, other, now))
+
+
+def _vectors(
+    work: Working,
+    left: Expression,
+    right: Expression,
+    now: int,
+    a: Vector,
+    b: Vector,
+) -> list[Equation]:
+    """A velocity that is given: its components along the axes of the impact."""
+    body = next((name_of(t) for t in (left, right) if isinstance(t, Quantity)), None)
+    gap = a - b
+    frame = work.model.owner(body, now) if body is not None else None
+    if frame is not None and frame.axis is None:
+        residuals = [gap.dot(frame.n), gap.dot(frame.t)]
+        sides = [(a.dot(d), b.dot(d)) for d in (frame.n, frame.t)]
+    elif frame is not None and frame.axis == "j":
+        residuals = [gap.y, gap.x]
+        sides = [(a.y, b.y), (a.x, b.x)]
+    else:
+        residuals = [gap.x, gap.y]
+        sides = [(a.x, b.x), (a.y, b.y)]
+    found = []
+    for index, (residual, (one, other)) in enumerate(zip(residuals, sides, strict=True)):
+
+        def step(
+            one: Any = one, other: Any = other, index: int = index
+        ) -> Step:
+            p, q = work.put(one), work.put(other)
+            if sp.sympify(p).is_number and not sp.sympify(q).is_number:
+                p, q = q, p
+            return Step(
+                "fact",
+                (chain(side(p), side(q), mark="B1" if index == 0 else ""),),
+                words=_words(left, right),
+            )
+
+        found.append(
+            Equation(sp.sympify(residual), "fact", now, step, (left, right, now, index))
+        )
+    return found
+
+
+def _angle_step(work: Working, left: Expression, right: Expression, now: int) -> Step:
+    """An angle that is given: its tangent, or a scalar product where it is a right angle."""
+    quantity, other = (left, right) if isinstance(left, Quantity) else (right, left)
+    words = _words(left, right)
+    if isinstance(quantity, Quantity) and quantity.kind in ("angle", "deflection"):
+        a, b = _two_directions(work, quantity, now)
+        target = plain(work, work.model.story.evaluator(now).value(other))
+        cross, dot = work.put(a.cross(b)), work.put(a.dot(b))
+        sharp = quantity.kind == "angle" and any(
+            work.model.story._is_line(each)  # noqa: SLF001
+            for each in quantity.arguments
+        )
+        if work.model.sign(dot) == 0 or sp.sympify(target) == sp.pi / 2:
+            row = _zero_dot(work, a, b)
+            return Step("fact", (row,), words=words)
+        cross = tidy(-cross) if work.model.sign(cross) < 0 else cross
+        if sharp and work.model.sign(dot) < 0:
+            dot = tidy(-dot)
+        ratio = tidy(cross / dot)
+        tangent = tidy(sp.tan(target))
+        row = chain(
+            side(tangent, lay.function("tan", look(target, angle=True))),
+            side(ratio, _ratio(cross, dot)),
+            mark="M1 A1",
+        )
+        rows = [row]
+        if not sp.tan(target).has(sp.tan) and look(tangent) != row.operands[0]:
+            rows.append(chain(side(ratio), side(tangent)))
+        return Step("fact", tuple(rows), words=words)
+    if isinstance(quantity, Quantity) and quantity.kind == "direction":
+        body = name_of(quantity)
+        assert body is not None
+        v = work.model.story.velocity(body, stage_of(work, quantity, now, body))
+        x, y = work.put(v.x), work.put(v.y)
+        target = plain(work, work.model.story.evaluator(now).value(other))
+        tangent = tidy(sp.tan(target))
+        if x != 0 and not tangent.has(sp.zoo):
+            row = chain(
+                side(tangent, lay.function("tan", look(target, angle=True))),
+                side(tidy(y / x), _ratio(y, x)),
+                mark="M1 A1",
+            )
+            return Step("fact", (row,), words=words)
+    a_, b_ = put_in(work, left, now), put_in(work, right, now)
+    return Step("fact", (chain(a_, b_, mark="M1"),), words=words)
+
+
+def _ratio(above: sp.Expr, below: sp.Expr) -> Layout:
+    first, second = look(above), look(below)
+    if isinstance(first, lay.Fraction) or isinstance(second, lay.Fraction):
+        return look(tidy(above / below))
+    common = tidy(above / below)
+    if look(common) != first and sp.count_ops(common) < sp.count_ops(above):
+        return look(common)
+    return lay.fraction(first, second)
+
+
+def _two_directions(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:
+    story = work.model.story
+    if tree.kind == "deflection":
+        body = name_of(tree)
+        event = story._event(tree, now, body)  # noqa: SLF001
+        assert body is not None
+        return event.before[body], event.after[body]
+    a, b = (story.direction(each, now) for each in tree.arguments)
+    return a, b
+
+
+def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
+    a, b = work.put(a), work.put(b)
+    products = [
+        (x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0
+    ]
+    total = sum((x * y for x, y in products), sp.Integer(0))
+    laid = lay.sum_of(products) if products else None
+    return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
+
+
+def _directions_step(
+    work: Working, relation: Relation, now: int, need: StoryEquation
+) -> Any:
+    def step() -> Step | None:
+        if isinstance(relation, AtRest):
+            residual = work.put(need.value)
+            return Step(
+                "fact",
+                (chain(side(residual), side(sp.Integer(0)), mark="B1"),),
+                words=(f"{relation.body.name} is at rest:",),
+            )
+        assert isinstance(relation, Aligned)
+        story = work.model.story
+        a, b = story.direction(relation.left, now), story.direction(relation.right, now)
+        words: Words = (
+            "It is given that ",
+            lay.from_tree(relation.left),
+            f" is {relation.relation} ",
+            lay.from_tree(relation.right),
+        )
+        x, y = work.put(b)
+        single = x == 0 or y == 0
+        if relation.relation == "perpendicular to":
+            p, q = work.put(a)
+            single = single or p == 0 or q == 0
+            if single:
+                residual = work.numerator(need.value)
+                return Step(
+                    "fact",
+                    (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1"),),
+                    words=(*words, ":"),
+                )
+            return Step(
+                "fact", (_zero_dot(work, a, b),),
+                words=(*words, ", so the scalar product is zero:"),
+            )
+        if single:
+            residual = work.numerator(need.value)
+            return Step(
+                "fact",
+                (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1"),),
+                words=(*words, ":"),
+            )
+        a, b = work.put(a), work.put(b)
+        row = chain(
+            side(tidy(a.x * b.y), lay.sum_of([(a.x, b.y)])),
+            side(tidy(a.y * b.x), lay.sum_of([(a.y, b.x)])),
+            mark="M1 A1",
+        )
+        return Step(
+            "fact", (row,), words=(*words, ", so their components are in proportion:")
+        )
+
+    return step
+
+
+__all__ = ["fact_equations", "shown", "silent"]

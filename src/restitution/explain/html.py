@@ -1,0 +1,2 @@
+def to_html(e): return ""
+def to_fragment(e): return ""

@@ -1,0 +1,355 @@
+"""Places and times: how long a sphere takes to a wall or a point, and where it is then."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explain.phrases import answer, chain, difference, look, minus, product_of
+from restitution.explain.steps import Row, Side, Step, Words, side
+from restitution.expression.tree import AtTime, Expression, Name, Quantity
+from restitution.problem import Arrival, Impact
+from restitution.render import layout as lay
+from restitution.render.layout import Bold, Brackets, Layout, Letter
+from restitution.solve.story import Equation as StoryEquation
+from restitution.solve.story import Happening
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.quantities import Derived
+    from restitution.explain.working import Working
+
+
+def time_letter(number: int) -> Layout:
+    """t with the number of the event."""
+    return Letter("t", str(number))
+
+
+def travel(work: Working, number: int) -> None:
+    """Writes how the time of an event is found, and what it rests on."""
+    if ("travel", number) in work.done or number == 0:
+        return
+    work.done.add(("travel", number))
+    story = work.model.story
+    event = work.model.happening(number)
+    if event.time is None:
+        return
+    for body in _moving(work, event):
+        earlier = story.place(body, number - 1)
+        latest = story.latest(body, number - 1)
+        if earlier is not None and latest is not None and latest.time is not None:
+            travel(work, latest.number)
+    inside: set[sp.Symbol] = set(work.open(event.time))
+    work.reach(inside)
+    value = work.put(event.time)
+    made = _flight(work, event, value)
+    if made is None:
+        return
+    words, rows = made
+    work.write("result", rows, words=words)
+
+
+def _moving(work: Working, event: Happening) -> list[str]:
+    return [b for b in event.bodies if b in work.model.story.spheres]
+
+
+def _flight(
+    work: Working, event: Happening, value: sp.Expr
+) -> tuple[Words, list[Row]] | None:
+    story = work.model.story
+    step = event.step
+    number = event.number
+    name = side(value, time_letter(number))
+    if isinstance(step, Impact) and step.second in story.spheres:
+        return _meeting(work, event, step, value)
+    if isinstance(step, Impact):
+        body, target = step.first, step.second
+    elif isinstance(step, Arrival):
+        body = step.body
+        target = step.target.name if isinstance(step.target, Name) else "that point"
+    else:
+        return None
+    known = story.place(body, number - 1)
+    if known is None:
+        return None
+    where, when = work.put(known[0]), work.put(known[1])
+    v = work.put(story.velocity(body, number - 1))
+    there = story.place(body, number)
+    assert there is not None
+    end = work.put(there[0])
+    flight = tidy(value - when)
+    way = Vector(tidy(end.x - where.x), tidy(end.y - where.y))
+    distance, speed, about = _shortest(work, way, v, target, story)
+    if distance is None:
+        return None
+    words: Words = (f"{body} goes {about[0]}", look(distance), about[1], look(speed), ":")
+    ratio = Side(_quotient(distance, speed), tidy(distance / speed))
+    rows: list[Row]
+    if when == 0:
+        rows = [chain(name, ratio, side(flight), mark="M1 A1")]
+    else:
+        total = lay.total([time_letter(_since(work, body, number)), _term(ratio.layout)])
+        rows = [
+            chain(name, side(value, total), *answer(value), mark="M1 A1"),
+        ]
+    return words, rows
+
+
+def _term(layout: Layout) -> Layout:
+    return layout
+
+
+def _quotient(a: sp.Expr, b: sp.Expr) -> Layout:
+    first, second = look(a), look(b)
+    if isinstance(first, lay.Fraction) or isinstance(second, lay.Fraction):
+        return lay.Product((lay.bracketed(first), lay.bracketed(second)), "÷")  # type: ignore[arg-type]
+    return lay.fraction(first, second)
+
+
+def _since(work: Working, body: str, number: int) -> int:
+    latest = work.model.story.latest(body, number - 1)
+    return latest.number if latest is not None else 0
+
+
+def _shortest(
+    work: Working, way: Vector, v: Vector, target: str, story: Any
+) -> tuple[Any, Any, tuple[str, str]]:
+    """A distance and the component of velocity along it."""
+    if target in story.walls and story.walls[target].centre is None:
+        along = work.put(story.wall_direction(Name(target)))
+        if along.x == 0 or along.y == 0:
+            pick = ("x", "y")[0 if along.x == 0 else 1]
+            d, s = getattr(way, pick), getattr(v, pick)
+            d = tidy(work.resolved(sp.Abs(d)))
+            s = tidy(work.resolved(sp.Abs(s)))
+            if d == 0 or s == 0:
+                return None, None, ("", "")
+            return d, s, ("", f" perpendicular to {target}, at ")
+    for pick, axis in (("x", "i"), ("y", "j")):
+        d, s = getattr(way, pick), getattr(v, pick)
+        other = getattr(way, "y" if pick == "x" else "x")
+        if s != 0 and d != 0 and (other == 0 or not sp.sympify(s).has(sp.sqrt)):
+            d = tidy(work.resolved(sp.Abs(d)))
+            s = tidy(work.resolved(sp.Abs(s)))
+            text = f" in the direction of {'x' if axis == 'i' else 'y'}, at "
+            if other == 0:
+                text = " at "
+            return d, s, ("", text)
+    size = tidy(work.resolved(sp.sqrt(tidy(way.dot(way)))))
+    speed = tidy(work.resolved(sp.sqrt(tidy(v.dot(v)))))
+    if size == 0 or speed == 0:
+        return None, None, ("", "")
+    return size, speed, ("", " at ")
+
+
+def _meeting(
+    work: Working, event: Happening, step: Impact, value: sp.Expr
+) -> tuple[Words, list[Row]] | None:
+    story = work.model.story
+    number = event.number
+    one, other = (story.place(n, number - 1) for n in (step.first, step.second))
+    if one is None or other is None:
+        return None
+    start = _later(work, one[1], other[1])
+    v1, v2 = (work.put(story.velocity(n, number - 1)) for n in (step.first, step.second))
+    p1 = work.put(one[0] + story.velocity(step.first, number - 1) * (start - one[1]))
+    p2 = work.put(other[0] + story.velocity(step.second, number - 1) * (start - other[1]))
+    gap = Vector(tidy(p2.x - p1.x), tidy(p2.y - p1.y))
+    w = Vector(tidy(v1.x - v2.x), tidy(v1.y - v2.y))
+    r = story.radius(step.first)
+    flight = tidy(value - work.put(start))
+    t = sp.Symbol("t", positive=True)
+    name = side(value, time_letter(number))
+    if r is not None and not (gap.y == 0 and w.y == 0) and not (gap.x == 0 and w.x == 0):
+        reach = work.put(2 * r)
+        left = tidy((gap.x - w.x * t) ** 2 + (gap.y - w.y * t) ** 2)
+        rows = [
+            Row(
+                (
+                    lay.total([_squared(gap.x, w.x), _squared(gap.y, w.y)]),
+                    lay.power(lay.bracketed(look(reach)), lay.Number("2")),
+                ),
+                ("=",),
+                (left.xreplace({t: flight}), reach**2),
+                "M1 A1",
+            )
+        ]
+        rows.append(chain(name, *answer(value), mark="A1"))
+        return (
+            (f"{step.first} and {step.second} touch when their centres are ", look(reach),
+             " apart:"),
+            rows,
+        )
+    pick = "x" if w.x != 0 else "y"
+    d, s = getattr(gap, pick), getattr(w, pick)
+    if r is not None:
+        d = tidy(sp.Abs(d) - work.put(2 * r))
+    d, s = (tidy(work.resolved(sp.Abs(x))) for x in (d, s))
+    if s == 0 or d == 0:
+        return None
+    ratio = Side(_quotient(d, s), tidy(d / s))
+    words: Words = (
+        f"The gap between {step.first} and {step.second} is ", look(d),
+        " and closes at ", look(s), ":",
+    )
+    begun = work.put(start)
+    if begun == 0:
+        return words, [chain(name, ratio, *answer(value), mark="M1 A1")]
+    since = max(_since(work, step.first, number), _since(work, step.second, number))
+    total = lay.total([time_letter(since), ratio.layout])
+    return words, [chain(name, side(value, total), *answer(value), mark="M1 A1")]
+
+
+def _squared(gap: sp.Expr, w: sp.Expr) -> Layout:
+    t = sp.Symbol("t", positive=True)
+    return lay.power(lay.bracketed(look(tidy(gap - w * t))), lay.Number("2"))
+
+
+def _later(work: Working, a: Any, b: Any) -> Any:
+    return a if work.sign(a - b) >= 0 else b
+
+
+def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
+    """The lines for a time, a place or a distance."""
+    from restitution.explain.quantities import Derived, evaluated
+
+    story = work.model.story
+    value = evaluated(work, tree, now)
+    name = lay.from_tree(tree)
+    if tree.kind == "time":
+        assert isinstance(tree.stage, int)
+        travel(work, tree.stage)
+        return Derived((chain(Side(name, value), *answer(value), mark="A1"),), value)
+    bodies = [a for a in tree.arguments if isinstance(a, Name) and a.name in story.spheres]
+    stage = tree.stage
+    rows: list[Row] = []
+    if isinstance(stage, AtTime):
+        for body in bodies:
+            latest = story.latest(body.name, now)
+            if latest is not None:
+                travel(work, latest.number)
+    else:
+        upto = stage if isinstance(stage, int) else now
+        if upto and bodies:
+            travel(work, upto)
+    if tree.kind == "position":
+        made = _place_layout(work, tree, now)
+        sides: list[Any] = [Side(name, value)]
+        if made is not None:
+            sides.append(Side(made, value))
+        laid = lay.display_point(*value)
+        operands = laid.operands if isinstance(laid, lay.Relation) else (laid,)
+        sides.append(Side(operands[0], value))
+        sides += [Side(each, None) for each in operands[1:]]
+        return Derived((chain(*sides, mark="M1 A1"),), value)
+    one, other = tree.arguments
+    points = [_point(work, each, tree, now) for each in (one, other)]
+    for each, point in zip((one, other), points, strict=True):
+        if isinstance(each, Name) and each.name in story.spheres:
+            laid = lay.display_point(*point)
+            first = laid.operands[0] if isinstance(laid, lay.Relation) else laid
+            rows.append(chain(side(tuple(point), Bold("r", each.name)), Side(first, tuple(point))))
+    gap = Vector(tidy(points[0].x - points[1].x), tidy(points[0].y - points[1].y))
+    made_ = None
+    if gap.x != 0 and gap.y != 0:
+        from restitution.explain.phrases import square
+
+        made_ = Side(lay.Root(lay.total([square(gap.x), square(gap.y)])), value)
+    final = [Side(name, value), *([made_] if made_ else []), *answer(value)]
+    rows.append(chain(*final, mark="M1 A1"))
+    return Derived(tuple(rows), value)
+
+
+def _point(work: Working, argument: Expression, tree: Quantity, now: int) -> Vector:
+    return work.put(work.model.story._point(argument, tree, now))  # type: ignore[no-any-return] # noqa: SLF001
+
+
+def _place_layout(work: Working, tree: Quantity, now: int) -> Layout | None:
+    """The place before plus velocity times time."""
+    story = work.model.story
+    argument = tree.arguments[0]
+    assert isinstance(argument, Name)
+    body = argument.name
+    stage = tree.stage
+    if isinstance(stage, AtTime):
+        return None
+    number = stage if isinstance(stage, int) else now
+    if number == 0:
+        return None
+    known = story.place(body, number - 1)
+    event = work.model.happening(number)
+    if known is None or event.time is None:
+        return None
+    v = work.put(story.velocity(body, number - 1))
+    if v == (0, 0):
+        return None
+    flight = tidy(work.put(event.time) - work.put(known[1]))
+    start = work.put(known[0])
+    velocity = look((v.x, v.y))
+    if isinstance(velocity, lay.Sum):
+        velocity = Brackets(velocity)
+    moved = product_of(flight, velocity) if flight != 1 else velocity
+    first = look((start.x, start.y))
+    if (start.x, start.y) == (0, 0):
+        return moved
+    return lay.total([first, moved])
+
+
+def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
+    """A sphere passes through the point it is said to come to."""
+    story = work.model.story
+    for event in story.happenings:
+        if not isinstance(event.step, Arrival) or isinstance(event.step.target, Name) and (
+            event.step.target.name in story.walls
+        ):
+            continue
+        body = event.step.body
+        known = story.place(body, event.number - 1)
+        if known is None:
+            continue
+        point = story.evaluator(event.number - 1).vector(event.step.target)
+        v = story.velocity(body, event.number - 1)
+        if sp.simplify(sp.sympify((point - known[0]).cross(v)) - sp.sympify(equation.value)) != 0:
+            continue
+        latest = story.latest(body, event.number - 1)
+        if latest is not None:
+            travel_known(work, latest.number)
+        way = work.put(Vector(*(point - known[0])))
+        v = work.put(v)
+        row = chain(
+            Side(_product(v.y, way.x), tidy(v.y * way.x)),
+            Side(_product(v.x, way.y), tidy(v.x * way.y)),
+            mark="M1 A1",
+        )
+        target = lay.from_tree(event.step.target)
+        words: Words = (
+            f"{body} has to go from ", _coordinates(work.put(known[0])), " to ", target,
+            ", in the direction of its velocity:",
+        )
+        return Step("fact", (row,), words=words)
+    residual = work.put(equation.value)
+    return Step(
+        "fact",
+        (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1 A1"),),
+        words=(f"{equation.reason[0].upper()}{equation.reason[1:]} unless",),
+    )
+
+
+def _coordinates(v: Vector) -> Layout:
+    return lay.Coordinates((look(v.x), look(v.y)))
+
+
+def _product(a: sp.Expr, b: sp.Expr) -> Layout:
+    return product_of(a, b) if 0 not in (a, b) else lay.Number("0")
+
+
+def travel_known(work: Working, number: int) -> None:
+    """The journey up to an event, if what it rests on is known."""
+    event = work.model.happening(number)
+    if event.time is not None and not work.open(event.time):
+        travel(work, number)
+
+
+__all__ = ["derive_place", "difference", "meeting_step", "minus", "travel", "travel_known"]

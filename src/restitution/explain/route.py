@@ -1,0 +1,218 @@
+"""A solution to its explanation: part by part, branch by branch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
+from restitution.explain.components import Model, model
+from restitution.explain.facts import fact_equations
+from restitution.explain.quantities import inside
+from restitution.explain.steps import Explanation, PartExplanation, Step
+from restitution.explain.working import Working
+from restitution.problem import Find, Part, Show
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solve.solution import Branch, ItemResult, PartSolution, Solution
+from restitution.solve.story import lets_of
+
+Carried = dict[str, tuple[str, sp.Expr]]
+
+
+def explain(solution: Solution, part: str | None = None) -> Explanation:
+    """The worked solution of a problem, or of the part with that label.
+
+    Every line is checked by numbers that satisfy the facts before it is kept; one that fails is
+    left out, and a warning says so. Items without an answer are told with their reason. Raises
+    KeyError for a part that is not there.
+    """
+    if part is not None and part not in solution.parts:
+        known = ", ".join(str(label) for label in solution.parts)
+        raise KeyError(f"there is no part {part!r}; parts: {known}")
+    carried: Carried = {}
+    told: list[PartExplanation] = []
+    warnings = list(solution.warnings)
+    seen: set[Step] = set()
+    for label, each in solution.parts.items():
+        made, dropped = _part(solution, each, carried, seen)
+        if part is None or label == part:
+            told.append(made)
+            warnings += [f"a line of the working was left out: {line}" for line in dropped]
+    return Explanation(solution.problem.title, tuple(told), tuple(warnings))
+
+
+def _part(
+    solution: Solution, part: PartSolution, carried: Carried, seen: set[Step]
+) -> tuple[PartExplanation, list[str]]:
+    asked = tuple(_question(item) for item in part.items)
+    answers = tuple(_answers(item) for item in part.items)
+    dropped: list[str] = []
+    if not part.branches:
+        steps = [
+            Step("note", words=(f"{item.text}: no answer, as {item.error.message}.",))
+            for item in part.items
+            if item.error is not None
+        ]
+        return PartExplanation(part.part.label, asked, tuple(steps), answers), dropped
+    workings: list[Working] = []
+    models = _models(solution, part)
+    for told in models:
+        others = [m.final for m in models if m is not told]
+        work = _worked(solution, part, told, others, carried)
+        workings.append(work)
+        dropped += [line for line in work.dropped if line not in dropped]
+    steps = _merged(workings)
+    fresh = [step for step in steps if step.kind == "note" or step not in seen]
+    seen.update(steps)
+    _carry(part.part, workings, carried)
+    return PartExplanation(part.part.label, asked, tuple(fresh), answers), dropped
+
+
+def _question(item: ItemResult) -> str:
+    return item.text
+
+
+def _answers(item: ItemResult) -> str:
+    if item.error is not None:
+        return f"{item.text}: {item.error.message}"
+    if item.holds is not None:
+        return f"{item.text}: {'shown' if item.holds else 'false'}"
+    return f"{item.text} = " + " or ".join(each.display for each in item.answers)
+
+
+def _models(solution: Solution, part: PartSolution) -> list[Model]:
+    protected = _protected(part.part)
+    return [
+        model(solution.problem, part.part, branch, part.roles, protected)
+        for branch in part.branches
+    ]
+
+
+def _protected(part: Part) -> frozenset[str]:
+    """Letters that the answers of a part are to be written in."""
+    names: set[str] = set()
+    for step in part.steps:
+        if isinstance(step, Find | Show) and step.in_terms_of:
+            names |= set(step.in_terms_of)
+    return frozenset(names)
+
+
+def _worked(
+    solution: Solution,
+    part: PartSolution,
+    told: Model,
+    others: Sequence[Mapping[sp.Symbol, sp.Expr]],
+    carried: Carried,
+) -> Working:
+    problem = solution.problem
+    work = Working(told, alternatives=others, rejected=part.rejected)
+    work.across = speaks_across(problem, part.part)
+    protected = frozenset(set(lets_of(problem, part.part)) & _protected(part.part))
+    work.facts = fact_equations(work, problem, part.part, protected)
+    _silent_letters(work)
+    _take_over(work, carried)
+    listed = list(stages(problem, part.part))
+    for item, now in listed:
+        for tree in trees_of(item):
+            try:
+                work.wanted |= inside(work, tree, now)
+            except (RestitutionError, ArithmeticError, TypeError, ValueError, AssertionError):
+                continue
+    for (_, now), result in zip(listed, part.items, strict=False):
+        try:
+            explain_item(work, result, now, told.branch.number)
+        except RestitutionError:
+            continue
+    return work
+
+
+def _silent_letters(work: Working) -> None:
+    """Letters that the data simply name (``given e = 1/2``) are known from the start."""
+    for symbol, value in list(work.model.final.items()):
+        lone = [
+            each
+            for each in work.facts
+            if each.number == -1
+            and sp.sympify(each.residual).free_symbols >= {symbol}
+            and each.step() is None
+        ]
+        if lone and symbol.name in work.model.unknowns.roles:
+            work.determine(symbol, value)
+
+
+def _take_over(work: Working, carried: Carried) -> None:
+    names = {c.symbol.name: c.symbol for c in work.model.components.values()}
+    for name, (label, value) in carried.items():
+        symbol = names.get(name)
+        if symbol is None:
+            continue
+        renamed = value.xreplace(
+            {s: work.model.unknowns.letter(s.name) for s in value.free_symbols}
+        )
+        if work.model.sign(renamed - symbol) == 0 and renamed.free_symbols <= _letters(work):
+            try:
+                work.model.number(renamed)
+            except (KeyError, ArithmeticError):
+                continue
+            work.carried[symbol] = (label, renamed)
+
+
+def _letters(work: Working) -> set[sp.Symbol]:
+    return {work.model.unknowns.letter(name) for name in work.model.unknowns.roles}
+
+
+def _carry(part: Part, workings: Sequence[Working], carried: Carried) -> None:
+    if len(workings) != 1:
+        return
+    (work,) = workings
+    for component in work.model.components.values():
+        if component.symbol in work.known:
+            value = work.put(component.symbol)
+            if not work.open(value) and component.symbol.name not in carried:
+                carried[component.symbol.name] = (part.label or "", value)
+
+
+def _merged(workings: Sequence[Working]) -> list[Step]:
+    """The working of all solutions: what is common once, then each by itself."""
+    if len(workings) == 1:
+        return workings[0].steps
+    common: list[Step] = []
+    lists = [work.steps for work in workings]
+    while all(len(each) > len(common) for each in lists) and all(
+        each[len(common)] == lists[0][len(common)] for each in lists
+    ):
+        common.append(lists[0][len(common)])
+    out = list(common)
+    for work, steps in zip(workings, lists, strict=True):
+        rest = steps[len(common):]
+        if not rest:
+            continue
+        out.append(Step("heading", words=_case(work, workings)))
+        out += rest
+    return out
+
+
+def _case(work: Working, workings: Sequence[Working]) -> tuple[str | Layout, ...]:
+    """``If α = 45°:``: the letters in which the solutions differ."""
+    words: list[str | Layout] = []
+    for symbol, value in work.model.final.items():
+        if symbol.name not in work.model.unknowns.roles:
+            continue
+        if all(
+            other.model.final.get(symbol) == value for other in workings
+        ):
+            continue
+        row = work.value_row(symbol, value=value)
+        operands = tuple(o for o in row.operands if o is not None)
+        words += [" and " if words else "If ", lay.Relation(operands[:2], ("=",))]
+    if not words:
+        return (f"Solution {work.model.branch.number}",)
+    return (*words, ":")
+
+
+def _unused(*_: Any) -> Branch | None:
+    return None

@@ -1,0 +1,164 @@
+"""The answers alone, without their working: as text, Markdown, LaTeX or HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from html import escape as escape_html
+from typing import Any, Literal
+
+from restitution.problem import Value
+from restitution.render.latex import escape as escape_latex
+from restitution.render.latex import to_latex
+from restitution.render.layout import Layout, display, display_point, display_vector
+from restitution.render.mathml import to_mathml
+from restitution.solve.solution import Answer, ItemResult, Solution
+
+Format = Literal["text", "markdown", "latex", "html"]
+
+
+@dataclass(frozen=True)
+class _Said:
+    """Mathematics with the text that says the same."""
+
+    layout: Layout
+    text: str
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What was asked, as typed, and what is answered; ``label`` is that of the part."""
+
+    label: str | None
+    asked: str
+    said: tuple[str | _Said, ...]
+
+
+def answers(solution: Solution, form: Format = "text", label: str | None = None) -> str:
+    """Every item with its answers, one a line; of the part ``label`` only where that is given."""
+    lines = list(_lines(solution, label))
+    title = solution.problem.title
+    match form:
+        case "markdown":
+            return _markdown(title, lines)
+        case "latex":
+            return _latex(title, lines)
+        case "html":
+            return _html(title, lines)
+        case _:
+            return _text(title, lines)
+
+
+def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
+    for part, item in solution.items():
+        if label is None or part.part.label == label:
+            yield _Line(part.part.label, item.text, tuple(_said(item)))
+
+
+def _said(item: ItemResult) -> Iterator[str | _Said]:
+    if item.error is not None:
+        yield f"no answer: {item.error.message}"
+    elif item.holds is not None:
+        yield "shown" if item.holds else "not true"
+        if item.counterexample:
+            values = ", ".join(f"{name} = {value}" for name, value in item.counterexample.items())
+            yield f", for instance with {values}"
+    for number, answer in enumerate(item.answers):
+        if number:
+            yield "  or  "
+        yield _answer(item, answer)
+    for root in item.rejected:
+        yield f"  (rejected: {root.display}, as {root.reason})"
+
+
+def _answer(item: ItemResult, answer: Answer) -> str | _Said:
+    value: Any = answer.value
+    match item.kind:
+        case "value" if isinstance(item.item, Value):
+            layout = display(value, angle=answer.angle, percentage=item.item.percentage)
+        case "point":
+            layout = display_point(*value)
+        case "vector" | "direction":
+            layout = display_vector(*value)
+        case _:
+            return answer.display
+    return _Said(layout, answer.display)
+
+
+def _text(title: str | None, lines: list[_Line]) -> str:
+    made = [title, ""] if title else []
+    for line in lines:
+        made.append(f"{_label(line)}{line.asked}{_sign(line)}{_joined(line, str, _plain)}")
+    return "\n".join(made) + "\n"
+
+
+def _markdown(title: str | None, lines: list[_Line]) -> str:
+    made = [f"# {title}", ""] if title else []
+    for line in lines:
+        said = _joined(line, str, lambda layout, text: f"${to_latex(layout)}$")
+        made.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{said}")
+    return "\n".join(made) + "\n"
+
+
+def _latex(title: str | None, lines: list[_Line]) -> str:
+    made = [rf"\section*{{{escape_latex(title)}}}"] if title else []
+    made.append(r"\begin{itemize}")
+    for line in lines:
+        said = _joined(line, _latex_text, lambda layout, text: f"${to_latex(layout)}$")
+        asked = escape_latex(line.asked)
+        made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{said}")
+    made.append(r"\end{itemize}")
+    return "\n".join(made) + "\n"
+
+
+def _latex_text(text: str) -> str:
+    return str(escape_latex(text))
+
+
+def _html(title: str | None, lines: list[_Line]) -> str:
+    name = escape_html(title or "Answers")
+    items = "\n".join(
+        f"<li>{escape_html(_label(line))}<code>{escape_html(line.asked)}</code>{_sign(line)}"
+        + _joined(line, escape_html, lambda layout, text: to_mathml(layout))
+        + "</li>"
+        for line in lines
+    )
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<title>{name}</title>
+<style>body {{ font-family: serif; max-width: 45em; margin: 2em auto; padding: 0 1em }}</style>
+</head>
+<body>
+<h1>{name}</h1>
+<ul>
+{items}
+</ul>
+</body>
+</html>
+"""
+
+
+def _label(line: _Line) -> str:
+    return f"({line.label}) " if line.label else ""
+
+
+def _sign(line: _Line) -> str:
+    """An equals sign only where a value follows: ``speed(P) = …``, but ``range of e: …``."""
+    return " = " if line.said and isinstance(line.said[0], _Said) else ": "
+
+
+def _plain(layout: Layout, text: str) -> str:
+    return text
+
+
+def _joined(
+    line: _Line, words: Callable[[str], str], mathematics: Callable[[Layout, str], str]
+) -> str:
+    return "".join(
+        words(each) if isinstance(each, str) else mathematics(each.layout, each.text)
+        for each in line.said
+    )

@@ -1,0 +1,122 @@
+"""Solving one problem and writing it down, as work for a process of its own.
+
+What goes in and what comes out are plain values, so that the one who asks needs no algebra.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from restitution.errors import RestitutionError, TimeLimitError
+from restitution.problem import Problem
+
+if TYPE_CHECKING:
+    from restitution.solve.solution import Solution
+
+Format = Literal["text", "markdown", "latex", "html", "json"]
+
+# Shares of the time limit: what is solved by then is kept, and what is left is given up piece
+# by piece, so that there is time to write down the rest.
+_FIRST = 0.6
+_AGAIN = 0.08
+
+
+@dataclass(frozen=True)
+class Job:
+    """A problem, what is wanted of it, and how: ``limit`` in seconds, ``width`` in characters.
+
+    ``part`` is the label of the one part wanted, or None for all.
+    """
+
+    file: str
+    problem: Problem
+    form: Format = "text"
+    part: str | None = None
+    answers_only: bool = False
+    width: int = 80
+    limit: float | None = None
+
+
+@dataclass(frozen=True)
+class Reply:
+    """What was written, whether everything asked has an answer, and what went wrong inside.
+
+    ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
+    tells that a piece of work was broken off, and that the process should end.
+    """
+
+    text: str
+    answered: bool
+    warnings: tuple[str, ...] = ()
+    fault: str = ""
+    tired: bool = False
+
+
+def prepare() -> None:
+    """Load what the work needs."""
+    import restitution.explain
+    import restitution.export.answers
+    import restitution.solve  # noqa: F401
+
+
+def stopped(limit: float | None) -> TimeLimitError:
+    """The error of a solve that took too long."""
+    return TimeLimitError(f"no answer within the time limit of {limit or 0:g} s")
+
+
+def serve(job: Job) -> Reply:
+    """Solve and write down. Raises RestitutionError where nothing at all can be said."""
+    from restitution.export import contract
+    from restitution.killable import soft_limit
+    from restitution.solve import solve
+
+    error = stopped(job.limit)
+    first = None if job.limit is None else job.limit * _FIRST
+    again = (job.limit or 0) * _AGAIN
+    with soft_limit(first, again, error):
+        solution = solve(job.problem)
+    content = contract.solved(job.file, solution, job.part)
+    tired = "time limit" in str(content)
+    answered = contract.all_answered(content)
+    warnings = tuple(content["warnings"])
+    if job.form == "json":
+        return Reply(contract.to_json(content) + "\n", answered, (), tired=tired)
+    text, fault = _written(solution, job, again * 3 if job.limit is not None else None)
+    return Reply(text, answered and not fault, warnings, fault, tired or bool(fault))
+
+
+def _written(solution: Solution, job: Job, limit: float | None) -> tuple[str, str]:
+    """The working, or the answers alone; and the traceback of a failure to write the working."""
+    import traceback
+
+    from restitution.export.answers import answers
+    from restitution.killable import soft_limit
+
+    assert job.form != "json"
+    fault = ""
+    if not job.answers_only:
+        try:
+            with soft_limit(limit, limit or 0, stopped(job.limit)):
+                return _working(solution, job), ""
+        except RestitutionError:
+            raise
+        except Exception:
+            # The answers are right without their working: they are given, and the fault told.
+            fault = traceback.format_exc()
+    return answers(solution, job.form, job.part), fault
+
+
+def _working(solution: Solution, job: Job) -> str:
+    import restitution.explain as explaining
+
+    explanation = explaining.explain(solution, job.part)
+    match job.form:
+        case "markdown":
+            return explaining.to_markdown(explanation)
+        case "latex":
+            return explaining.to_latex(explanation)
+        case "html":
+            return explaining.to_html(explanation)
+        case _:
+            return explaining.to_text(explanation, job.width)
