@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explain.phrases import answer, chain, look
+from restitution.explain.phrases import answer, chain, look, sum_of_products
 from restitution.explain.quantities import (
     WHOLE,
+    Asked,
     _laid,
     derive,
     evaluated,
@@ -126,17 +127,12 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
 
 def prepare(work: Working, tree: Expression, now: int) -> None:
     """Everything on which a tree rests."""
-    for quantity in quantities_in(tree):
-        _events_of(work, quantity, now)
-    if isinstance(tree, Quantity) and tree.kind in ("position", "time", "distance"):
-        _journey_first(work, tree, now)
+    asked = quantities_in(work, tree, now)
+    for each in asked:
+        _events_of(work, each.tree, each.now)
     work.reach(inside(work, tree, now))
-    for quantity in quantities_in(tree):
-        _settings_of(work, quantity, now)
-
-
-def _journey_first(work: Working, tree: Quantity, now: int) -> None:
-    del work, tree, now
+    for each in asked:
+        _settings_of(work, each.tree, each.now)
 
 
 def _events_of(work: Working, tree: Quantity, now: int) -> None:
@@ -155,8 +151,8 @@ def _events_of(work: Working, tree: Quantity, now: int) -> None:
         if isinstance(event.step, Kick) and (body is None or body == event.step.body):
             kick(work, event.number)
     for argument in tree.arguments:
-        for inner in quantities_in(argument):
-            _events_of(work, inner, now)
+        for inner in quantities_in(work, argument, now):
+            _events_of(work, inner.tree, inner.now)
 
 
 def _settings_of(work: Working, tree: Quantity, now: int) -> None:
@@ -175,8 +171,8 @@ def _settings_of(work: Working, tree: Quantity, now: int) -> None:
         if latest is not None and latest.number in work.model.frames:
             work.setting(latest.number)
     for argument in tree.arguments:
-        for inner in quantities_in(argument):
-            _settings_of(work, inner, now)
+        for inner in quantities_in(work, argument, now):
+            _settings_of(work, inner.tree, inner.now)
 
 
 def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
@@ -192,8 +188,8 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
         rows = _ending(work, derived.rows, lay.from_tree(tree), derived.value, answer_, item)
         work.write("result", rows, derived.principle, derived.words)
         return
-    for quantity in quantities_in(tree):
-        _sub_result(work, quantity, now)
+    for quantity in quantities_in(work, tree, now):
+        _sub_result(work, quantity)
     _final(work, tree, found, answer_, now, item.percentage)
 
 
@@ -242,15 +238,16 @@ def _ending(
     return made
 
 
-def _sub_result(work: Working, tree: Quantity, now: int) -> None:
+def _sub_result(work: Working, asked: Asked) -> None:
     """A quantity inside an expression: derived once, then known."""
+    tree, now = asked.tree, asked.now
     key = ("quantity", tree, now if tree.stage is None else None)
     if key in work.done:
         return
     work.done.add(key)
     if tree.kind in ("mass", "speed", "line_of_centres") and tree.stage == 0:
         return
-    derived = derive(work, tree, now)
+    derived = derive(work, tree, now, name=asked.name if asked.letter is not None else None)
     if not derived.rows:
         return
     work.write("result", derived.rows, derived.principle, derived.words)
@@ -262,7 +259,9 @@ def _final(
     value = tuple(found) if isinstance(found, tuple) else found
     ending = answer(value, angle=answer_.angle, percentage=percentage)
     name = lay.from_tree(tree)
-    if not quantities_in(tree):
+    if _stated(work, name, ending):
+        return
+    if not quantities_in(work, tree, now):
         if isinstance(tree, Letter) and _stated(work, look(name), ending):
             return
         own = side(evaluated(work, tree, now), name)
@@ -328,8 +327,8 @@ def _show(work: Working, item: Show, result: ItemResult, now: int) -> None:
         return
     relation = item.relation
     for tree in trees_of_relation(relation):
-        for quantity in quantities_in(tree):
-            _events_of(work, quantity, now)
+        for quantity in quantities_in(work, tree, now):
+            _events_of(work, quantity.tree, quantity.now)
     if isinstance(relation, Compare):
         _show_compare(work, relation, now)
     elif isinstance(relation, Aligned):
@@ -348,9 +347,13 @@ def _show_compare(work: Working, relation: Compare, now: int) -> None:
     ):
         for tree in (left, right):
             prepare(work, tree, now)
+        lone = isinstance(left, Quantity) and op == "=" and relation.figures is None
+        if lone and not quantities_in(work, right, now):
+            _show_quantity(work, left, right, now)
+            continue
         for tree in (left, right):
-            for quantity in quantities_in(tree):
-                _sub_result(work, quantity, now)
+            for quantity in quantities_in(work, tree, now):
+                _sub_result(work, quantity)
         a, b = evaluated(work, left, now), evaluated(work, right, now)
         if op == "=":
             _show_equal(work, left, right, a, b, now, relation.figures)
@@ -380,9 +383,11 @@ def _show_equal(
         right_middle = Side(_values_in(work, right, now), b)
         angle = not isinstance(a, tuple) and _angle_tree(work, left)
         plain_value = side(a, look(a, angle=angle))
-        if quantities_in(right) and not isinstance(right, Letter):
+        if quantities_in(work, right, now):
             rows.append(chain(Side(first, a), left_middle, plain_value))
             rows.append(chain(Side(last, b), right_middle, side(b, look(b, angle=angle))))
+            rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
+        elif _stated(work, first, [plain_value]):
             rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
         else:
             rows.append(
@@ -390,6 +395,29 @@ def _show_equal(
                       note=("as required",))
             )
     work.write("result", rows)
+
+
+def _show_quantity(work: Working, left: Expression, right: Expression, now: int) -> None:
+    """A printed result for one quantity: its own lines, ending with what is printed."""
+    assert isinstance(left, Quantity)
+    derived = derive(work, left, now, mark="A1*")
+    work.done.add(("quantity", left, now if left.stage is None else None))
+    rows = list(derived.rows)
+    value = derived.value
+    last = Side(lay.from_tree(right), evaluated(work, right, now))
+    note: Words = ("as required",)
+    if rows:
+        final = rows[-1]
+        sides = [
+            Side(o, v)
+            for o, v in zip(final.operands, final.values, strict=True)
+            if o is not None and v is not None
+        ]
+        mark = final.mark.replace("A1*", "A1").replace("A1", "A1*")
+        rows[-1] = chain(*sides, last, mark=mark, note=note)
+    else:
+        rows = [chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note)]
+    work.write("result", rows, derived.principle, derived.words)
 
 
 def _angle_tree(work: Working, tree: Expression) -> bool:
@@ -411,9 +439,9 @@ def _show_ordered(
     first, last = lay.from_tree(left), lay.from_tree(right)
     angle = _angle_tree(work, left)
     rows: list[Row] = []
-    if quantities_in(left):
+    if quantities_in(work, left, now):
         rows.append(chain(Side(first, a), side(a, look(a, angle=angle))))
-    if quantities_in(right):
+    if quantities_in(work, right, now):
         rows.append(chain(Side(last, b), side(b, look(b, angle=angle))))
     words: Words = ()
     if not angle:
@@ -440,10 +468,10 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
     ways = []
     for tree in (relation.left, relation.right):
         work.reach(work.open(tuple(story.direction(tree, now))))
-        for quantity in quantities_in(tree):
-            _settings_of(work, quantity, now)
-            if quantity.kind in ("velocity", "momentum"):
-                _sub_result(work, quantity, now)
+        for quantity in quantities_in(work, tree, now):
+            _settings_of(work, quantity.tree, quantity.now)
+            if quantity.tree.kind in ("velocity", "momentum"):
+                _sub_result(work, quantity)
         ways.append(Vector(*work.put(story.direction(tree, now))))
     a, b = ways
     first, last = lay.from_tree(relation.left), lay.from_tree(relation.right)
@@ -453,7 +481,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
             total = sum((x * y for x, y in products), sp.Integer(0))
             row = chain(
                 side(total, lay.product(_in_brackets(first), _in_brackets(last), sign="·")),
-                side(total, lay.sum_of(products)),
+                side(total, sum_of_products(products)),
                 side(sp.Integer(0)),
                 mark="M1 A1",
             )
@@ -506,8 +534,8 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
     if isinstance(relation, Compare) and item.subject is None:
         for tree in relation.operands:
             prepare(work, tree, now)
-            for quantity in quantities_in(tree):
-                _sub_result(work, quantity, now)
+            for quantity in quantities_in(work, tree, now):
+                _sub_result(work, quantity)
     given = dict(result.counterexample or {})
     words: list[str | Layout] = [f"{result.text} is false"]
     if given:

@@ -8,15 +8,16 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explain.phrases import chain, look, square
+from restitution.explain.phrases import chain, look, square, sum_of_products
 from restitution.explain.quantities import (
     components,
     name_of,
     plain,
     put_in,
     stage_of,
+    tangent_of_difference,
 )
-from restitution.explain.steps import Row, Step, Words, shown, side
+from restitution.explain.steps import Row, Side, Step, Words, shown, side
 from restitution.explain.working import Equation
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
@@ -284,16 +285,13 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         if sharp and work.model.sign(dot) < 0:
             dot = tidy(-dot)
         ratio = tidy(cross / dot)
-        tangent = tidy(sp.tan(target))
-        row = chain(
-            side(tangent, lay.function("tan", look(target, angle=True))),
-            side(ratio, _ratio(cross, dot)),
-            mark="M1 A1",
-        )
-        rows = [row]
-        if not sp.tan(target).has(sp.tan) and look(tangent) != row.operands[0]:
-            rows.append(chain(side(ratio), side(tangent)))
-        return Step("fact", tuple(rows), words=words)
+        made: Layout = _ratio(cross, dot)
+        if quantity.kind == "deflection":
+            spread = tangent_of_difference(work, quantity, now)
+            if spread is not None:
+                intro, made = spread
+                words = (*words[:-1], ". ", *intro)
+        return Step("fact", (_tangent_row(target, side(ratio, made)),), words=words)
     if isinstance(quantity, Quantity) and quantity.kind == "direction":
         body = name_of(quantity)
         assert body is not None
@@ -302,14 +300,21 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         target = plain(work, work.model.story.evaluator(now).value(other))
         tangent = tidy(sp.tan(target))
         if x != 0 and not tangent.has(sp.zoo):
-            row = chain(
-                side(tangent, lay.function("tan", look(target, angle=True))),
-                side(tidy(y / x), _ratio(y, x)),
-                mark="M1 A1",
+            return Step(
+                "fact", (_tangent_row(target, side(tidy(y / x), _ratio(y, x))),), words=words
             )
-            return Step("fact", (row,), words=words)
     a_, b_ = put_in(work, left, now), put_in(work, right, now)
     return Step("fact", (chain(a_, b_, mark="M1"),), words=words)
+
+
+def _tangent_row(target: sp.Expr, made: Side) -> Row:
+    """``(3 tan α)/(1 + 4 tan²α) = tan 30° = 1/√3``."""
+    tangent = tidy(sp.tan(target))
+    sides = [made]
+    if not target.has(sp.atan, sp.acos, sp.asin):
+        sides.append(side(tangent, lay.function("tan", look(target, angle=True))))
+    sides.append(side(tangent))
+    return chain(*sides, mark="M1 A1")
 
 
 def _ratio(above: sp.Expr, below: sp.Expr) -> Layout:
@@ -339,7 +344,7 @@ def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
         (x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0
     ]
     total = sum((x * y for x, y in products), sp.Integer(0))
-    laid = lay.sum_of(products) if products else None
+    laid = sum_of_products(products) if products else None
     return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
 
 
@@ -388,8 +393,8 @@ def _directions_step(
             )
         a, b = work.put(a), work.put(b)
         row = chain(
-            side(tidy(a.x * b.y), lay.sum_of([(a.x, b.y)])),
-            side(tidy(a.y * b.x), lay.sum_of([(a.y, b.x)])),
+            side(tidy(a.x * b.y), sum_of_products([(a.x, b.y)])),
+            side(tidy(a.y * b.x), sum_of_products([(a.y, b.x)])),
             mark="M1 A1",
         )
         return Step(

@@ -213,3 +213,38 @@ def listed(parts: Iterable[Words]) -> Words:
 def bold_velocity(name: str) -> Layout:
     """**v** with the name of a sphere."""
     return Bold("v", name)
+
+
+def sum_of_products(pairs: Iterable[tuple[Any, Any]]) -> Layout:
+    """Masses times velocities, or the terms of a scalar product, with the values put in.
+
+    ``2 × (−4) + 3 × 3``, ``3mu + 2m × (−2u)``, ``(u cos α)(u cos α) − (u sin α)(eu sin α)``.
+    """
+    terms: list[Layout] = []
+    for a, b in pairs:
+        first, second = look(a), look(b)
+        (sign, size), (other, rest) = lay.split_sign(first), lay.split_sign(second)
+        if _wordy(size) and _wordy(rest):
+            term: Layout = lay.product(Brackets(size), Brackets(rest))
+            flip = (sign == "-") != (other == "-")
+        elif second == Number("1") or first == Number("1"):
+            term = second if first == Number("1") else first
+            sign, term = lay.split_sign(term)
+            flip = sign == "-"
+        elif _begins(rest) and not (sign == "-" and not terms):
+            term = product_of(size, second)
+            flip = sign == "-"
+        else:
+            term = product_of(size, rest)
+            flip = (sign == "-") != (other == "-")
+        if isinstance(term, Sum) and len(term.terms) > 1 and flip:
+            term = Brackets(term)
+        terms.append(Sum((("-", term),)) if flip else term)
+    return lay.total(terms)
+
+
+def _wordy(laid: Layout) -> bool:
+    """Whether a factor holds a function: two such run into each other without brackets."""
+    if isinstance(laid, lay.Function):
+        return True
+    return isinstance(laid, Product) and any(isinstance(f, lay.Function) for f in laid.factors)

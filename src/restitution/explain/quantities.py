@@ -161,7 +161,8 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
     elif kind == "energy":
         stage = stage_of(work, tree, now, body)
         names = [body] if body is not None else list(work.model.story.spheres)
-        made = lay.total([_energy(work, name, stage) for name in names])
+        parts = [_energy(work, name, stage) for name in names]
+        made = lay.total([each for each in parts if each != Number("0")])
     elif kind == "energy_lost":
         made = energy_lost(work, work.model.story._event(tree, now).number)  # noqa: SLF001
     elif kind == "impulse" and body is None:
@@ -243,11 +244,20 @@ def _impulse_body(work: Working, number: int) -> str:
 
 
 def derive(
-    work: Working, tree: Quantity, now: int, *, percentage: bool = False, mark: str = "A1"
+    work: Working,
+    tree: Quantity,
+    now: int,
+    *,
+    percentage: bool = False,
+    mark: str = "A1",
+    name: Layout | None = None,
 ) -> Derived:
     """The lines by which a quantity is found once the components are known."""
     body = name_of(tree)
     value = evaluated(work, tree, now)
+    if name is not None:
+        made = derive(work, tree, now, percentage=percentage, mark=mark)
+        return _renamed(made, lay.from_tree(tree), name)
     name = lay.from_tree(tree)
     kind = tree.kind
     if kind == "velocity" and body is not None:
@@ -299,6 +309,24 @@ def derive(
     made = formula(work, tree, now)
     return Derived((_result(name, made, value, percentage=percentage, mark=f"M1 {mark}"
                             if kind != "mass" else mark),), value)
+
+
+def _renamed(derived: Derived, old: Layout, new: Layout) -> Derived:
+    """The same lines under a letter's name."""
+    table = {old: new}
+    for name in ("tan", "cos", "sin"):
+        table[lay.function(name, Brackets(old))] = lay.function(name, new)
+    rows = tuple(
+        Row(
+            tuple(table.get(o, o) if o is not None else o for o in row.operands),
+            row.signs,
+            row.values,
+            row.mark,
+            row.note,
+        )
+        for row in derived.rows
+    )
+    return Derived(rows, derived.value, derived.words, derived.principle)
 
 
 def _result(
@@ -584,37 +612,20 @@ def _deflection_by_tangents(
         event = work.model.happening(number)
         rows = _cosine_rows(work, work.put(event.before[body]), work.put(event.after[body]), value)
         return Derived((*rows, final), value)
-    un, ut = (work.put(x) for x in work.model.before(number, body))
-    v = work.put(work.model.after(number, body))
-    if work.sign(ut) < 0:
-        ut = tidy(-ut)
-    frame = work.model.frames[number]
+    un, ut, v = _parts(work, number, body)
     tangent = tidy(work.resolved(sp.Abs(ut * (un - v)) / (un * v + ut**2)))
-    if frame.wall is not None:
-        a, b = tidy(-un / ut), tidy(v / ut)
-        words: Words = (
-            f"{body} is turned through the sum of the angles that its path makes with "
-            f"{frame.wall} before and after:",
-        )
-        top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), product_of(a, b))
-    else:
-        if work.sign(v) == 0 or work.sign(un) == 0:
-            return Derived((final,), value, (f"{body} moves off perpendicular to the line of "
-                                             "centres:",) if work.sign(v) == 0 else ())
-        a, b = tidy(ut / un), tidy(ut / v)
-        big, small = (b, a) if work.sign((b - a) * (1 + a * b)) * work.sign(tangent) > 0 else (a, b)
-        words = (
-            f"The angle of deflection of {body} is the difference of the angles that its "
-            "velocities make with the line of centres:",
-        )
-        top = difference(big, small)
-        bottom = lay.total([Number("1"), product_of(a, b)])
+    if work.model.frames[number].wall is None and 0 in (work.sign(v), work.sign(un)):
+        words: Words = ()
+        if work.sign(v) == 0:
+            words = (f"{body} moves off perpendicular to the line of centres:",)
+        return Derived((final,), value, words)
+    words, laid = _spread(work, number, body, tangent)
     if sp.sympify(tangent).has(sp.zoo, sp.nan):
         return Derived((final,), value)
     rows = [
         chain(
             side(tangent, lay.function("tan", Brackets(name))),
-            side(tangent, lay.fraction(top, bottom)),
+            side(tangent, laid),
             side(tangent),
             mark="M1 A1",
         )
@@ -622,6 +633,62 @@ def _deflection_by_tangents(
     if sp.sympify(value).is_number or not sp.sympify(value).has(sp.atan, sp.atan2):
         rows.append(final)
     return Derived(tuple(rows), value, words)
+
+
+def _parts(work: Working, number: int, body: str) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Components along before, across (made positive), and along after."""
+    un, ut = (work.put(x) for x in work.model.before(number, body))
+    v = work.put(work.model.after(number, body))
+    return un, tidy(-ut) if work.sign(ut) < 0 else ut, v
+
+
+def _spread(
+    work: Working, number: int, body: str, tangent: sp.Expr
+) -> tuple[Words, Layout]:
+    """tan(α + β) at a wall, tan(β − α) between spheres, from the tangents."""
+    un, ut, v = _parts(work, number, body)
+    frame = work.model.frames[number]
+    if frame.wall is not None:
+        a, b = tidy(-un / ut), tidy(v / ut)
+        words: Words = (
+            f"{body} is turned through the sum of the angles that its path makes with "
+            f"{frame.wall} before and after:",
+        )
+        top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), _times(a, b))
+        return words, lay.fraction(top, bottom)
+    a, b = tidy(ut / un), tidy(ut / v)
+    first = work.sign((b - a) / (1 + a * b)) * work.sign(tangent) > 0
+    big, small = (b, a) if first else (a, b)
+    words = (
+        f"The angle of deflection of {body} is the difference of the angles that its "
+        "velocities make with the line of centres:",
+    )
+    return words, lay.fraction(
+        difference(big, small), lay.total([Number("1"), _times(a, b)])
+    )
+
+
+def tangent_of_difference(
+    work: Working, tree: Quantity, now: int
+) -> tuple[Words, Layout] | None:
+    """How the tangent of an angle of deflection is made up, where tangents serve."""
+    body = name_of(tree)
+    assert body is not None
+    event = work.model.story._event(tree, now, body)  # noqa: SLF001
+    if event.number not in work.model.frames:
+        return None
+    un, ut, v = _parts(work, event.number, body)
+    if 0 in (work.sign(un), work.sign(ut), work.sign(v)):
+        return None
+    tangent = tidy(work.resolved(sp.Abs(ut * (un - v)) / (un * v + ut**2)))
+    if sp.sympify(tangent).has(sp.zoo, sp.nan):
+        return None
+    return _spread(work, event.number, body, tangent)
+
+
+def _times(a: sp.Expr, b: sp.Expr) -> Layout:
+    """A product with the values put in; one with letters worked out."""
+    return product_of(a, b) if a.is_number and b.is_number else look(tidy(a * b))
 
 
 def _derive_impulse(
@@ -706,10 +773,34 @@ def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> D
     )
 
 
-def quantities_in(tree: Expression) -> Sequence[Quantity]:
-    """The quantities of an expression that are not inside another, in order."""
+@dataclass(frozen=True)
+class Asked:
+    """A quantity that an expression speaks of, with the letter that names it, if any."""
+
+    tree: Quantity
+    now: int
+    letter: Letter | None = None
+
+    @property
+    def name(self) -> Layout:
+        return lay.from_tree(self.letter if self.letter is not None else self.tree)
+
+
+def quantities_in(work: Working, tree: Expression, now: int) -> Sequence[Asked]:
+    """The quantities of an expression that are not inside another, in order.
+
+    A letter that names a quantity (``let beta = …``) counts as that quantity.
+    """
     if isinstance(tree, Quantity):
-        return (tree,)
+        return (Asked(tree, now),)
+    if isinstance(tree, Letter):
+        let = work.model.story._lets.get(tree.name)  # noqa: SLF001
+        if let is None:
+            return ()
+        step, then = let
+        if isinstance(step.expression, Quantity):
+            return (Asked(step.expression, then, tree),)
+        return quantities_in(work, step.expression, then)
     from restitution.expression.tree import children
 
-    return tuple(q for each in children(tree) for q in quantities_in(each))
+    return tuple(q for each in children(tree) for q in quantities_in(work, each, now))

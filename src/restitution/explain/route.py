@@ -142,10 +142,12 @@ def _silent_letters(work: Working) -> None:
         ]
         if lone and symbol.name in work.model.unknowns.roles:
             work.determine(symbol, value)
+            work.silent.add(symbol)
 
 
 def _take_over(work: Working, carried: Carried) -> None:
     names = {c.symbol.name: c.symbol for c in work.model.components.values()}
+    names.update({s.name: s for s in work.model.final if s.name not in names})
     for name, (label, value) in carried.items():
         symbol = names.get(name)
         if symbol is None:
@@ -169,11 +171,12 @@ def _carry(part: Part, workings: Sequence[Working], carried: Carried) -> None:
     if len(workings) != 1:
         return
     (work,) = workings
-    for component in work.model.components.values():
-        if component.symbol in work.known:
-            value = work.put(component.symbol)
-            if not work.open(value) and component.symbol.name not in carried:
-                carried[component.symbol.name] = (part.label or "", value)
+    for symbol in list(work.known):
+        if symbol in work.silent or symbol.name not in work.model.sample:
+            continue
+        value = work.put(symbol)
+        if not work.open(value) and symbol.name not in carried:
+            carried[symbol.name] = (part.label or "", value)
 
 
 def _merged(workings: Sequence[Working]) -> list[Step]:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from restitution.render.layout import Layout, as_layout
+from restitution.render.layout import Layout, as_layout, vector
 
 StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading"]
 
@@ -107,6 +107,8 @@ def side(value: Any, layout: Any = None) -> Side:
     """An operand; without a layout of its own it looks like its value."""
     if isinstance(value, Side):
         return value
+    if layout is None and isinstance(value, tuple):
+        return Side(vector(value[0], value[1]), value)
     return Side(as_layout(value if layout is None else layout), value)
 
 

@@ -33,7 +33,8 @@ def _part(part: PartExplanation, width: int) -> list[str]:
     if part.label:
         lines += [f"({part.label})", ""]
     for step in part.steps:
-        lines += _step(step, width)
+        made = _step(step, width)
+        lines += made[1:] if made and not made[0] and not (lines and lines[-1]) else made
     if lines and lines[-1]:
         lines.append("")
     return lines
@@ -80,11 +81,25 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 def _rows(rows: Sequence[Row], width: int) -> list[str]:
     lefts = [_operand(row.operands[0]) for row in rows]
-    room = max((columns(left) for left in lefts if columns(left) <= width // 2), default=0)
+    limit = width - _MARKS
+    fitting = [
+        columns(left)
+        for row, left in zip(rows, lefts, strict=True)
+        if _INDENT + columns(left) + _widest(row) <= limit
+    ]
+    room = max(fitting, default=_INDENT)
+    if any(_INDENT + room + _widest(row) > limit for row in rows):
+        room = min(room, _INDENT + 4)
     lines: list[str] = []
     for row, left in zip(rows, lefts, strict=True):
         lines += _row(row, left, room, width)
     return lines
+
+
+def _widest(row: Row) -> int:
+    return max(
+        (columns(_operand(each)) + 3 for each in row.operands[1:]), default=0
+    )
 
 
 def _operand(layout: Layout | None) -> str:

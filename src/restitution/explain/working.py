@@ -28,6 +28,7 @@ from restitution.explain.phrases import (
     look,
     product_of,
     relation,
+    sum_of_products,
 )
 from restitution.explain.steps import Row, Side, Step, StepKind, Words, side
 from restitution.problem import Arrival, Impact
@@ -65,7 +66,7 @@ class Working:
     across: bool = True
     done: set[Any] = field(default_factory=set)
     dropped: list[str] = field(default_factory=list)
-    derived: dict[Any, Any] = field(default_factory=dict)
+    silent: set[sp.Symbol] = field(default_factory=set)
 
     # --- values ---------------------------------------------------------------------------
 
@@ -142,8 +143,12 @@ class Working:
         if not goal:
             return
         equations = self._equations()
-        sets = [self.open(each.residual) for each in equations]
-        for block in needed(blocks(sets), goal):
+        chosen = needed(blocks([self.open(each.residual) for each in equations]), goal)
+        inside = {x for block in chosen for x in block.unknowns}
+        if inside & set(self.carried):
+            self._carry(inside)
+            chosen = needed(blocks([self.open(each.residual) for each in equations]), goal)
+        for block in chosen:
             group = [equations[index] for index in block.equations]
             self._block(group, set(block.unknowns))
         left = sorted(goal - set(self.known), key=lambda s: s.name)
@@ -159,10 +164,9 @@ class Working:
                 label, value = self.carried[symbol]
                 self.determine(symbol, value)
                 self._told_about(symbol)
-                if symbol.name not in {s.name for s in value.free_symbols}:
-                    rows.append(chain(side(symbol), side(value)))
+                rows.append(self.value_row(symbol, value=value))
         if rows:
-            where = f"From part ({label}):" if label else "From before:"
+            where = f"From part ({label}):" if label else "From above:"
             self.write("result", rows, words=(where,))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
@@ -199,7 +203,7 @@ class Working:
         )
 
     def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
-        for number in sorted({each.number for each in group if each.kind != "fact"}):
+        for number in self._speaks_of(group):
             self.setting(number)
         if len(group) == 1:
             self._use(group[0])
@@ -211,6 +215,14 @@ class Working:
                 self._pair(group, unknowns)
                 return
         self._system(group, unknowns)
+
+    def _speaks_of(self, group: Sequence[Equation]) -> list[int]:
+        """The impacts whose components stand in these equations."""
+        symbols = {s for each in group for s in sp.sympify(each.residual).free_symbols}
+        return sorted(
+            {each.number for each in group if each.kind != "fact"}
+            | {c.number for c in self.model.components.values() if c.symbol in symbols}
+        )
 
     def _use(self, equation: Equation) -> None:
         key = (equation.kind, equation.number, equation.key)
@@ -329,7 +341,9 @@ class Working:
             self._use(equation)
             left.remove(equation)
             self.known[x] = value
-            self.write("solve", [self.value_row(x, value=value)], words=("so",))
+            rows = [self.value_row(x, value=value)]
+            if not self._already(rows):
+                self.write("solve", rows)
             local.append(x)
         rest = {s for each in left for s in self.open(each.residual)}
         if rest:
@@ -358,13 +372,27 @@ class Working:
                 if self.model.sign(a) == 0:
                     continue
                 value = tidy(-b / a)
-                key = (float(sp.count_ops(value)), position, order.index(x))
+                component = any(x == c.symbol for c in self.model.components.values())
+                rank = ("momentum", "restitution", "fact").index(equation.kind)
+                key = (
+                    0.0 if component else 1.0,
+                    float(rank),
+                    float(sp.count_ops(value)),
+                    position,
+                    order.index(x),
+                )
                 if best is None or key < best[0]:
                     best = (key, equation, x, value)
         return None if best is None else best[1:]
 
-    def numerator(self, residual: Any) -> sp.Expr:
-        """What has to vanish: the factors of the numerator that are zero at the sample."""
+    def numerator(
+        self, residual: Any, x: sp.Symbol | None = None, others: Sequence[sp.Expr] = ()
+    ) -> sp.Expr:
+        """What has to vanish: the factors of the numerator that are zero at the sample.
+
+        With other roots for ``x``, those that are zero there are kept as well.
+        """
+        own = x
         x = self.resolved(self._known(sp.sympify(residual)))
         above = sp.fraction(sp.together(x))[0]
         try:
@@ -373,7 +401,11 @@ class Working:
             return sp.expand(above)
         kept = sp.Integer(1)
         for factor, _ in factors:
-            if self.model.sign(factor) == 0:
+            if self.model.sign(factor) == 0 or (
+                own is not None
+                and factor.has(own)
+                and any(self._satisfies(own, value, factor) for value in others)
+            ):
                 kept *= factor
         return sp.expand(above) if kept == 1 else kept
 
@@ -381,24 +413,24 @@ class Working:
 
     def _root(self, x: sp.Symbol, equation: Equation) -> None:
         """The lines from an equation to the value of its only unknown."""
-        numerator = self.numerator(equation.residual)
         others = self._other_roots(x, equation.residual)
-        before = dict(self.known)
+        numerator = self.numerator(
+            equation.residual, x, [*others, *self._refused(x, equation.residual)]
+        )
         self.determine(x)
         value = self.model.final[x]
         rows: list[Row] = []
         if self.is_angle(x):
-            rows = self._angle_rows(x, numerator, value)
+            rows = self._angle_rows(x, numerator, value, others)
         elif numerator.is_polynomial(x):
             rows = self._polynomial_rows(x, numerator, value, others)
         if not rows:
             rows = [self._roots_row(x, value, others)]
-        del before
         note = self._why_rejected(x, equation.residual)
         if note:
             last = rows[-1]
             rows[-1] = Row(last.operands, last.signs, last.values, last.mark, note)
-        if equation.kind == "fact" and self._already(rows):
+        if self._already(rows):
             return
         last = rows[-1]
         if not last.mark:
@@ -407,9 +439,10 @@ class Working:
 
     def _already(self, rows: Sequence[Row]) -> bool:
         """Whether the step just written says the same."""
-        if len(rows) != 1 or not self.steps or not self.steps[-1].rows:
+        if len(rows) != 1 or not self.steps or not self.steps[-1].rows or rows[0].note:
             return False
-        return self.steps[-1].rows[-1].operands[:2] == rows[0].operands[:2]
+        last, new = self.steps[-1].rows[-1].operands, rows[0].operands
+        return last[0] == new[0] and last[-1] in (new[1], new[-1])
 
     def _roots_row(self, x: sp.Symbol, value: sp.Expr, others: Sequence[sp.Expr]) -> Row:
         first = self.value_row(x, value=value)
@@ -452,6 +485,16 @@ class Working:
             return False
         return bool(abs(found) < 1e-15)
 
+    def _refused(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
+        """Values that satisfy the equation and were rejected."""
+        key = self._hidden_key(x)
+        found = []
+        for branch in self.rejected:
+            value = branch.values.get(key)
+            if value is not None and self._satisfies(x, value, residual):
+                found.append(sp.sympify(value))
+        return found
+
     def _why_rejected(self, x: sp.Symbol, residual: Any) -> Words:
         key = self._hidden_key(x)
         out: list[str | Layout] = []
@@ -461,6 +504,9 @@ class Working:
             value = branch.values.get(key)
             if value is None or any(self._equal(value, each) for each in seen):
                 continue
+            role = self.model.unknowns.roles.get(x.name)
+            if branch.kind == "range" and role is not None and role.kind == "angle":
+                continue  # an acute angle was meant from the start
             value = sp.sympify(value)
             if self._equal(value, self.model.final[x]) or not self._satisfies(x, value, residual):
                 continue
@@ -508,18 +554,23 @@ class Working:
             cleared = expression
         return -cleared if cleared.could_extract_minus_sign() else cleared
 
-    def _angle_rows(self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr) -> list[Row]:
+    def _angle_rows(
+        self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr, others: Sequence[sp.Expr] = ()
+    ) -> list[Row]:
         """From sines and cosines to the tangent, and to the angle."""
         t = sp.Dummy("t", positive=True)
         tangent = sp.tan(x)
         poly = by_tangent(numerator, x, t)
-        angle = chain(side(x), *answer(tidy_angle(value), angle=True), mark="A1")
+        angle = self._roots_row(x, value, others)
         if poly is None:
             return [angle]
         own = tidy(sp.tan(value))
+        tangents = [own, *(tidy(sp.tan(each)) for each in others)]
         rows: list[Row] = []
         factors = [f for f, _ in sp.factor_list(poly)[1] if f.has(t)]
-        kept = [f for f in factors if self._vanishes(f, t, own)] or factors
+        kept = [
+            f for f in factors if any(self._vanishes(f, t, each) for each in tangents)
+        ] or factors
         p = sp.Poly(sp.Mul(*kept), t)
         if p.degree() == 1:
             rows.append(chain(side(tangent), side(tidy(-p.coeff_monomial(1) / p.LC()))))
@@ -535,10 +586,19 @@ class Working:
                 rows.append(
                     relation(side(factored.xreplace({t: tangent})), "=", side(sp.Integer(0)))
                 )
-            rows.append(chain(side(tangent), side(own)))
+            rows.append(self._either(tangent, tangents))
         if not value.free_symbols:
             rows.append(angle)
         return rows
+
+    def _either(self, name: sp.Expr, values: Sequence[sp.Expr]) -> Row:
+        """``tan α = 1 or tan α = ¼``."""
+        if len(values) == 1:
+            return chain(side(name), side(values[0]))
+        ordered = sorted(values, key=lambda v: float(self.model.number(v)))
+        tail = [lay.Relation((look(name), look(v)), ("=",)) for v in ordered[1:]]
+        body = lay.Phrase((look(ordered[0]), *tail), " or ")
+        return Row((look(name), body), ("=",), (None, None))
 
     def _vanishes(self, factor: sp.Expr, t: sp.Symbol, own: sp.Expr) -> bool:
         return self.model.sign(factor.xreplace({t: own})) == 0
@@ -667,7 +727,7 @@ class Working:
         for body in self.model.spheres(number):
             _, t = self.model.before(number, body)
             value = self.put(t)
-            if self.open(value):
+            if self.open(value) - self._letters():
                 continue
             parts.append((look(value), f" for {body}"))
         if not parts:
@@ -693,6 +753,10 @@ class Working:
             mark="B1",
         )
 
+    def _letters(self) -> set[sp.Symbol]:
+        """The letters of the statement, as against components and hidden unknowns."""
+        return {self.model.unknowns.letter(name) for name in self.model.unknowns.roles}
+
     def _momentum(self, number: int) -> Step:
         story = self.model.story
         first, second = self.model.happening(number).bodies
@@ -703,8 +767,8 @@ class Working:
         right_terms = [(m, v) for m, v in zip(masses, after, strict=True) if v != 0]
         left_value = tidy(sum(m * u for m, u in left_terms)) if left_terms else sp.Integer(0)
         right_value = sum((m * v for m, v in right_terms), sp.Integer(0))
-        left = side(left_value, lay.sum_of(left_terms) if left_terms else None)
-        right = side(right_value, lay.sum_of(right_terms) if right_terms else None)
+        left = side(left_value, sum_of_products(left_terms) if left_terms else None)
+        right = side(right_value, sum_of_products(right_terms) if right_terms else None)
         rows = [chain(left, right, mark="M1 A1")]
         rows += self._simpler(masses, left_terms, right_terms, rows[0])
         return Step(
@@ -723,7 +787,7 @@ class Working:
         ratios = [(tidy(m / common), v) for m, v in right]
         value = sum((m * v for m, v in ratios), sp.Integer(0))
         row = chain(
-            side(total), side(value, lay.sum_of(ratios) if ratios else lay.Number("0"))
+            side(total), side(value, sum_of_products(ratios) if ratios else lay.Number("0"))
         )
         return [] if row.operands == first.operands else [row]
 

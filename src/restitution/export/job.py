@@ -5,6 +5,7 @@ What goes in and what comes out are plain values, so that the one who asks needs
 
 from __future__ import annotations
 
+import traceback
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -20,6 +21,7 @@ Format = Literal["text", "markdown", "latex", "html", "json"]
 # by piece, so that there is time to write down the rest.
 _FIRST = 0.6
 _AGAIN = 0.08
+_WRITING = 0.3
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Reply:
-    """What was written, whether everything asked has an answer, and what went wrong inside.
+    """What was written, whether everything asked has an answer, and why an item has none.
 
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end.
@@ -48,6 +50,7 @@ class Reply:
 
     text: str
     answered: bool
+    errors: tuple[RestitutionError, ...] = ()
     warnings: tuple[str, ...] = ()
     fault: str = ""
     tired: bool = False
@@ -71,52 +74,66 @@ def serve(job: Job) -> Reply:
     from restitution.killable import soft_limit
     from restitution.solve import solve
 
-    error = stopped(job.limit)
     first = None if job.limit is None else job.limit * _FIRST
-    again = (job.limit or 0) * _AGAIN
-    with soft_limit(first, again, error):
+    with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)):
         solution = solve(job.problem)
     content = contract.solved(job.file, solution, job.part)
-    tired = "time limit" in str(content)
+    errors = _errors(solution, job.part)
+    tired = any(error.kind == TimeLimitError.kind for error in errors)
     answered = contract.all_answered(content)
-    warnings = tuple(content["warnings"])
     if job.form == "json":
-        return Reply(contract.to_json(content) + "\n", answered, (), tired=tired)
-    text, fault = _written(solution, job, again * 3 if job.limit is not None else None)
-    return Reply(text, answered and not fault, warnings, fault, tired or bool(fault))
+        return Reply(contract.to_json(content) + "\n", answered, tired=tired)
+    text, note, fault = _written(solution, job)
+    return Reply(
+        text if text.endswith("\n") else text + "\n",
+        answered and not fault,
+        errors,
+        (*content["warnings"], *note),
+        fault,
+        tired or bool(note or fault),
+    )
 
 
-def _written(solution: Solution, job: Job, limit: float | None) -> tuple[str, str]:
-    """The working, or the answers alone; and the traceback of a failure to write the working."""
-    import traceback
+def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:
+    found = [solution.error]
+    for part, item in solution.items():
+        if label is None or part.part.label == label:
+            found.append(item.error)
+    unique = {str(error): error for error in found if error is not None}
+    return tuple(unique.values())
 
+
+def _written(solution: Solution, job: Job) -> tuple[str, tuple[str, ...], str]:
+    """The working, or the answers alone; why not the working; and the traceback of a fault."""
     from restitution.export.answers import answers
     from restitution.killable import soft_limit
 
     assert job.form != "json"
+    note: tuple[str, ...] = ()
     fault = ""
     if not job.answers_only:
+        limit = None if job.limit is None else job.limit * _WRITING
         try:
             with soft_limit(limit, limit or 0, stopped(job.limit)):
-                return _working(solution, job), ""
-        except RestitutionError:
-            raise
+                return _working(solution, job), (), ""
+        except RestitutionError as error:
+            note = (f"here are the answers without their working: {error.message}",)
         except Exception:
             # The answers are right without their working: they are given, and the fault told.
             fault = traceback.format_exc()
-    return answers(solution, job.form, job.part), fault
+    return answers(solution, job.form, job.part), note, fault
 
 
 def _working(solution: Solution, job: Job) -> str:
-    import restitution.explain as explaining
+    from restitution.explain import explain, to_html, to_latex, to_markdown, to_text
 
-    explanation = explaining.explain(solution, job.part)
+    explanation = explain(solution, job.part)
     match job.form:
         case "markdown":
-            return explaining.to_markdown(explanation)
+            return to_markdown(explanation)
         case "latex":
-            return explaining.to_latex(explanation)
+            return to_latex(explanation)
         case "html":
-            return explaining.to_html(explanation)
+            return to_html(explanation)
         case _:
-            return explaining.to_text(explanation, job.width)
+            return to_text(explanation, job.width)

@@ -51,7 +51,7 @@ def _refute(
     )
     hidden = sorted(name for name in outcome.letters.hidden_roles if name not in branch.values)
     roles = {**setting.roles, **outcome.letters.hidden_roles}
-    trials = TRIALS
+    trials = FEW if isinstance(claim, Compare) and claim.figures is not None else TRIALS
     if isinstance(claim, Compare) and set(claim.operators) == {"="} and claim.figures is None:
         wanted = requirements(claim, branch.story, now, step.place)
         symbolic = [need for need in wanted if isinstance(need, Equation)]
