@@ -19,7 +19,7 @@ import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import TracebackType
-from typing import Any
+from typing import Any, Self
 
 _START = 120.0
 """Seconds for which loading the libraries may last: they are not part of what is limited."""
@@ -28,14 +28,14 @@ _MEMORY = 4 * 2**30
 """Bytes of memory that the work may take, where the system can limit that."""
 
 
-class Lost(Exception):
+class LostError(Exception):
     """The work ended otherwise than with an answer; ``details`` is a traceback, or empty."""
 
     def __init__(self, message: str, details: str = "") -> None:
         super().__init__(message)
         self.details = details
 
-    def __reduce__(self) -> tuple[type[Lost], tuple[str, str]]:
+    def __reduce__(self) -> tuple[type[LostError], tuple[str, str]]:
         return type(self), (str(self), self.details)
 
 
@@ -60,7 +60,7 @@ class Worker:
     def ask(self, request: Any, limit: float | None = None) -> Any:
         """The answer, or what ``serve`` raised, raised again here where it can be pickled.
 
-        Raises TimeoutError after ``limit`` seconds (None is no limit), and Lost where the
+        Raises TimeoutError after ``limit`` seconds (None is no limit), and LostError where the
         process ended or failed; it is killed then.
         """
         if self._process is None:
@@ -76,7 +76,7 @@ class Worker:
             raise
         except (EOFError, OSError) as error:
             self.close()
-            raise Lost("the process that solves ended without an answer") from error
+            raise LostError("the process that solves ended without an answer") from error
         except BaseException as error:
             # An error of the work leaves the process fit for the next; Ctrl-C does not.
             if not isinstance(error, Exception):
@@ -94,7 +94,7 @@ class Worker:
             process.join()
             process.close()
 
-    def __enter__(self) -> Worker:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(
@@ -157,11 +157,11 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
 def _portable(error: BaseException) -> Exception:
     """An error that can be sent: those of this package as they are, others by their text."""
     if isinstance(error, MemoryError):
-        return Lost("there is not memory enough for this")
+        return LostError("there is not memory enough for this")
     if isinstance(error, Exception) and hasattr(error, "kind") and hasattr(error, "message"):
         return error
     lines = traceback.format_exception_only(error)
-    return Lost(lines[-1].strip(), "".join(traceback.format_exception(error)))
+    return LostError(lines[-1].strip(), "".join(traceback.format_exception(error)))
 
 
 def _limit_memory() -> None:

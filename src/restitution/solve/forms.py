@@ -57,7 +57,7 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
 
 
 def unnested(x: sp.Expr) -> sp.Expr:
-    """A numerical factor with roots inside roots, as a sum of plain roots where that is possible."""
+    """A numerical factor with roots inside roots, as a sum of plain roots where possible."""
     number, rest = x.as_independent(*x.free_symbols) if x.free_symbols else (x, sp.Integer(1))
     if x.free_symbols and not x.is_Mul:
         return x
@@ -105,6 +105,12 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
         return exact.tidy_angle(measured)
     if sx is not None:
         ratio = tidy(neat(y / x))
+        for letter in sorted(ratio.free_symbols, key=lambda s: s.name):
+            # arctan(cos α / sin α) is the complement of α.
+            if sx > 0 and letter.is_positive and ratio.has(sp.sin(letter), sp.tan(letter)):
+                turned = neat(ratio.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a)))
+                if neat(turned * sp.sin(letter) / sp.cos(letter)) == 1:
+                    return sp.pi / 2 - letter
         turned = sp.atan(ratio)
         if sx > 0:
             return exact.tidy_angle(turned)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import random
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -12,6 +13,7 @@ from restitution.errors import (
     ImpossibleError,
     MissingError,
     RestitutionError,
+    UnsupportedError,
 )
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -41,6 +43,7 @@ from restitution.render.layout import display, display_point, display_vector
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
+from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.part import (
     Letters,
     Numbers,
@@ -159,6 +162,8 @@ class _Worker:
                 self.branches[key] = self._branches(outcome)
             except RestitutionError as error:
                 self.outcomes[key] = error
+            except ArithmeticError as error:
+                self.outcomes[key] = UnsupportedError(f"a value could not be computed: {error}")
         return self.outcomes[key]
 
     def _branches(self, outcome: Outcome) -> list[Branch]:
@@ -188,21 +193,16 @@ class _Worker:
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
-        from dataclasses import replace
-
-        from restitution.solve.letters import REAL
-        from restitution.solve.numbers import UndefinedError, at
-
         kept = []
+        known = outcome.letters.all_roles()
         for trial in outcome.refused:
-            values: dict[str, Any] = {}
+            free = sorted(set(known) - set(trial.found.values))
+            values = sample(free, known, random.Random(41))
             try:
                 for name, value in trial.found.values.items():
                     values[name] = at(value, values)
             except (UndefinedError, KeyError):
                 continue
-            for name, role in outcome.setting.roles.items():
-                values.setdefault(name, at(role.low or REAL.low or 1, {}))
             kept.append(replace(trial, samples=(values,)))
         return kept
 
@@ -369,6 +369,9 @@ class _Worker:
         angle: bool,
     ) -> tuple[Rejected, ...]:
         found: list[Rejected] = []
+        known = outcome.letters.all_roles()
+        rng = random.Random(43)
+        samples = [sample(sorted(known), known, rng) for _ in range(3)]
         for trial in outcome.refused:
             try:
                 told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
@@ -377,7 +380,7 @@ class _Worker:
                 else:
                     story = outcome.setting.tell(told)
                     value = story.evaluator(now).value(item.expression)
-                value = forms.plain(value, ())
+                value = forms.plain(value, samples)
             except (RestitutionError, ArithmeticError, TypeError, ValueError):
                 continue
             if any(_same_value(value, each.value) for each in answers):

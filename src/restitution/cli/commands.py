@@ -1,11 +1,4 @@
-"""The command line: ``restitution solve FILE`` and its kin.
-
-Only words and files here: no physics, no algebra. Whatever is heavy is loaded in the process that
-solves, or when it is needed.
-
-Exit status: 0; 1 where an item has no answer; 2 where a file could not be read or the command was
-not understood; 130 after Ctrl-C.
-"""
+"""The commands, their options, and what they say."""
 
 from __future__ import annotations
 
@@ -21,18 +14,13 @@ from typing import TYPE_CHECKING, Annotated, Any, TextIO
 
 import typer
 
+from restitution.cli import INTERRUPTED, REPORT, UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
     from restitution.export.job import Job, Reply
     from restitution.killable import Worker
     from restitution.problem import Problem
-
-UNANSWERED = 1
-UNREADABLE = 2
-INTERRUPTED = 130
-
-_REPORT = "please report this, with the statement"
 
 
 class Format(StrEnum):
@@ -108,24 +96,6 @@ app = typer.Typer(
 )
 
 
-def main() -> None:
-    """Run the command that the arguments of this process name, and exit with its status."""
-    for stream in (sys.stdout, sys.stderr):
-        # What cannot be encoded is replaced: an answer is never lost to a terminal's alphabet.
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
-    try:
-        app(prog_name="restitution")
-    except KeyboardInterrupt:
-        _say("interrupted")
-        sys.exit(INTERRUPTED)
-    except Exception as error:
-        if _debugging():
-            raise
-        _say(f"internal error: {type(error).__name__}: {_one_line(error)}; {_REPORT}")
-        sys.exit(UNANSWERED)
-
-
 def _print_version(wanted: bool) -> None:
     if wanted:
         from importlib.metadata import version
@@ -156,8 +126,9 @@ _Files = Annotated[
 
 @app.command(help=_SOLVE)
 def solve(
+    context: typer.Context,
     files: _Files,
-    format: Annotated[
+    form: Annotated[
         Format, typer.Option("--format", "-f", help="How to write the solution down.")
     ] = Format.text,
     output: Annotated[
@@ -178,17 +149,14 @@ def solve(
     debug: Annotated[bool, typer.Option("--debug", hidden=True)] = False,
 ) -> None:
     """Solve every file, writing what is said of each as soon as it is known."""
-    from restitution.export.job import prepare, serve
-    from restitution.killable import Worker
-
     if debug:
         os.environ["RESTITUTION_DEBUG"] = "1"
     if not 0 <= time_limit < 1e6:
         raise typer.BadParameter("a number of seconds, 0 for no limit", param_hint="--time-limit")
-    target = _target(output, files, format)
-    wanted = _Wanted(format, part, answers_only, time_limit or None, _width())
+    target = _target(output, files, form)
+    wanted = _Wanted(form, part, answers_only, time_limit or None, _width())
     worst = 0
-    with _interruptible(), Worker(serve, prepare) as worker, target.written():
+    with _interruptible(), _worker(context.obj) as worker, target.written():
         progress = _progress(files) if len(files) > 1 else _silent
         with progress(target.to_terminal) as each:
             for file in each(files):
@@ -198,6 +166,14 @@ def solve(
                 for message in written.messages:
                     _say(message)
     raise typer.Exit(worst)
+
+
+def _worker(early: Worker | None) -> Worker:
+    """The process that was started with the command, or one of its own."""
+    from restitution.export.job import prepare, serve
+    from restitution.killable import Worker
+
+    return early or Worker(serve, prepare)
 
 
 @dataclass(frozen=True)
@@ -250,13 +226,13 @@ def _solve_file(worker: Worker, file: str, wanted: _Wanted) -> _Written:
         )
         return _Written(UNANSWERED, line, tuple(_pointed(file, text, error)))
     messages = [f"{job.file}: warning: {warning}" for warning in reply.warnings]
-    for error in reply.errors:
-        messages += _pointed(file, text, error)
+    for missing in reply.errors:
+        messages += _pointed(file, text, missing)
     if reply.fault:
         messages.append(
             reply.fault
             if _debugging()
-            else f"{job.file}: internal error: {reply.fault.splitlines()[-1]}; {_REPORT}"
+            else f"{job.file}: internal error: {reply.fault.splitlines()[-1]}; {REPORT}"
         )
     return _Written(0 if reply.answered else UNANSWERED, reply.text, tuple(messages))
 
@@ -265,16 +241,16 @@ def _ask(worker: Worker, job: Job) -> Reply:
     """The reply to a job; whatever else happens, as a RestitutionError."""
     from restitution.errors import UnsupportedError
     from restitution.export.job import stopped
-    from restitution.killable import Lost
+    from restitution.killable import LostError
 
     try:
         reply: Reply = worker.ask(job, job.limit)
     except TimeoutError:
         raise stopped(job.limit) from None
-    except Lost as error:
+    except LostError as error:
         if _debugging() and error.details:
             _say(error.details)
-        raise UnsupportedError(f"internal error: {_one_line(error)}; {_REPORT}") from None
+        raise UnsupportedError(f"internal error: {_one_line(error)}; {REPORT}") from None
     if reply.tired:
         worker.close()
     return reply
@@ -404,7 +380,7 @@ def _read(file: str) -> bytes:
     try:
         if file == "-":
             return sys.stdin.buffer.read(MAX_TEXT_BYTES + 1)
-        with open(file, "rb") as stream:
+        with Path(file).open("rb") as stream:
             return stream.read(MAX_TEXT_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
@@ -432,7 +408,7 @@ def _parse(text: bytes) -> Problem:
         if _debugging():
             raise
         name = f"{type(error).__name__}: {_one_line(error)}"
-        raise UnsupportedError(f"internal error: {name}; {_REPORT}") from None
+        raise UnsupportedError(f"internal error: {name}; {REPORT}") from None
 
 
 # --- messages ---------------------------------------------------------------------------------
@@ -571,20 +547,20 @@ def _put(text: str) -> None:
         sys.stdout.flush()
 
 
-def _target(output: str | None, files: list[str], format: Format) -> _Target:
+def _target(output: str | None, files: list[str], form: Format) -> _Target:
     """Where the solutions go. Raises BadParameter for what would be lost or unusable."""
     if output is None or output == "-":
-        target = _Target(format)
+        target = _Target(form)
     else:
-        folder = output.endswith(("/", os.sep)) or os.path.isdir(output)
-        target = _Target(format, Path(output), folder)
-    if not target.folder and len(files) > 1 and format in (Format.html, Format.latex):
+        folder = output.endswith(("/", os.sep)) or Path(output).is_dir()
+        target = _Target(form, Path(output), folder)
+    if not target.folder and len(files) > 1 and form in (Format.html, Format.latex):
         raise typer.BadParameter(
-            f"several files as {format.value} need a folder: --output FOLDER/",
+            f"several files as {form.value} need a folder: --output FOLDER/",
             param_hint="--output",
         )
     if target.path is not None:
-        named = [_in_folder(target.path, file, format) for file in files] if target.folder else []
+        named = [_in_folder(target.path, file, form) for file in files] if target.folder else []
         for path in named or [target.path]:
             if named.count(path) > 1:
                 raise typer.BadParameter(
@@ -598,9 +574,9 @@ def _target(output: str | None, files: list[str], format: Format) -> _Target:
     return target
 
 
-def _in_folder(folder: Path, file: str, format: Format) -> Path:
+def _in_folder(folder: Path, file: str, form: Format) -> Path:
     stem = "standard-input" if file == "-" else Path(file).name.removesuffix(".impact")
-    return folder / (stem + _ENDINGS[format])
+    return folder / (stem + _ENDINGS[form])
 
 
 def _same_file(path: Path, file: str) -> bool:
