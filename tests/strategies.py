@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, wraps
 from typing import Any
@@ -463,3 +465,150 @@ def problems(draw: st.DrawFn) -> p.Problem:
         points=tuple(p.Point(name, draw(points())) for name in POINTS),
         parts=parts,
     )
+
+
+# --- stories that can happen, with their numbers ----------------------------------------------
+
+
+@dataclass(frozen=True)
+class Said:
+    """A number or a vector: the words of the statement, and its value (a pair for a vector)."""
+
+    text: str
+    value: Any
+
+
+@dataclass(frozen=True)
+class Blow:
+    """``first hits second``. ``along`` is the line of centres, or the direction of the wall.
+
+    With an ``offset`` the value of ``along`` is not used. A text that is empty is left out.
+    """
+
+    first: str
+    second: str
+    e: Said
+    along: Said
+    offset: Said | None = None
+
+    @property
+    def wall(self) -> bool:
+        return self.second.startswith("W")
+
+
+@dataclass(frozen=True)
+class Tale:
+    """Spheres with masses and velocities, and impacts one after another; all radii are r."""
+
+    masses: dict[str, Said]
+    velocities: dict[str, Said]
+    blows: tuple[Blow, ...]
+
+    def statement(self, *lines: str) -> str:
+        """The tale in the statement language, with further lines at its end."""
+        told = []
+        for name in self.velocities:
+            mass = f"mass {self.masses[name].text}, " if self.masses[name].text else ""
+            velocity = self.velocities[name].text
+            moving = "at rest" if velocity == "at rest" else f"velocity {velocity}"
+            radius = ", radius r" if any(blow.offset for blow in self.blows) else ""
+            said = mass + (moving if velocity else "") + radius
+            told.append(f"sphere {name}: {said.rstrip(', ')}" if said else f"sphere {name}")
+        for blow in self.blows:
+            how = []
+            if blow.wall:
+                along = f": along {blow.along.text}" if blow.along.text else ""
+                told.append(f"wall {blow.second}{along}")
+            elif blow.offset:
+                how.append(f"offset {blow.offset.text}")
+            elif blow.along.text:
+                how.append(f"along {blow.along.text}")
+            if blow.e.text:
+                how.append(f"e = {blow.e.text}")
+            told.append(f"{blow.first} hits {blow.second}" + (": " + ", ".join(how) if how else ""))
+        return "\n".join([*told, *lines]) + "\n"
+
+
+def in_words(value: Any, letter: str = "") -> str:
+    """An exact number or pair as it is typed, times a letter where one is given."""
+    if isinstance(value, tuple):
+        return "(" + ", ".join(in_words(each, letter) for each in value) + ")"
+    return f"{value} {letter}".rstrip()
+
+
+def said(value: Any, letter: str = "") -> Said:
+    """A value with its words."""
+    return Said(in_words(value, letter), value)
+
+
+HEADINGS = ((1, 0), (0, 1), (1, 1), (1, -1), (3, 4), (4, -3), (5, 12), (2, 1), (-1, 3))
+DEGREES = (0, 30, 45, 60, 90, 120, 135, 150)
+SHARES = (Fraction(0), Fraction(1, 2), Fraction(3, 5), Fraction(4, 5), Fraction(-3, 5))
+
+
+@once
+def halves(low: int = -6, high: int = 6) -> st.SearchStrategy[Fraction]:
+    """Small exact numbers."""
+    return st.builds(Fraction, st.integers(low, high), st.sampled_from([1, 1, 1, 2, 3]))
+
+
+@once
+def coefficients() -> st.SearchStrategy[Fraction]:
+    """Coefficients of restitution, both ends often among them."""
+    inner = st.builds(lambda n, d: Fraction(min(n, d), max(n, d)), *[st.integers(1, 9)] * 2)
+    return st.one_of(inner, inner, st.sampled_from([Fraction(0), Fraction(1), Fraction(1, 2)]))
+
+
+def by_angle(size: Any, degrees: Any) -> tuple[float, float]:
+    """Components of a vector given by its size and an angle in degrees."""
+    angle = math.radians(degrees)
+    return float(size) * math.cos(angle), float(size) * math.sin(angle)
+
+
+@st.composite
+def tales(
+    draw: st.DrawFn,
+    most: int = 3,
+    exact: bool = False,
+    letters: bool = False,
+    offsets: bool = True,
+) -> Tale:
+    """Chains of impacts of spheres with spheres and walls; nothing tells yet that they can happen.
+
+    With ``exact`` all values are Fractions (and there are no offsets); with ``letters`` masses
+    are multiples of m, speeds of u. Impacts that follow one another are of different pairs, each
+    wall is struck once: otherwise a sphere could come to stand on the wrong side of another.
+    """
+    count = draw(st.integers(1, most))
+    blows: list[Blow] = []
+    for number in range(1, count + 1):
+        # all sorts of pairs, each with a sphere that moved in the impact before
+        pairs = [("A", f"W{number}"), ("A", "B"), ("B", "A")]
+        if number > 1:
+            pairs += [("B", "C"), ("B", f"W{number}"), ("A", "C")]
+        pairs = [pair for pair in pairs if not blows or {*pair} != {blows[-1].first, blows[-1].second}]
+        first, second = draw(st.sampled_from(pairs))
+        heading = draw(st.sampled_from(HEADINGS))
+        along = said((Fraction(heading[0]), Fraction(heading[1])))
+        if not exact and draw(st.booleans()):
+            degrees = draw(st.sampled_from(DEGREES))
+            along = Said(f"{degrees}°", by_angle(1, degrees))
+        offset = None
+        if number == 1 and second == "B" and offsets and not exact and draw(st.booleans()):
+            share = draw(st.sampled_from(SHARES))
+            offset = Said(in_words(2 * share, "r"), share)
+        blows.append(Blow(first, second, said(draw(coefficients())), along, offset))
+    present = sorted({n for b in blows for n in (b.first, b.second) if not n.startswith("W")})
+    masses, velocities = {}, {}
+    for name in present:
+        masses[name] = said(draw(halves(1, 6)), "m" if letters else "")
+        if name != blows[0].first and draw(st.booleans()):
+            velocities[name] = Said("at rest", (Fraction(0), Fraction(0)))
+        elif not exact and draw(st.booleans()):
+            size, degrees = draw(halves(1, 6)), draw(st.sampled_from([*DEGREES, -60, -135]))
+            text = f"{in_words(size, 'u' if letters else '')} at {degrees}°"
+            velocities[name] = Said(text, by_angle(size, degrees))
+        else:
+            pair = draw(st.tuples(halves(), halves()).filter(any))
+            velocities[name] = said(pair, "u" if letters else "")
+    return Tale(masses, velocities, tuple(blows))

@@ -133,7 +133,7 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
     try:
         prepare()
         pipe.send((True, None))
-    except BaseException as error:
+    except BaseException as error:  # noqa: BLE001 - told to the one who asks
         pipe.send((False, _portable(error)))
         return
     while True:
@@ -145,7 +145,7 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
         reply: tuple[bool, Any]
         try:
             reply = True, serve(request)
-        except BaseException as error:
+        except BaseException as error:  # noqa: BLE001 - told to the one who asks
             reply = False, _portable(error)
         _end_by_itself(None)
         try:

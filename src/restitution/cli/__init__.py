@@ -38,13 +38,13 @@ def main() -> None:
 
         app(prog_name="restitution", obj=worker)
     except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
+        sys.stderr.write("interrupted\n")
         sys.exit(INTERRUPTED)
     except Exception as error:
         if os.environ.get("RESTITUTION_DEBUG"):
             raise
         said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        print(f"internal error: {said}; {REPORT}", file=sys.stderr)
+        sys.stderr.write(f"internal error: {said}; {REPORT}\n")
         sys.exit(UNANSWERED)
     finally:
         if worker is not None:

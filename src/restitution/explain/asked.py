@@ -189,7 +189,7 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
         work.write("result", rows, derived.principle, derived.words)
         return
     for quantity in quantities_in(work, tree, now):
-        _sub_result(work, quantity)
+        sub_result(work, quantity)
     _final(work, tree, found, answer_, now, item.percentage)
 
 
@@ -238,7 +238,7 @@ def _ending(
     return made
 
 
-def _sub_result(work: Working, asked: Asked) -> None:
+def sub_result(work: Working, asked: Asked) -> None:
     """A quantity inside an expression: derived once, then known."""
     tree, now = asked.tree, asked.now
     key = ("quantity", tree, now if tree.stage is None else None)
@@ -353,7 +353,7 @@ def _show_compare(work: Working, relation: Compare, now: int) -> None:
             continue
         for tree in (left, right):
             for quantity in quantities_in(work, tree, now):
-                _sub_result(work, quantity)
+                sub_result(work, quantity)
         a, b = evaluated(work, left, now), evaluated(work, right, now)
         if op == "=":
             _show_equal(work, left, right, a, b, now, relation.figures)
@@ -471,7 +471,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
         for quantity in quantities_in(work, tree, now):
             _settings_of(work, quantity.tree, quantity.now)
             if quantity.tree.kind in ("velocity", "momentum"):
-                _sub_result(work, quantity)
+                sub_result(work, quantity)
         ways.append(Vector(*work.put(story.direction(tree, now))))
     a, b = ways
     first, last = lay.from_tree(relation.left), lay.from_tree(relation.right)
@@ -535,7 +535,7 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
         for tree in relation.operands:
             prepare(work, tree, now)
             for quantity in quantities_in(work, tree, now):
-                _sub_result(work, quantity)
+                sub_result(work, quantity)
     given = dict(result.counterexample or {})
     words: list[str | Layout] = [f"{result.text} is false"]
     if given:

@@ -1,11 +1,621 @@
-"""Ranges, extrema and inequalities."""
+"""Ranges, extrema and inequalities: the conditions that bound, and where a greatest value lies."""
 
 from __future__ import annotations
 
-from typing import Any
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy, tidy_angle
+from restitution.explain.asked import prepare, sub_result
+from restitution.explain.phrases import answer, chain, listed, look
+from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
+from restitution.explain.steps import Row, Side, Words, side
+from restitution.explain.working import by_tangent
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
+from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solve import algebra
+from restitution.solve import facts as solve_facts
+from restitution.solve.letters import Role
+from restitution.solve.numbers import UndefinedError, at, sample
+from restitution.solve.solution import Answer, ItemResult
+from restitution.solve.story import AnyOf, Condition
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+_DRAWS = 60
+_SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
+_FLIPPED = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
 
 
-def explain_range(work: Any, tree: Any, answer_: Any, now: int) -> None: ...
-def explain_extremum(work: Any, item: Any, answer_: Any, now: int) -> None: ...
-def explain_shown_bound(work: Any, item: Any, result: Any, now: int) -> None: ...
-def explain_meets(work: Any, relation: Any, now: int) -> None: ...
+@dataclass(frozen=True)
+class Bound:
+    """A condition that excludes something: ``left`` and ``right`` as first written."""
+
+    words: Words
+    left: Any
+    sign: str
+    right: Any
+    value: sp.Expr  # left − right, or what has to be positive
+    asks: str  # the sign that ``value`` has to have against 0
+
+
+# --- random admissible points -------------------------------------------------------------------
+
+
+def draws(work: Working, names: Sequence[str], count: int = _DRAWS) -> Iterator[dict[str, Any]]:
+    """Random values of letters, by their roles alone, and of all that follows from them."""
+    rng = random.Random(23)
+    roles: Mapping[str, Role] = work.model.unknowns.roles
+    for _ in range(count):
+        yield sample(names, roles, rng)
+
+
+def _letters(x: Any) -> list[str]:
+    return sorted(s.name for s in sp.sympify(x).free_symbols)
+
+
+def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
+    """Whether a condition excludes some admissible values of its letters."""
+    names = _letters(value)
+    for point in draws(work, names):
+        try:
+            found = at(value, point)
+        except (UndefinedError, KeyError, ArithmeticError):
+            return True
+        good = {
+            ">": found > 0, "≥": found >= -1e-30, "≠": abs(found) > 1e-30, "<": found < 0,
+            "≤": found <= 1e-30,
+        }[asks]
+        if not good:
+            return True
+    return False
+
+
+def _constant_sign(work: Working, value: sp.Expr) -> int:
+    """+1 or −1 if an expression has one sign for all admissible letters, else 0."""
+    signs = set()
+    for point in draws(work, _letters(value), 40):
+        try:
+            found = at(value, point)
+        except (UndefinedError, KeyError, ArithmeticError):
+            return 0
+        signs.add(0 if abs(found) < 1e-30 else 1 if found > 0 else -1)
+        if len(signs) > 1:
+            return 0
+    return signs.pop() if len(signs) == 1 else 0
+
+
+# --- conditions ---------------------------------------------------------------------------------
+
+
+def _bounds(work: Working) -> list[Bound]:
+    """Everything in the story and the facts that excludes something."""
+    found: list[Bound] = []
+    found += _from_facts(work)
+    found += _from_story(work)
+    found += _from_solved(work)
+    return found
+
+
+def _from_facts(work: Working) -> list[Bound]:
+    found: list[Bound] = []
+    problem, part = work.model.problem, work.model.part
+    for given, now in solve_facts.givens(problem, part):
+        for relation in given.relations:
+            try:
+                found += _of_relation(work, relation, now)
+            except (RestitutionError, TypeError, AttributeError):
+                continue
+    return found
+
+
+def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
+    story = work.model.story
+    found: list[Bound] = []
+    if isinstance(relation, Meets):
+        need = solve_facts.requirements(relation, story, now)[0]
+        if isinstance(need, Condition):
+            found.append(_meeting(work, relation, need, now))
+    elif isinstance(relation, Compare):
+        for left, op, right in zip(
+            relation.operands, relation.operators, relation.operands[1:], strict=False
+        ):
+            if op == "=" or not (has_quantity(left) or has_quantity(right)):
+                continue
+            prepare(work, left, now)
+            prepare(work, right, now)
+            a, b = put_in(work, left, now), put_in(work, right, now)
+            sign = lay.SIGNS.get(op, op)
+            words: Words = (
+                "It is given that ",
+                lay.relation(lay.from_tree(left), sign, lay.from_tree(right)),
+                ":",
+            )
+            found.append(
+                Bound(words, a, sign, b, sp.sympify(a.value) - sp.sympify(b.value), sign)
+            )
+    elif isinstance(relation, Aligned):
+        for need in solve_facts.requirements(relation, story, now):
+            if isinstance(need, Condition):
+                value = _smaller(work, sp.sympify(need.value))
+                words = (
+                    "It is given that ", lay.from_tree(relation.left),
+                    f" is {relation.relation} ", lay.from_tree(relation.right), ":",
+                )
+                found.append(
+                    Bound(words, value, _SIGNS[need.relation], sp.Integer(0), value,
+                          _SIGNS[need.relation])
+                )
+    return found
+
+
+def _smaller(work: Working, value: sp.Expr) -> sp.Expr:
+    """A condition on a product with the positive parts left out."""
+    return value
+
+
+def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound:
+    one, other = relation.first.name, relation.second.name
+    story = work.model.story
+    if other in story.spheres:
+        event = next(
+            h for h in reversed(story.happenings[:now]) if {one, other} == set(h.bodies)
+        )
+        frame = work.model.frames[event.number]
+        first, second = event.bodies
+        a, b = (
+            work.model.story.velocity(name, now).dot(frame.n) for name in (first, second)
+        )
+        work.reach(work.open((a, b)))
+        a, b = work.put(a), work.put(b)
+        if work.model.sign(event.oriented().dot(frame.n)) < 0:
+            a, b, first, second = b, a, second, first
+        again = "collide again if" if relation.happens else "do not collide again if"
+        words: Words = (
+            f"{one} and {other} {again} {first} "
+            f"{'gains on' if relation.happens else 'does not gain on'} {second} along the line of "
+            "centres:",
+        )
+        sign = ">" if relation.happens else "≤"
+        return Bound(words, a, sign, b, sp.sympify(a) - sp.sympify(b), sign)
+    value = sp.sympify(need.value)
+    work.reach(work.open(value))
+    happens = "hits" if relation.happens else "does not hit"
+    again = " again" if relation.again else ""
+    words = (
+        f"{one} {happens} {other}{again} if it {'moves' if relation.happens else 'does not move'} "
+        f"towards {other}:",
+    )
+    shown = work.put(value)
+    return Bound(words, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation])
+
+
+def _from_story(work: Working) -> list[Bound]:
+    found = []
+    for need in work.model.story.conditions:
+        if isinstance(need, AnyOf) or need.kind in ("coefficient", "sign"):
+            continue
+        value = sp.sympify(need.value)
+        sign = _SIGNS[need.relation]
+        if sign == "≠":
+            # The sense of approach is told by the story: it is that of the sample.
+            sign = ">"
+            if work.model.sign(value) < 0:
+                value = -value
+        words: Words = (f"This is needed, as otherwise {need.reason}:",)
+        found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+    return found
+
+
+def _from_solved(work: Working) -> list[Bound]:
+    """Letters that the facts fix have to lie where they may."""
+    found = []
+    for symbol, value in work.model.final.items():
+        role = work.model.unknowns.roles.get(symbol.name)
+        if role is None or not value.free_symbols:
+            continue
+        if role.kind == "restitution":
+            low = role.low if role.low is not None else sp.Integer(0)
+            high = role.high if role.high is not None else sp.Integer(1)
+            words: Words = ("A coefficient of restitution lies between 0 and 1, so ",
+                            look(symbol), " has to:")
+            found.append(
+                Bound(words, symbol, "≤" if role.closed[1] else "<", high, symbol - high,
+                      "≤" if role.closed[1] else "<")
+            )
+            found.append(
+                Bound(words, symbol, "≥" if role.closed[0] else ">", low, symbol - low,
+                      "≥" if role.closed[0] else ">")
+            )
+        elif role.kind == "positive":
+            words = (look(symbol), " has to be positive:")
+            found.append(Bound(words, symbol, ">", sp.Integer(0), symbol, ">"))
+    return found
+
+
+def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
+    """Writes a bound: as first put, with the values, and solved for the letter if that is easy."""
+    work.reach(work.open(bound.value))
+    left = _final_side(work, bound.left)
+    right = _final_side(work, bound.right)
+    rows = [Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), "M1")]
+    value = work.put(bound.value)
+    simple, sign = _reduced(work, value, bound.asks)
+    if simple.free_symbols:
+        rows += _solved(work, simple, sign, x, rows[0])
+    if rows[-1].operands != rows[0].operands:
+        last = rows[-1]
+        rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
+    work.write("fact", rows, words=bound.words)
+
+
+def _final_side(work: Working, given: Any) -> Side:
+    if isinstance(given, Side):
+        if given.value is None or not work.open(given.value):
+            return given
+        return side(work.put(given.value))
+    return side(work.put(given))
+
+
+def _reduced(work: Working, value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
+    """An inequality without the factors that are positive anyway."""
+    value = sp.factor(sp.together(value))
+    kept = sp.Integer(1)
+    for factor, power in value.as_powers_dict().items():
+        if not factor.free_symbols:
+            if factor.is_negative and int(power) % 2:
+                sign = _FLIPPED[sign]
+            continue
+        if power.is_Integer and int(power) % 2 == 0:
+            continue
+        constant = _constant_sign(work, factor)
+        if constant == 0:
+            kept *= factor
+        elif constant < 0 and (not power.is_Integer or int(power) % 2):
+            sign = _FLIPPED[sign]
+    return sp.expand(kept) if kept.is_Mul or kept.is_Pow else kept, sign
+
+
+def _solved(
+    work: Working, simple: sp.Expr, sign: str, x: sp.Symbol | None, first: Row
+) -> list[Row]:
+    del first
+    if x is not None and simple.has(x):
+        if work.is_angle(x):
+            t = sp.Dummy("t", positive=True)
+            poly = by_tangent(simple, x, t)
+            if poly is not None and sp.degree(poly, t) in (1, 2):
+                p = sp.Poly(poly, t)
+                if p.degree() == 1 or p.coeff_monomial(t) == 0:
+                    bound = tidy(-p.coeff_monomial(1) / p.LC())
+                    turned = _by_sign(work, p.LC(), sign)
+                    if turned is not None:
+                        power = sp.tan(x) ** p.degree()
+                        return [Row((look(power), look(bound)), (turned,), (power, bound))]
+        elif simple.is_polynomial(x) and sp.degree(simple, x) == 1:
+            a, b = sp.Poly(simple, x).all_coeffs()
+            turned = _by_sign(work, a, sign)
+            if turned is not None:
+                bound = tidy(-b / a)
+                return [Row((look(x), look(bound)), (turned,), (x, bound))]
+    tidied = sp.factor(simple)
+    return [Row((look(tidied), lay.Number("0")), (sign,), (tidied, sp.Integer(0)))]
+
+
+def _by_sign(work: Working, factor: sp.Expr, sign: str) -> str | None:
+    constant = _constant_sign(work, factor) if factor.free_symbols else int(sp.sign(factor))
+    if constant == 0:
+        return None
+    return sign if constant > 0 else _FLIPPED[sign]
+
+
+# --- ranges -------------------------------------------------------------------------------------
+
+
+def explain_range(work: Working, tree: Expression, answer_: Answer, now: int) -> None:
+    """The conditions that bound a letter or a quantity, then its range."""
+    laid = lay.display_set(answer_.value, lay.from_tree(tree), angle=answer_.angle)
+    _range_working(work, tree, now)
+    work.write(
+        "result", [Row((laid,), (), (None,), "A1")], words=("So the range is",)
+    )
+
+
+def _range_working(work: Working, tree: Expression, now: int) -> None:
+    x = work.model.unknowns.letter(tree.name) if isinstance(tree, Letter) else None
+    if x is None:
+        prepare(work, tree, now)
+        for asked in quantities_in(work, tree, now):
+            sub_result(work, asked)
+    for bound in _bounds(work):
+        value = _final(work, bound.value)
+        if x is not None and x not in value.free_symbols and not (
+            value.free_symbols & {work.model.unknowns.letter(n) for n in work.model.unknowns.roles}
+        ):
+            continue
+        if _ever_fails(work, value, bound.asks):
+            _told(work, bound, x)
+    if x is None:
+        _ends(work, tree, now)
+
+
+def _final(work: Working, value: Any) -> sp.Expr:
+    """An expression in the data alone."""
+    x = sp.sympify(value)
+    for _ in range(6):
+        inside = {s: work.model.final[s] for s in x.free_symbols if s in work.model.final}
+        if not inside:
+            break
+        x = x.xreplace(inside)
+    return work.resolved(x)
+
+
+def _ends(work: Working, tree: Expression, now: int) -> None:
+    """How a quantity changes as one letter runs through its range, where it always grows."""
+    value = evaluated(work, tree, now)
+    if isinstance(value, tuple):
+        return
+    value = sp.sympify(value)
+    rows: list[Row] = []
+    for symbol in sorted(value.free_symbols, key=lambda s: str(s.name)):
+        role = work.model.unknowns.roles.get(symbol.name)
+        if role is None or role.low is None or role.high is None:
+            continue
+        slope = _constant_sign(work, sp.diff(value, symbol))
+        if slope == 0:
+            continue
+        angle = work.is_angle(symbol)
+        is_angle = isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
+        name = lay.from_tree(tree)
+        ends = []
+        for end in (role.low, role.high):
+            try:
+                limit = sp.limit(value, symbol, end, "+" if end == role.low else "-")
+            except (NotImplementedError, ValueError):
+                limit = value.subs(symbol, end)
+            ends.append(tidy_angle(limit) if is_angle else tidy(limit))
+        words: Words = (
+            "As ", look(symbol), " goes from ", look(role.low, angle=angle), " to ",
+            look(role.high, angle=angle), ", ", name,
+            " increases from " if slope > 0 else " decreases from ",
+            look(ends[0], angle=is_angle), " to ", look(ends[1], angle=is_angle), ".",
+        )
+        work.write("result", rows, words=words, mark="M1")
+
+
+def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int) -> None:
+    """A range or an extremum that is printed and has to be shown."""
+    del result
+    subject = item.subject
+    relation = item.relation
+    assert isinstance(relation, Compare)
+    if isinstance(subject, Range):
+        _range_working(work, subject.expression, now)
+        operands = tuple(lay.from_tree(each) for each in relation.operands)
+        signs = tuple(lay.SIGNS.get(op, op) for op in relation.operators)
+        work.write(
+            "result",
+            [Row(operands, signs, (None,) * len(operands), "A1*", ("as required",))],
+            words=("So",),
+        )
+    elif isinstance(subject, Extremum):
+        target = evaluated(work, relation.operands[-1], 0)
+        _extremum(work, subject, sp.sympify(target), now)
+        operands = tuple(lay.from_tree(each) for each in relation.operands)
+        name: Layout = lay.Phrase((lay.Words(f"{subject.kind} of"), operands[0]))
+        work.write(
+            "result",
+            [Row((name, *operands[1:]), ("=",) * (len(operands) - 1), (None,) * len(operands),
+                 "A1*", ("as required",))],
+        )
+
+
+# --- extrema ------------------------------------------------------------------------------------
+
+
+def explain_extremum(work: Working, item: Extremum, answer_: Answer, now: int) -> None:
+    """The quantity as a function, its derivative, where it is zero or which end counts."""
+    _extremum(work, item, sp.sympify(answer_.value), now)
+    name: Layout = lay.Phrase((lay.Words(f"{item.kind} of"), lay.from_tree(item.expression)))
+    sides = answer(answer_.value, angle=answer_.angle, percentage=item.percentage)
+    work.write(
+        "result",
+        [
+            Row(
+                (name, *(s.layout for s in sides)),
+                ("=",) * len(sides),
+                (None,) * (len(sides) + 1),
+                "A1",
+                () if answer_.reached else ("approached, but not reached",),
+            )
+        ],
+    )
+
+
+def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
+    tree = item.expression
+    assert isinstance(item.over, Letter)
+    x = work.model.unknowns.letter(item.over.name)
+    prepare(work, tree, now)
+    for asked in quantities_in(work, tree, now):
+        if asked.tree.kind == "deflection":
+            derived = derive(work, asked.tree, asked.now)
+            rows = [r for r in derived.rows if r.operands and isinstance(
+                r.operands[0], lay.Function)] or derived.rows
+            work.write("result", rows, derived.principle, derived.words)
+        else:
+            sub_result(work, asked)
+    value = sp.sympify(evaluated(work, tree, now))
+    function, target_, name = _as_function(value, target, lay.from_tree(tree))
+    if not isinstance(tree, Quantity) and function == value:
+        work.write("result", [chain(Side(lay.from_tree(tree), value), side(value))])
+    variable: Any = x
+    shown_x: sp.Expr = x
+    if work.is_angle(x):
+        t = sp.Dummy("t", positive=True)
+        replaced = _in_tangent(function, x, t)
+        if replaced is not None:
+            function, variable, shown_x = replaced, t, sp.tan(x)
+    slope = tidy(sp.factor(sp.diff(function, variable)))
+    back = {variable: shown_x}
+    root = _stationary(work, slope, function, target_, variable, x)
+    rate = lay.Fraction(lay.Words("d"), lay.product(lay.Words("d"), look(shown_x)))
+    shown_slope = tidy(slope.xreplace(back)) if variable is not x else slope
+    row = Row(
+        (lay.product(rate, lay.Brackets(name)), look(shown_slope)), ("=",),
+        (None, shown_slope), "M1 A1",
+    )
+    if root is None:
+        _at_an_end(work, item, slope, variable, x, shown_slope, row)
+        return
+    factor, place = root
+    rows = [
+        row,
+        Row((look(factor.xreplace(back)), lay.Number("0")), ("=",), (None, None), "M1",
+            ("for a stationary value",)),
+        Row((look(shown_x), look(place)), ("=",), (None, None), "A1"),
+    ]
+    work.write("result", rows, words=("Differentiate:",))
+
+
+def _as_function(
+    value: sp.Expr, target: sp.Expr, name: Layout
+) -> tuple[sp.Expr, sp.Expr, Layout]:
+    """An angle by its tangent, a root by its square: they are greatest together."""
+    if isinstance(value, sp.atan):
+        return value.args[0], tidy(sp.tan(target)), lay.function("tan", lay.Brackets(name))
+    if value.is_Pow and value.exp == sp.S.Half:
+        return value.base, tidy(target**2), lay.power(lay.Brackets(name), lay.Number("2"))
+    return value, target, name
+
+
+def _in_tangent(function: sp.Expr, x: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
+    c = 1 / sp.sqrt(1 + t**2)
+    replaced = function.subs(sp.tan(x), t).subs({sp.sin(x): t * c, sp.cos(x): c})
+    if replaced.has(x):
+        return None
+    replaced = tidy(sp.simplify(replaced))
+    return None if replaced.has(sp.sqrt(1 + t**2)) else replaced
+
+
+def _stationary(
+    work: Working,
+    slope: sp.Expr,
+    function: sp.Expr,
+    target: sp.Expr,
+    variable: sp.Symbol,
+    x: sp.Symbol,
+) -> tuple[sp.Expr, sp.Expr] | None:
+    """The factor of the derivative that vanishes at the extremum, and its root there."""
+    numerator = sp.fraction(sp.together(slope))[0]
+    try:
+        factors = [f for f, _ in sp.factor_list(numerator)[1] if f.has(variable)]
+    except sp.PolynomialError:
+        return None
+    for factor in factors:
+        if not factor.is_polynomial(variable):
+            continue
+        try:
+            roots = algebra.roots(factor, variable)
+        except (RestitutionError, sp.PolynomialError, NotImplementedError):
+            continue
+        for root in roots:
+            place = tidy(root)
+            if work.model.sign(place) < 0:
+                continue
+            reached = function.xreplace({variable: place})
+            if work.model.sign(reached - target) == 0 and _defined(work, reached):
+                return factor if not factor.could_extract_minus_sign() else -factor, place
+    del x
+    return None
+
+
+def _defined(work: Working, value: sp.Expr) -> bool:
+    try:
+        work.model.number(value)
+    except (UndefinedError, KeyError, ArithmeticError):
+        return False
+    return True
+
+
+def _at_an_end(
+    work: Working,
+    item: Extremum,
+    slope: sp.Expr,
+    variable: sp.Symbol,
+    x: sp.Symbol,
+    shown: sp.Expr,
+    row: Row,
+) -> None:
+    del variable, slope
+    constant = _constant_sign(work, shown)
+    words: list[str | Layout] = []
+    if constant:
+        work.write("result", [row], words=("Differentiate:",))
+        role = work.model.unknowns.roles.get(x.name)
+        grows = constant > 0
+        upper = grows == (item.kind == "maximum")
+        end = None if role is None else (role.high if upper else role.low)
+        words = [
+            "This is ", "positive" if grows else "negative", ", so ",
+            lay.from_tree(item.expression), " ", "increases" if grows else "decreases",
+            " with ", look(x),
+        ]
+        if end is not None:
+            angle = work.is_angle(x)
+            words += [
+                f", and the {item.kind} belongs to the {'greatest' if upper else 'least'} "
+                "value, ", look(x), " = ", look(end, angle=angle),
+            ]
+        work.write("result", words=(*words, "."), mark="M1")
+
+
+def explain_meets(work: Working, relation: Meets, now: int) -> None:
+    """``show A and B collide again``: their components along the line compared."""
+    need = solve_facts.requirements(relation, work.model.story, now)[0]
+    if not isinstance(need, Condition):
+        return
+    bound = _meeting(work, relation, need, now)
+    left, right = _final_side(work, bound.left), _final_side(work, bound.right)
+    rows = []
+    if bound.right != 0:
+        gap = tidy(sp.sympify(left.value) - sp.sympify(right.value))
+        rows.append(
+            Row(
+                (_difference(left, right), look(gap), lay.Number("0")),
+                ("=", bound.sign),
+                (gap, gap, sp.Integer(0)),
+                "M1 A1",
+            )
+        )
+    else:
+        rows.append(Row((left.layout, right.layout), (bound.sign,), (left.value, right.value),
+                        "M1 A1"))
+    work.write("result", rows, words=bound.words)
+    happens = relation.again and " again" or ""
+    verb = "collide" if relation.second.name in work.model.story.spheres else "hit"
+    if verb == "collide":
+        text = f"So {relation.first.name} and {relation.second.name} "
+        text += f"collide{happens}" if relation.happens else f"do not collide{happens}"
+    else:
+        text = f"So {relation.first.name} "
+        text += "will hit" if relation.happens else "will not hit"
+        text += f" {relation.second.name}{happens}"
+    work.write("result", words=(f"{text}, as required.",), mark="A1*")
+
+
+def _difference(left: Side, right: Side) -> Layout:
+    from restitution.explain.phrases import difference
+
+    return difference(left.layout, right.layout)
+
+
+__all__ = ["explain_extremum", "explain_meets", "explain_range", "explain_shown_bound", "listed"]

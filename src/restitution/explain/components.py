@@ -27,7 +27,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem
 from restitution.solve.letters import POSITIVE, REAL, Role, trees
-from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -190,6 +190,7 @@ def model(problem: Problem, part: Part, branch: Branch, roles: Mapping[str, Role
     story.problem = problem
     told = Model(problem, part, branch, story, unknowns, {}, {}, [], {}, sample)
     put = _values(told)
+    story.energy_lost = lambda event: _loss(told, event)  # type: ignore[method-assign]
     for number, step in enumerate(_events(problem, part), 1):
         story._tell(step)  # noqa: SLF001 - the same telling, with letters put in as it goes on
         _hidden_values(told, put)
@@ -198,6 +199,22 @@ def model(problem: Problem, part: Part, branch: Branch, roles: Mapping[str, Role
         story._evaluators.clear()  # noqa: SLF001
     _hidden_values(told, put)
     return told
+
+
+def _loss(told: Model, event: Happening) -> sp.Expr:
+    """Kinetic energy lost in an event, from the components that change."""
+    total = sp.Integer(0)
+    for name in event.bodies:
+        if name not in told.story.spheres:
+            continue
+        u, v = event.before[name], event.after[name]
+        frame = told.frames.get(event.number)
+        if frame is None:
+            change = u.dot(u) - v.dot(v)
+        else:
+            change = tidy(u.dot(frame.n)) ** 2 - told.components[event.number, name].symbol ** 2
+        total = total + told.story.mass(name) * change / 2
+    return total
 
 
 def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
@@ -223,8 +240,8 @@ def _hidden_values(told: Model, put: dict[sp.Symbol, sp.Expr]) -> None:
         value = told.branch.values.get(f"_{key}")
         if value is None:
             known = told.sample.get(f"_{key}")
-            if known is not None:
-                told.sample[name] = known
+            # What the answers do not depend on may be anything.
+            told.sample.setdefault(name, known if known is not None else FIELD.context.mpf("1.37"))
             continue
         for symbol in (POSITIVE.symbol(name), REAL.symbol(name)):
             put[symbol] = sp.sympify(value)

@@ -33,7 +33,7 @@ def resolved(work: Working, frame: Frame) -> list[Row]:
         un, ut = work.put(raw_n), work.put(raw_t)
         if un == 0 and ut == 0:
             continue
-        looks = _split(un, ut, work.put(Vector(*u)), frame)
+        looks = _by_angle(work, frame, un, ut) or _split(un, ut, work.put(Vector(*u)), frame)
         if looks is None and (raw_n != un or raw_t != ut) and _has_angle(raw_n, raw_t):
             looks = look(raw_n), look(raw_t)
         if looks is None:
@@ -48,6 +48,33 @@ def resolved(work: Working, frame: Frame) -> list[Row]:
                 continue
             rows.append(chain(shown(Words(name)), Side(laid, value), side(value)))
     return rows
+
+
+def _by_angle(
+    work: Working, frame: Frame, un: sp.Expr, ut: sp.Expr
+) -> tuple[Layout, Layout] | None:
+    """``u cos θ`` and ``u sin θ``, with the angle that an offset fixes."""
+    step = work.model.happening(frame.number).step
+    if not isinstance(step, Impact) or step.offset is None:
+        return None
+    happening = work.model.happening(frame.number)
+    w = happening.before[step.first] - happening.before[step.second]
+    along, across = work.put(w.dot(frame.n)), work.put(w.dot(frame.t))
+    if work.sign(along * ut - across * un) != 0:
+        return None
+    size = tidy(work.resolved(sp.sqrt(tidy(sp.expand(un**2 + ut**2)))))
+    theta = angle_letter(work)
+    made = []
+    for value, function in ((un, "cos"), (ut, "sin")):
+        laid = lay.product(look(size), lay.function(function, theta))
+        made.append(lay.negative(laid) if work.sign(value) < 0 else laid)
+    return made[0], made[1]
+
+
+def angle_letter(work: Working) -> Layout:
+    """A letter for an angle that the problem does not use."""
+    used = work.model.unknowns.roles
+    return Letter(next(n for n in ("theta", "phi", "psi", "delta") if n not in used))
 
 
 def _has_angle(*values: sp.Expr) -> bool:
@@ -83,7 +110,9 @@ def _scalar(u: Vector, n: Vector) -> Layout:
     """``(6**i** − 5**j**)·(3**i** + 4**j**)/5``."""
     x, y = sp.sympify(n.x), sp.sympify(n.y)
     ratio = tidy(sp.radsimp(y / x)) if x != 0 else None
-    first = Brackets(look((u.x, u.y)))
+    first = look((u.x, u.y))
+    if isinstance(first, lay.Sum) and len(first.terms) > 1:
+        first = Brackets(first)
     if isinstance(ratio, sp.Rational):
         sign = 1 if sp.N(x) > 0 else -1
         way = (sign * ratio.q, sign * ratio.p)
@@ -215,7 +244,7 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
         return
     happening = work.model.happening(frame.number)
     approach = happening.before[step.first] - happening.before[step.second]
-    theta = Letter("theta") if "theta" not in work.model.unknowns.roles else Letter("phi")
+    theta = angle_letter(work)
     d = d if work.sign(d) >= 0 else tidy(-d)
     ratio = tidy(d / (2 * work.put(r)))
     cosine = tidy(sp.sqrt(tidy(1 - ratio**2)))

@@ -84,7 +84,9 @@ def _flight(
     distance, speed, about = _shortest(work, way, v, target, story)
     if distance is None:
         return None
-    words: Words = (f"{body} goes {about[0]}", look(distance), about[1], look(speed), ":")
+    words: Words = (
+        f"{body} moves a distance ", look(distance), *about, " at speed ", look(speed), ":"
+    )
     ratio = Side(_quotient(distance, speed), tidy(distance / speed))
     rows: list[Row]
     if when == 0:
@@ -115,7 +117,7 @@ def _since(work: Working, body: str, number: int) -> int:
 
 def _shortest(
     work: Working, way: Vector, v: Vector, target: str, story: Any
-) -> tuple[Any, Any, tuple[str, str]]:
+) -> tuple[Any, Any, Words]:
     """A distance and the component of velocity along it."""
     if target in story.walls and story.walls[target].centre is None:
         along = work.put(story.wall_direction(Name(target)))
@@ -125,23 +127,20 @@ def _shortest(
             d = tidy(work.resolved(sp.Abs(d)))
             s = tidy(work.resolved(sp.Abs(s)))
             if d == 0 or s == 0:
-                return None, None, ("", "")
-            return d, s, ("", f" perpendicular to {target}, at ")
+                return None, None, ()
+            return d, s, (f" perpendicular to {target}",)
     for pick, axis in (("x", "i"), ("y", "j")):
         d, s = getattr(way, pick), getattr(v, pick)
         other = getattr(way, "y" if pick == "x" else "x")
         if s != 0 and d != 0 and (other == 0 or not sp.sympify(s).has(sp.sqrt)):
             d = tidy(work.resolved(sp.Abs(d)))
             s = tidy(work.resolved(sp.Abs(s)))
-            text = f" in the direction of {'x' if axis == 'i' else 'y'}, at "
-            if other == 0:
-                text = " at "
-            return d, s, ("", text)
+            return d, s, () if other == 0 else (" parallel to ", Bold(axis))
     size = tidy(work.resolved(sp.sqrt(tidy(way.dot(way)))))
     speed = tidy(work.resolved(sp.sqrt(tidy(v.dot(v)))))
     if size == 0 or speed == 0:
-        return None, None, ("", "")
-    return size, speed, ("", " at ")
+        return None, None, ()
+    return size, speed, ()
 
 
 def _meeting(

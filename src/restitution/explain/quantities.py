@@ -165,6 +165,8 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
         made = lay.total([each for each in parts if each != Number("0")])
     elif kind == "energy_lost":
         made = energy_lost(work, work.model.story._event(tree, now).number)  # noqa: SLF001
+    elif kind == "total_energy_lost":
+        made = _total_loss(work, tree, now)
     elif kind == "impulse" and body is None:
         made = impulse(work, work.model.story._event(tree, now).number)  # noqa: SLF001
     elif kind == "angle" or kind == "deflection" or kind == "direction":
@@ -756,8 +758,17 @@ def _derive_momentum(
 
 
 def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
+    laid = _total_loss(work, tree, now)
+    made = None if laid is None else Side(laid, value)
+    return Derived((_result(lay.from_tree(tree), made, value, mark="M1 A1"),), value)
+
+
+def _total_loss(work: Working, tree: Quantity, now: int) -> Layout | None:
+    """Kinetic energy at the start less that after the events told."""
     upto = stage_of(work, tree, now, None)
     story = work.model.story
+    if any(isinstance(h.step, Kick) for h in story.happenings[:upto]):
+        return None
     before = lay.total(
         [e for e in (_energy(work, n, 0) for n in story.spheres) if e != Number("0")]
         or [Number("0")]
@@ -766,11 +777,7 @@ def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> D
         [e for e in (_energy(work, n, upto) for n in story.spheres) if e != Number("0")]
         or [Number("0")]
     )
-    made = Side(minus(before, after), value)
-    kicked = any(isinstance(h.step, Kick) for h in story.happenings[:upto])
-    return Derived(
-        (_result(lay.from_tree(tree), None if kicked else made, value, mark="M1 A1"),), value
-    )
+    return minus(before, after)
 
 
 @dataclass(frozen=True)

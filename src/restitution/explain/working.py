@@ -164,10 +164,18 @@ class Working:
                 label, value = self.carried[symbol]
                 self.determine(symbol, value)
                 self._told_about(symbol)
-                rows.append(self.value_row(symbol, value=value))
+                rows.append(self._carried_row(symbol, value))
         if rows:
             where = f"From part ({label}):" if label else "From above:"
             self.write("result", rows, words=(where,))
+
+    def _carried_row(self, symbol: sp.Symbol, value: sp.Expr) -> Row:
+        name: Any = symbol
+        if self.is_angle(symbol) and value.free_symbols:
+            name, value = sp.tan(symbol), tidy(sp.tan(value))
+        if self.is_angle(symbol) and name is symbol:
+            return self.value_row(symbol, value=value)
+        return chain(side(name), side(value), side(self.put(value)))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
         for number, body in self.model.components:

@@ -125,7 +125,7 @@ def _written(solution: Solution, job: Job) -> tuple[str, tuple[str, ...], str]:
                 return _working(solution, job), (), ""
         except RestitutionError as error:
             note = (f"here are the answers without their working: {error.message}",)
-        except Exception:
+        except Exception:  # noqa: BLE001 - whatever it is, the answers stand
             # The answers are right without their working: they are given, and the fault told.
             fault = traceback.format_exc()
     return answers(solution, job.form, job.part), note, fault

@@ -1,0 +1,354 @@
+"""The command as a user meets it: files, formats, statuses, messages, limits."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from restitution import examples
+
+GOOD = "wall W: along i\nsphere P: mass 2, velocity 5i - 3j\nP hits W: e = 1/3\nfind impulse\n"
+BAD = "sphere P: velocty 3i\nfind speed(P)\n"
+MISSING = "wall W: along i\nsphere P: velocity 5i - 3j\nP hits W: e = 1/3\nfind impulse, speed(P)\n"
+COMMAND = [sys.executable, "-m", "restitution"]
+
+
+def run(*arguments, stdin=b"", cwd=None, env=None):
+    done = subprocess.run(
+        [*COMMAND, *map(str, arguments)],
+        input=stdin,
+        capture_output=True,
+        timeout=60,
+        cwd=cwd,
+        env={**os.environ, **(env or {})},
+    )
+    assert b"Traceback" not in done.stderr, done.stderr.decode()
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name, text in (("good", GOOD), ("bad", BAD), ("missing", MISSING)):
+        (tmp_path / f"{name}.impact").write_text(text)
+    return tmp_path
+
+
+# --- solve ------------------------------------------------------------------------------------
+
+
+def test_solve_prints_the_working(folder):
+    status, out, err = run("solve", "good.impact", cwd=folder)
+    assert (status, err) == (0, "")
+    assert "Newton's experimental law" in out
+    assert "8" in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_standard_input(folder):
+    status, out, _ = run("solve", "-", "--answers-only", stdin=GOOD.encode())
+    assert (status, out.strip()) == (0, "impulse = 8")
+
+
+def test_statuses(folder):
+    def status(*names):
+        return run("solve", *names, "--format", "json", cwd=folder)[0]
+
+    assert status("good.impact") == 0
+    assert status("missing.impact") == 1
+    assert status("good.impact", "missing.impact") == 1
+    assert status("bad.impact") == 2
+    assert status("missing.impact", "bad.impact", "good.impact") == 2
+    assert status("no-such-file.impact") == 2
+    assert status(".") == 2
+
+
+def test_a_refuted_show_is_an_answer():
+    text = GOOD.replace("find impulse", "show impulse = 9")
+    status, out, _ = run("solve", "-", "-f", "json", stdin=text.encode())
+    assert status == 0
+    assert json.loads(out)["parts"][0]["items"][0]["holds"] is False
+
+
+def test_one_bad_file_does_not_stop_the_rest(folder):
+    status, out, err = run(
+        "solve", "bad.impact", "gone.impact", "good.impact", "--answers-only", cwd=folder
+    )
+    assert status == 2
+    assert "impulse = 8" in out
+    assert "=== good.impact ===" in out
+    assert "bad.impact:1:11" in err
+    assert "gone.impact: cannot be read" in err
+    assert "\r" not in err, "no progress where nobody looks"
+
+
+def test_mistake_is_shown_with_a_caret(folder):
+    for command in ("solve", "check"):
+        status, out, err = run(command, "bad.impact", cwd=folder)
+        assert (status, out) == (2, "")
+        first, second, third = err.splitlines()
+        assert first.startswith("bad.impact:1:11: ")
+        assert "velocity" in first
+        assert second.endswith("| sphere P: velocty 3i")
+        assert second[third.index("^")] == "v"
+
+
+def test_caret_in_a_long_line_with_wide_letters(tmp_path):
+    text = "title 漢字\nsphere P: velocity " + "1 + " * 60 + "velocty\nfind speed(P)\n"
+    (tmp_path / "long.impact").write_text(text, encoding="utf-8")
+    status, _, err = run("check", "long.impact", cwd=tmp_path)
+    _, shown, caret = err.splitlines()
+    assert status == 2
+    assert len(shown) < 90
+    assert shown[caret.index("^") :].startswith("velocty")
+
+
+def test_missing_datum_is_located(folder):
+    status, out, err = run("solve", "missing.impact", "--answers-only", cwd=folder)
+    assert status == 1
+    assert "speed(P) = √26" in out
+    assert "missing.impact:4:6: missing: " in err
+
+
+def test_part_and_unknown_part():
+    text = GOOD.replace("find impulse", "part a\nfind impulse\npart b\nfind speed(P)")
+    status, out, _ = run("solve", "-", "--part", "b", "--answers-only", stdin=text.encode())
+    assert status == 0
+    assert "speed(P)" in out
+    assert "impulse" not in out
+    status, _, err = run("solve", "-", "--part", "c", stdin=text.encode())
+    assert status == 2
+    assert "a, b" in err
+
+
+@pytest.mark.parametrize("answers_only", [False, True])
+@pytest.mark.parametrize(
+    ("form", "ending", "sign"),
+    [
+        ("text", ".txt", "8"),
+        ("markdown", ".md", "$"),
+        ("latex", ".tex", "\\"),
+        ("html", ".html", "<math"),
+        ("json", ".json", '{"file"'),
+    ],
+)
+def test_formats(folder, form, ending, sign, answers_only):
+    extra = ["--answers-only"] if answers_only else []
+    path = folder / f"out{ending}"
+    status, out, _ = run("solve", "good.impact", "-f", form, "-o", path, *extra, cwd=folder)
+    assert (status, out) == (0, "")
+    assert sign in path.read_text(encoding="utf-8")
+    # The same to standard output, and into a folder.
+    assert run("solve", "good.impact", "-f", form, *extra, cwd=folder)[1] == path.read_text(
+        encoding="utf-8"
+    )
+    run("solve", "good.impact", "-f", form, "-o", "sub/", *extra, cwd=folder)
+    assert (folder / "sub" / f"good{ending}").read_text("utf-8") == path.read_text("utf-8")
+
+
+def test_output_is_refused_where_something_would_be_lost(folder):
+    (folder / "sub").mkdir()
+    (folder / "sub" / "good.impact").write_text(GOOD)
+    for arguments in (
+        ["good.impact", "-o", "good.impact"],
+        ["good.impact", "sub/good.impact", "-o", "out/"],
+        ["good.impact", "missing.impact", "-f", "html"],
+    ):
+        status, out, err = run("solve", *arguments, cwd=folder)
+        assert (status, out) == (2, ""), arguments
+        assert err
+    assert (folder / "good.impact").read_text() == GOOD
+    status, _, err = run("solve", "good.impact", "-o", "no/such/folder.txt", cwd=folder)
+    assert status == 1
+    assert "cannot be written" in err
+
+
+def test_a_wrong_option_is_explained():
+    for arguments in (["solve"], ["solve", "-", "--format", "pdf"], ["solv"], ["-x"]):
+        status, _, err = run(*arguments)
+        assert status == 2
+        assert "Usage" in err
+    assert run("solve", "-", "--time-limit", "nan", stdin=b"")[0] == 2
+    assert run("solve", "-", "--time-limit", "-1", stdin=b"")[0] == 2
+
+
+def test_example_named_as_a_file():
+    status, _, err = run("solve", "corner")
+    assert status == 2
+    assert "restitution examples corner" in err
+
+
+# --- limits and interruptions -----------------------------------------------------------------
+
+
+def slow(monkeypatch_dir: Path) -> dict[str, str]:
+    """An environment in which solving never ends, and cannot be interrupted from inside."""
+    (monkeypatch_dir / "sitecustomize.py").write_text(
+        "import sys, signal, time\n"
+        "class Finder:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'restitution.export.job':\n"
+        "            import restitution.killable as k, contextlib\n"
+        "            def spin(request):\n"
+        "                if hasattr(signal, 'pthread_sigmask'):\n"
+        "                    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])\n"
+        "                while True: time.sleep(0.1)\n"
+        "            start = k.Worker.__init__\n"
+        "            def init(self, serve, prepare): start(self, spin, prepare)\n"
+        "            k.Worker.__init__ = init\n"
+        "        return None\n"
+        "sys.meta_path.insert(0, Finder())\n"
+    )
+    return {"PYTHONPATH": str(monkeypatch_dir)}
+
+
+def test_time_limit(folder, tmp_path):
+    env = slow(tmp_path)
+    start = time.monotonic()
+    status, out, err = run(
+        "solve", "good.impact", "bad.impact", "missing.impact", "--time-limit", "0.3", "-f", "json",
+        cwd=folder, env=env,
+    )  # fmt: skip
+    assert time.monotonic() - start < 10
+    assert status == 2, "of the file that cannot be read"
+    first, second, third = map(json.loads, out.splitlines())
+    assert first["error"]["kind"] == third["error"]["kind"] == "time limit"
+    assert second["error"]["kind"] == "syntax"
+    # What was asked is still said, each item without an answer.
+    (item,) = first["parts"][0]["items"]
+    assert (item["text"], item["line"], item["answers"]) == ("impulse", 4, [])
+    assert item["error"]["kind"] == "time limit"
+    assert err.count("time limit") == 2
+    assert run("solve", "good.impact", "--time-limit", "0.3", cwd=folder, env=env)[0] == 1
+
+
+def test_control_c(folder, tmp_path):
+    process = subprocess.Popen(
+        [*COMMAND, "solve", "good.impact", "--time-limit", "0"],
+        cwd=folder,
+        env={**os.environ, **slow(tmp_path)},
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        start_new_session=True,
+    )
+    time.sleep(2)
+    # As a terminal does: to the command and to the process that solves.
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=10)
+    assert (process.returncode, out, err) == (130, b"", b"interrupted\n")
+    with pytest.raises(ProcessLookupError):
+        os.killpg(process.pid, 0)
+
+
+def test_reader_who_goes_away(folder):
+    done = subprocess.run(
+        f"{sys.executable} -m restitution solve good.impact good.impact -f text | head -c 1",
+        shell=True,
+        capture_output=True,
+        cwd=folder,
+        timeout=60,
+    )
+    assert b"Traceback" not in done.stderr
+    assert b"internal error" not in done.stderr
+
+
+def test_progress_on_a_terminal(folder):
+    primary, secondary = pty.openpty()
+    done = subprocess.Popen(
+        [*COMMAND, "solve", "good.impact", "missing.impact", "-f", "json"],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=secondary,
+        env={**os.environ, "TERM": "xterm"},
+    )
+    os.close(secondary)
+    out, _ = done.communicate(timeout=60)
+    seen = b""
+    try:
+        while chunk := os.read(primary, 4096):
+            seen += chunk
+    except OSError:
+        pass
+    os.close(primary)
+    assert len(out.splitlines()) == 2
+    assert b"good.impact" in seen
+    assert b"/2" in seen
+
+
+# --- the other commands -----------------------------------------------------------------------
+
+
+def test_check(folder):
+    status, out, err = run("check", "good.impact", "-", cwd=folder, stdin=GOOD.encode())
+    assert (status, err) == (0, "")
+    assert out.splitlines()[0] == "good.impact: reads well: 1 sphere, 1 wall, 1 event; 1 item asked"
+
+
+def test_examples():
+    status, out, _ = run("examples")
+    assert status == 0
+    assert [line.split()[0] for line in out.splitlines()] == list(examples.names())
+    status, out, _ = run("examples", "corner")
+    assert (status, out) == (0, examples.text("corner"))
+    status, _, err = run("examples", "cornre")
+    assert status == 2
+    assert "corner" in err
+
+
+def test_language_is_the_page_of_the_documentation():
+    status, out, _ = run("language")
+    page = Path(__file__).parents[1] / "docs" / "language.md"
+    assert (status, out) == (0, page.read_text(encoding="utf-8"))
+
+
+def test_version_and_help():
+    assert re.fullmatch(r"restitution \d+\.\d+\.\d+\S*\n", run("--version")[1])
+    status, out, _ = run("--help")
+    assert status == 0
+    # The statement in the help is one that can be solved.
+    statement = "\n".join(line for line in out.splitlines() if line.startswith("      "))
+    statement = statement.split("      restitution solve")[0]
+    status, solved, _ = run("solve", "-", "--answers-only", stdin=statement.encode())
+    assert status == 0
+    assert "velocity(P) = 5𝐢 + 𝐣" in solved
+    for command in ("solve", "check", "examples", "language"):
+        assert command in out
+        assert run(command, "--help")[0] == 0
+
+
+def test_completion_writes_nothing_at_home(tmp_path):
+    env = {"HOME": str(tmp_path), "_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION": "1"}
+    status, out, _ = run("--show-completion", "bash", env=env)
+    assert status == 0
+    assert "_RESTITUTION_COMPLETE" in out
+    words = {
+        "_RESTITUTION_COMPLETE": "complete_bash",
+        "COMP_WORDS": "restitution examples cor",
+        "COMP_CWORD": "2",
+    }
+    out = run(env={**env, **words})[1]
+    assert "corner" in out.split()
+    run("solve", "-", stdin=GOOD.encode(), env=env)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_asking_process_loads_no_algebra(folder):
+    code = (
+        "import sys; sys.argv = ['restitution', 'solve', 'good.impact', '-f', 'json']\n"
+        "from restitution.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "print([m for m in ('sympy', 'numpy', 'rich', 'ziamath') if m in sys.modules])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=folder, timeout=60
+    )
+    assert done.stdout.splitlines()[-1] == "[]", done.stderr
