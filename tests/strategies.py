@@ -586,7 +586,9 @@ def tales(
         pairs = [("A", f"W{number}"), ("A", "B"), ("B", "A")]
         if number > 1:
             pairs += [("B", "C"), ("B", f"W{number}"), ("A", "C")]
-        pairs = [pair for pair in pairs if not blows or {*pair} != {blows[-1].first, blows[-1].second}]
+        pairs = [
+            pair for pair in pairs if not blows or {*pair} != {blows[-1].first, blows[-1].second}
+        ]
         first, second = draw(st.sampled_from(pairs))
         heading = draw(st.sampled_from(HEADINGS))
         along = said((Fraction(heading[0]), Fraction(heading[1])))

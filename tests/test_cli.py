@@ -27,6 +27,7 @@ def run(*arguments, stdin=b"", cwd=None, env=None):
         [*COMMAND, *map(str, arguments)],
         input=stdin,
         capture_output=True,
+        check=False,
         timeout=60,
         cwd=cwd,
         env={**os.environ, **(env or {})},
@@ -253,6 +254,7 @@ def test_reader_who_goes_away(folder):
         f"{sys.executable} -m restitution solve good.impact good.impact -f text | head -c 1",
         shell=True,
         capture_output=True,
+        check=False,
         cwd=folder,
         timeout=60,
     )
@@ -349,6 +351,6 @@ def test_the_asking_process_loads_no_algebra(folder):
         "print([m for m in ('sympy', 'numpy', 'rich', 'ziamath') if m in sys.modules])"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, cwd=folder, timeout=60
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=folder, timeout=60
     )
     assert done.stdout.splitlines()[-1] == "[]", done.stderr

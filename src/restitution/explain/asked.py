@@ -44,7 +44,9 @@ from restitution.problem import (
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.letters import trees_of_relation
+from restitution.solve.quantities import event_of
 from restitution.solve.solution import Answer, ItemResult
+from restitution.solve.quantities import event_of
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -160,7 +162,7 @@ def _settings_of(work: Working, tree: Quantity, now: int) -> None:
     story = work.model.story
     body = name_of(tree)
     if tree.kind in ("line_of_centres",) and work.model.frames:
-        event = story._event(tree, now)  # noqa: SLF001
+        event = event_of(story, tree, now)
         if event.number in work.model.frames:
             frame = work.model.frames[event.number]
             if frame.by_values or frame.axis is None:
@@ -286,8 +288,11 @@ def _values_in(work: Working, tree: Expression, now: int) -> Layout:
     match tree:
         case Quantity():
             value = evaluated(work, tree, now)
-            return look(value, angle=not isinstance(value, tuple)
-                        and tree.kind in ("angle", "deflection", "direction"))
+            return look(
+                value,
+                angle=not isinstance(value, tuple)
+                and tree.kind in ("angle", "deflection", "direction"),
+            )
         case Negate(operand):
             return lay.negative(_values_in(work, operand, now))
         case Binary(op, left, right):
@@ -302,12 +307,17 @@ def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     looks = {each.layout for each in ending}
     for step in work.steps:
         for row in step.rows:
-            if row.operands and row.operands[0] == name and any(
-                operand in looks for operand in row.operands[1:]
+            if (
+                row.operands
+                and row.operands[0] == name
+                and any(operand in looks for operand in row.operands[1:])
             ):
                 return True
-            if row.operands and row.operands[0] == name and len(row.operands) > 1 and isinstance(
-                row.operands[1], lay.Phrase
+            if (
+                row.operands
+                and row.operands[0] == name
+                and len(row.operands) > 1
+                and isinstance(row.operands[1], lay.Phrase)
             ):
                 return True
     return False
@@ -375,8 +385,13 @@ def _show_equal(
     if figures is not None:
         exact = answer(a)
         rows.append(
-            chain(Side(first, a), *exact[:1], shown(last), mark="A1*",
-                  note=(f"to {figures} significant figures",))
+            chain(
+                Side(first, a),
+                *exact[:1],
+                shown(last),
+                mark="A1*",
+                note=(f"to {figures} significant figures",),
+            )
         )
     else:
         left_middle = Side(_values_in(work, left, now), a)
@@ -391,8 +406,14 @@ def _show_equal(
             rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
         else:
             rows.append(
-                chain(Side(first, a), left_middle, plain_value, Side(last, b), mark="A1*",
-                      note=("as required",))
+                chain(
+                    Side(first, a),
+                    left_middle,
+                    plain_value,
+                    Side(last, b),
+                    mark="A1*",
+                    note=("as required",),
+                )
             )
     work.write("result", rows)
 
@@ -450,16 +471,17 @@ def _show_ordered(
         if gap.free_symbols:
             rows.append(
                 Row(
-                    (lay.Sum((("+", big), ("-", lay.bracketed(small)))), look(gap),
-                     lay.Number("0")),
+                    (
+                        lay.Sum((("+", big), ("-", lay.bracketed(small)))),
+                        look(gap),
+                        lay.Number("0"),
+                    ),
                     ("=", ">" if "=" not in op else "≥"),
                     (gap, gap, sp.Integer(0)),
                     "M1",
                 )
             )
-    rows.append(
-        Row((first, last), (sign,), (a, b), "A1*", ("as required",))
-    )
+    rows.append(Row((first, last), (sign,), (a, b), "A1*", ("as required",)))
     work.write("result", rows, words=words)
 
 

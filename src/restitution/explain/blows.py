@@ -30,11 +30,13 @@ def kick(work: Working, number: int) -> None:
     final = work.model.branch.story
     u, v = (final.velocity(body, number - k) for k in (1, 0))
     u, v = Vector(tidy(u.x), tidy(u.y)), Vector(tidy(v.x), tidy(v.y))
-    mass = tidy(sp.sympify(work._known(sp.sympify(final.mass(body)))))  # noqa: SLF001
+    mass = tidy(sp.sympify(work._known(sp.sympify(final.mass(body)))))
     assert event.impulse is not None
     sought = work.open(tuple(event.impulse))
-    push = Vector(tidy(final.happenings[number - 1].impulse.x),  # type: ignore[union-attr]
-                  tidy(final.happenings[number - 1].impulse.y))  # type: ignore[union-attr]
+    push = Vector(
+        tidy(final.happenings[number - 1].impulse.x),  # type: ignore[union-attr]
+        tidy(final.happenings[number - 1].impulse.y),
+    )  # type: ignore[union-attr]
     name = bold_velocity(body)
     if sought:
         # The blow itself is wanted: the velocities are known.

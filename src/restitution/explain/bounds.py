@@ -22,10 +22,10 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import algebra
 from restitution.solve import facts as solve_facts
+from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import Role
 from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.solution import Answer, ItemResult
-from restitution.solve.story import AnyOf, Condition
 
 if TYPE_CHECKING:
     from restitution.explain.working import Working
@@ -71,7 +71,10 @@ def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
         except (UndefinedError, KeyError, ArithmeticError):
             return True
         good = {
-            ">": found > 0, "≥": found >= -1e-30, "≠": abs(found) > 1e-30, "<": found < 0,
+            ">": found > 0,
+            "≥": found >= -1e-30,
+            "≠": abs(found) > 1e-30,
+            "<": found < 0,
             "≤": found <= 1e-30,
         }[asks]
         if not good:
@@ -139,20 +142,27 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
                 lay.relation(lay.from_tree(left), sign, lay.from_tree(right)),
                 ":",
             )
-            found.append(
-                Bound(words, a, sign, b, sp.sympify(a.value) - sp.sympify(b.value), sign)
-            )
+            found.append(Bound(words, a, sign, b, sp.sympify(a.value) - sp.sympify(b.value), sign))
     elif isinstance(relation, Aligned):
         for need in solve_facts.requirements(relation, story, now):
             if isinstance(need, Condition):
                 value = _smaller(work, sp.sympify(need.value))
                 words = (
-                    "It is given that ", lay.from_tree(relation.left),
-                    f" is {relation.relation} ", lay.from_tree(relation.right), ":",
+                    "It is given that ",
+                    lay.from_tree(relation.left),
+                    f" is {relation.relation} ",
+                    lay.from_tree(relation.right),
+                    ":",
                 )
                 found.append(
-                    Bound(words, value, _SIGNS[need.relation], sp.Integer(0), value,
-                          _SIGNS[need.relation])
+                    Bound(
+                        words,
+                        value,
+                        _SIGNS[need.relation],
+                        sp.Integer(0),
+                        value,
+                        _SIGNS[need.relation],
+                    )
                 )
     return found
 
@@ -166,14 +176,10 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
     one, other = relation.first.name, relation.second.name
     story = work.model.story
     if other in story.spheres:
-        event = next(
-            h for h in reversed(story.happenings[:now]) if {one, other} == set(h.bodies)
-        )
+        event = next(h for h in reversed(story.happenings[:now]) if {one, other} == set(h.bodies))
         frame = work.model.frames[event.number]
         first, second = event.bodies
-        a, b = (
-            work.model.story.velocity(name, now).dot(frame.n) for name in (first, second)
-        )
+        a, b = (work.model.story.velocity(name, now).dot(frame.n) for name in (first, second))
         work.reach(work.open((a, b)))
         a, b = work.put(a), work.put(b)
         if work.model.sign(event.oriented().dot(frame.n)) < 0:
@@ -225,15 +231,30 @@ def _from_solved(work: Working) -> list[Bound]:
         if role.kind == "restitution":
             low = role.low if role.low is not None else sp.Integer(0)
             high = role.high if role.high is not None else sp.Integer(1)
-            words: Words = ("A coefficient of restitution lies between 0 and 1, so ",
-                            look(symbol), " has to:")
-            found.append(
-                Bound(words, symbol, "≤" if role.closed[1] else "<", high, symbol - high,
-                      "≤" if role.closed[1] else "<")
+            words: Words = (
+                "A coefficient of restitution lies between 0 and 1, so ",
+                look(symbol),
+                " has to:",
             )
             found.append(
-                Bound(words, symbol, "≥" if role.closed[0] else ">", low, symbol - low,
-                      "≥" if role.closed[0] else ">")
+                Bound(
+                    words,
+                    symbol,
+                    "≤" if role.closed[1] else "<",
+                    high,
+                    symbol - high,
+                    "≤" if role.closed[1] else "<",
+                )
+            )
+            found.append(
+                Bound(
+                    words,
+                    symbol,
+                    "≥" if role.closed[0] else ">",
+                    low,
+                    symbol - low,
+                    "≥" if role.closed[0] else ">",
+                )
             )
         elif role.kind == "positive":
             words = (look(symbol), " has to be positive:")
@@ -324,9 +345,7 @@ def explain_range(work: Working, tree: Expression, answer_: Answer, now: int) ->
     """The conditions that bound a letter or a quantity, then its range."""
     laid = lay.display_set(answer_.value, lay.from_tree(tree), angle=answer_.angle)
     _range_working(work, tree, now)
-    work.write(
-        "result", [Row((laid,), (), (None,), "A1")], words=("So the range is",)
-    )
+    work.write("result", [Row((laid,), (), (None,), "A1")], words=("So the range is",))
 
 
 def _range_working(work: Working, tree: Expression, now: int) -> None:
@@ -337,8 +356,13 @@ def _range_working(work: Working, tree: Expression, now: int) -> None:
             sub_result(work, asked)
     for bound in _bounds(work):
         value = _final(work, bound.value)
-        if x is not None and x not in value.free_symbols and not (
-            value.free_symbols & {work.model.unknowns.letter(n) for n in work.model.unknowns.roles}
+        if (
+            x is not None
+            and x not in value.free_symbols
+            and not (
+                value.free_symbols
+                & {work.model.unknowns.letter(n) for n in work.model.unknowns.roles}
+            )
         ):
             continue
         if _ever_fails(work, value, bound.asks):
@@ -383,10 +407,19 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
                 limit = value.subs(symbol, end)
             ends.append(tidy_angle(limit) if is_angle else tidy(limit))
         words: Words = (
-            "As ", look(symbol), " goes from ", look(role.low, angle=angle), " to ",
-            look(role.high, angle=angle), ", ", name,
+            "As ",
+            look(symbol),
+            " goes from ",
+            look(role.low, angle=angle),
+            " to ",
+            look(role.high, angle=angle),
+            ", ",
+            name,
             " increases from " if slope > 0 else " decreases from ",
-            look(ends[0], angle=is_angle), " to ", look(ends[1], angle=is_angle), ".",
+            look(ends[0], angle=is_angle),
+            " to ",
+            look(ends[1], angle=is_angle),
+            ".",
         )
         work.write("result", rows, words=words, mark="M1")
 
@@ -413,8 +446,15 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
         name: Layout = lay.Phrase((lay.Words(f"{subject.kind} of"), operands[0]))
         work.write(
             "result",
-            [Row((name, *operands[1:]), ("=",) * (len(operands) - 1), (None,) * len(operands),
-                 "A1*", ("as required",))],
+            [
+                Row(
+                    (name, *operands[1:]),
+                    ("=",) * (len(operands) - 1),
+                    (None,) * len(operands),
+                    "A1*",
+                    ("as required",),
+                )
+            ],
         )
 
 
@@ -448,8 +488,9 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     for asked in quantities_in(work, tree, now):
         if asked.tree.kind == "deflection":
             derived = derive(work, asked.tree, asked.now)
-            rows = [r for r in derived.rows if r.operands and isinstance(
-                r.operands[0], lay.Function)] or derived.rows
+            rows = [
+                r for r in derived.rows if r.operands and isinstance(r.operands[0], lay.Function)
+            ] or derived.rows
             work.write("result", rows, derived.principle, derived.words)
         else:
             sub_result(work, asked)
@@ -470,8 +511,10 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     rate = lay.Fraction(lay.Words("d"), lay.product(lay.Words("d"), look(shown_x)))
     shown_slope = tidy(slope.xreplace(back)) if variable is not x else slope
     row = Row(
-        (lay.product(rate, lay.Brackets(name)), look(shown_slope)), ("=",),
-        (None, shown_slope), "M1 A1",
+        (lay.product(rate, lay.Brackets(name)), look(shown_slope)),
+        ("=",),
+        (None, shown_slope),
+        "M1 A1",
     )
     if root is None:
         _at_an_end(work, item, slope, variable, x, shown_slope, row)
@@ -479,16 +522,19 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     factor, place = root
     rows = [
         row,
-        Row((look(factor.xreplace(back)), lay.Number("0")), ("=",), (None, None), "M1",
-            ("for a stationary value",)),
+        Row(
+            (look(factor.xreplace(back)), lay.Number("0")),
+            ("=",),
+            (None, None),
+            "M1",
+            ("for a stationary value",),
+        ),
         Row((look(shown_x), look(place)), ("=",), (None, None), "A1"),
     ]
     work.write("result", rows, words=("Differentiate:",))
 
 
-def _as_function(
-    value: sp.Expr, target: sp.Expr, name: Layout
-) -> tuple[sp.Expr, sp.Expr, Layout]:
+def _as_function(value: sp.Expr, target: sp.Expr, name: Layout) -> tuple[sp.Expr, sp.Expr, Layout]:
     """An angle by its tangent, a root by its square: they are greatest together."""
     if isinstance(value, sp.atan):
         return value.args[0], tidy(sp.tan(target)), lay.function("tan", lay.Brackets(name))
@@ -565,15 +611,22 @@ def _at_an_end(
         upper = grows == (item.kind == "maximum")
         end = None if role is None else (role.high if upper else role.low)
         words = [
-            "This is ", "positive" if grows else "negative", ", so ",
-            lay.from_tree(item.expression), " ", "increases" if grows else "decreases",
-            " with ", look(x),
+            "This is ",
+            "positive" if grows else "negative",
+            ", so ",
+            lay.from_tree(item.expression),
+            " ",
+            "increases" if grows else "decreases",
+            " with ",
+            look(x),
         ]
         if end is not None:
             angle = work.is_angle(x)
             words += [
-                f", and the {item.kind} belongs to the {'greatest' if upper else 'least'} "
-                "value, ", look(x), " = ", look(end, angle=angle),
+                f", and the {item.kind} belongs to the {'greatest' if upper else 'least'} value, ",
+                look(x),
+                " = ",
+                look(end, angle=angle),
             ]
         work.write("result", words=(*words, "."), mark="M1")
 
@@ -597,10 +650,11 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
             )
         )
     else:
-        rows.append(Row((left.layout, right.layout), (bound.sign,), (left.value, right.value),
-                        "M1 A1"))
+        rows.append(
+            Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), "M1 A1")
+        )
     work.write("result", rows, words=bound.words)
-    happens = relation.again and " again" or ""
+    happens = (relation.again and " again") or ""
     verb = "collide" if relation.second.name in work.model.story.spheres else "hit"
     if verb == "collide":
         text = f"So {relation.first.name} and {relation.second.name} "

@@ -22,9 +22,7 @@ def holds(row: Row, sample: Mapping[str, Any]) -> bool:
     Operands without a value (rounded ones, words) are not asked. An operand that has no value
     at the sample makes the line fail.
     """
-    known = [
-        (value, index) for index, value in enumerate(row.values) if value is not None
-    ]
+    known = [(value, index) for index, value in enumerate(row.values) if value is not None]
     try:
         for (left, i), (right, k) in pairwise(known):
             if any(sign not in ("=", *_ORDERED, "≠") for sign in row.signs[i:k]):

@@ -174,8 +174,13 @@ class Model:
         return None
 
 
-def model(problem: Problem, part: Part, branch: Branch, roles: Mapping[str, Role],
-          protected: frozenset[str] = frozenset()) -> Model:
+def model(
+    problem: Problem,
+    part: Part,
+    branch: Branch,
+    roles: Mapping[str, Role],
+    protected: frozenset[str] = frozenset(),
+) -> Model:
     """Tells a part in components, by the values of one branch.
 
     Raises what the telling of a story raises.
@@ -190,31 +195,14 @@ def model(problem: Problem, part: Part, branch: Branch, roles: Mapping[str, Role
     story.problem = problem
     told = Model(problem, part, branch, story, unknowns, {}, {}, [], {}, sample)
     put = _values(told)
-    story.energy_lost = lambda event: _loss(told, event)  # type: ignore[method-assign]
     for number, step in enumerate(_events(problem, part), 1):
-        story._tell(step)  # noqa: SLF001 - the same telling, with letters put in as it goes on
+        story._tell(step)
         _hidden_values(told, put)
         if isinstance(step, Impact):
             _in_letters(told, number, step, names, put)
-        story._evaluators.clear()  # noqa: SLF001
+        story._evaluators.clear()
     _hidden_values(told, put)
     return told
-
-
-def _loss(told: Model, event: Happening) -> sp.Expr:
-    """Kinetic energy lost in an event, from the components that change."""
-    total = sp.Integer(0)
-    for name in event.bodies:
-        if name not in told.story.spheres:
-            continue
-        u, v = event.before[name], event.after[name]
-        frame = told.frames.get(event.number)
-        if frame is None:
-            change = u.dot(u) - v.dot(v)
-        else:
-            change = tidy(u.dot(frame.n)) ** 2 - told.components[event.number, name].symbol ** 2
-        total = total + told.story.mass(name) * change / 2
-    return total
 
 
 def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
@@ -287,12 +275,11 @@ def _in_letters(
             frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
         )
     e = sp.sympify(happening.e)
-    first = after[step.first]
     u1 = tidy(happening.before[step.first].dot(frame.n))
     v = told.components[number, step.first].symbol
     if step.second in story.walls:
         told.laws.append(Law("restitution", number, v + e * u1))
-        push = happening.before[step.first] - first
+        push = -(frame.n * (v - u1))
         mass: str | None = step.first
         oriented = -frame.n
     else:
@@ -301,7 +288,7 @@ def _in_letters(
         m1, m2 = story.mass(step.first), story.mass(step.second)
         told.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))
         told.laws.append(Law("restitution", number, w - v - e * (u1 - u2)))
-        push = (after[step.second] - happening.before[step.second]) * m2
+        push = frame.n * (m2 * (w - u2))
         mass = None
         oriented = frame.n if told.sign(u1 - u2) >= 0 else -frame.n
     story.happenings[-1] = replace(
@@ -311,9 +298,10 @@ def _in_letters(
         closing=sp.Integer(1),
         impulse=push,
         impulse_mass=mass,
+        unknown_line=True,  # energies and impulses are then those of the components
     )
     for body, velocity in after.items():
-        track = story._tracks[body]  # noqa: SLF001
+        track = story.tracks[body]
         track.velocities[-1] = (number, velocity)
 
 
@@ -391,7 +379,9 @@ def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
                 names[number, body] = pool[used]
                 used += 1
             else:
-                names[number, body] = f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"
+                names[number, body] = (
+                    f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"
+                )
     return names
 
 

@@ -33,15 +33,18 @@ from restitution.problem import (
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import facts as solve_facts
-from restitution.solve.story import Equation as StoryEquation
+from restitution.solve.conditions import Equation as StoryEquation
+from restitution.solve.quantities import event_of, is_line
+from restitution.solve.quantities import event_of, is_line
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
     from restitution.explain.working import Working
 
 
-def fact_equations(work: Working, problem: Problem, part: Part,
-                   protected: frozenset[str]) -> list[Equation]:
+def fact_equations(
+    work: Working, problem: Problem, part: Part, protected: frozenset[str]
+) -> list[Equation]:
     """All facts in force as equations, and the equations that the telling itself asks for."""
     found: list[Equation] = []
     for given, now in solve_facts.givens(problem, part):
@@ -69,9 +72,7 @@ def _of_story(work: Working) -> list[Equation]:
         def step(each: StoryEquation = each) -> Step | None:
             return meeting_step(work, each)
 
-        found.append(
-            Equation(sp.sympify(each.value), "fact", 900 + index, step, ("story", index))
-        )
+        found.append(Equation(sp.sympify(each.value), "fact", 900 + index, step, ("story", index)))
     return found
 
 
@@ -157,9 +158,7 @@ def _words(left: Expression, right: Expression) -> Words:
     return ("It is given that ", relation, ":")
 
 
-def _equality(
-    work: Working, left: Expression, right: Expression, now: int
-) -> list[Equation]:
+def _equality(work: Working, left: Expression, right: Expression, now: int) -> list[Equation]:
     evaluator = work.model.story.evaluator(now)
     a, b = evaluator.value(left), evaluator.value(right)
     key = (left, right, now)
@@ -199,9 +198,7 @@ def _scalar_step(work: Working, left: Expression, right: Expression, now: int) -
     return Step("fact", tuple(rows), words=words)
 
 
-def _speed(
-    work: Working, tree: Quantity, other: Expression, value: Any, now: int
-) -> Equation:
+def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: int) -> Equation:
     body = name_of(tree)
     assert body is not None
     stage = stage_of(work, tree, now, body)
@@ -215,8 +212,12 @@ def _speed(
         result = sp.sympify(right.value) ** 2
         row = chain(
             side(total, lay.total([square(x) for x in parts])),
-            side(result, square(right.value) if not has_quantity(other)
-                 else lay.power(lay.bracketed(right.layout), lay.Number("2"))),
+            side(
+                result,
+                square(right.value)
+                if not has_quantity(other)
+                else lay.power(lay.bracketed(right.layout), lay.Number("2")),
+            ),
             mark="M1 A1",
         )
         return Step("fact", (row,), words=_words(tree, other))
@@ -248,9 +249,7 @@ def _vectors(
     found = []
     for index, (residual, (one, other)) in enumerate(zip(residuals, sides, strict=True)):
 
-        def step(
-            one: Any = one, other: Any = other, index: int = index
-        ) -> Step:
+        def step(one: Any = one, other: Any = other, index: int = index) -> Step:
             p, q = work.put(one), work.put(other)
             if sp.sympify(p).is_number and not sp.sympify(q).is_number:
                 p, q = q, p
@@ -260,9 +259,7 @@ def _vectors(
                 words=_words(left, right),
             )
 
-        found.append(
-            Equation(sp.sympify(residual), "fact", now, step, (left, right, now, index))
-        )
+        found.append(Equation(sp.sympify(residual), "fact", now, step, (left, right, now, index)))
     return found
 
 
@@ -275,8 +272,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         target = plain(work, work.model.story.evaluator(now).value(other))
         cross, dot = work.put(a.cross(b)), work.put(a.dot(b))
         sharp = quantity.kind == "angle" and any(
-            work.model.story._is_line(each)  # noqa: SLF001
-            for each in quantity.arguments
+            is_line(work.model.story, each) for each in quantity.arguments
         )
         if work.model.sign(dot) == 0 or sp.sympify(target) == sp.pi / 2:
             row = _zero_dot(work, a, b)
@@ -331,7 +327,7 @@ def _two_directions(work: Working, tree: Quantity, now: int) -> tuple[Vector, Ve
     story = work.model.story
     if tree.kind == "deflection":
         body = name_of(tree)
-        event = story._event(tree, now, body)  # noqa: SLF001
+        event = event_of(story, tree, now, body)
         assert body is not None
         return event.before[body], event.after[body]
     a, b = (story.direction(each, now) for each in tree.arguments)
@@ -340,17 +336,13 @@ def _two_directions(work: Working, tree: Quantity, now: int) -> tuple[Vector, Ve
 
 def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
     a, b = work.put(a), work.put(b)
-    products = [
-        (x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0
-    ]
+    products = [(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
     total = sum((x * y for x, y in products), sp.Integer(0))
     laid = sum_of_products(products) if products else None
     return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
 
 
-def _directions_step(
-    work: Working, relation: Relation, now: int, need: StoryEquation
-) -> Any:
+def _directions_step(work: Working, relation: Relation, now: int, need: StoryEquation) -> Any:
     def step() -> Step | None:
         if isinstance(relation, AtRest):
             residual = work.put(need.value)
@@ -381,7 +373,8 @@ def _directions_step(
                     words=(*words, ":"),
                 )
             return Step(
-                "fact", (_zero_dot(work, a, b),),
+                "fact",
+                (_zero_dot(work, a, b),),
                 words=(*words, ", so the scalar product is zero:"),
             )
         if single:
@@ -397,9 +390,7 @@ def _directions_step(
             side(tidy(a.y * b.x), sum_of_products([(a.y, b.x)])),
             mark="M1 A1",
         )
-        return Step(
-            "fact", (row,), words=(*words, ", so their components are in proportion:")
-        )
+        return Step("fact", (row,), words=(*words, ", so their components are in proportion:"))
 
     return step
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explain.components import Frame
-from restitution.explain.phrases import chain, difference, direction_words, look, product_of
+from restitution.explain.phrases import chain, difference, direction_words, look
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.problem import Impact
 from restitution.render import layout as lay
@@ -81,9 +81,7 @@ def _has_angle(*values: sp.Expr) -> bool:
     return any(value.has(sp.cos, sp.sin, sp.tan) for value in values)
 
 
-def _split(
-    un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame
-) -> tuple[Layout, Layout] | None:
+def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, Layout] | None:
     """``u cos 60°`` and ``u sin 60°``, or scalar products."""
     size = tidy(sp.sqrt(tidy(sp.expand(un**2 + ut**2))))
     first, second = tidy(un / size), tidy(ut / size)
@@ -149,11 +147,11 @@ def line_of_centres(work: Working, frame: Frame) -> None:
     if step.along is not None:
         x, y = work.put(frame.n)
         laid = direction_words(x, y)
-        work.write(
-            "setting", words=("The line of centres is in the direction of ", laid, ".")
-        )
+        work.write("setting", words=("The line of centres is in the direction of ", laid, "."))
         return
-    places = [work.model.branch.story.place(name, frame.number) for name in (step.first, step.second)]
+    places = [
+        work.model.branch.story.place(name, frame.number) for name in (step.first, step.second)
+    ]
     if all(places) and not any(
         key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names
     ):
@@ -162,12 +160,18 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             "principle",
             [
                 chain(
-                    side((tidy(other.x - one.x), tidy(other.y - one.y)),
-                         difference(Bold("r", step.second), Bold("r", step.first))),
+                    side(
+                        (tidy(other.x - one.x), tidy(other.y - one.y)),
+                        difference(Bold("r", step.second), Bold("r", step.first)),
+                    ),
                     side(
                         (other.x - one.x, other.y - one.y),
-                        lay.Sum((("+", Brackets(look((other.x, other.y)))),
-                                 ("-", Brackets(look((one.x, one.y)))))),
+                        lay.Sum(
+                            (
+                                ("+", Brackets(look((other.x, other.y)))),
+                                ("-", Brackets(look((one.x, one.y)))),
+                            )
+                        ),
                     ),
                     side((tidy(other.x - one.x), tidy(other.y - one.y))),
                 )
@@ -222,9 +226,7 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
             if frame.wall is None
             else f"So {frame.wall} is perpendicular to ",
             direction_words(frame.n.x, frame.n.y),
-            "."
-            if frame.wall is None
-            else ", and parallel to ",
+            "." if frame.wall is None else ", and parallel to ",
             *(() if frame.wall is None else (direction_words(frame.t.x, frame.t.y), ".")),
         ),
         mark="A1",
@@ -232,7 +234,7 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
 
 
 def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
-    """sin θ = d/2r for the angle θ between the line of centres and the relative path."""
+    """Sin θ = d/2r for the angle θ between the line of centres and the relative path."""
     story = work.model.story
     assert step.offset is not None
     raw = story.evaluator(frame.number - 1).scalar(step.offset)
@@ -265,5 +267,9 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     work.write(
         "principle",
         rows,
-        words=("The line of centres makes an angle ", theta, f" with {path}, where",),
+        words=(
+            "The line of centres makes an angle ",
+            theta,
+            f" with {path}, where",
+        ),
     )

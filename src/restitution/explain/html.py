@@ -1,2 +1,146 @@
-def to_html(e): return ""
-def to_fragment(e): return ""
+"""A worked solution as HTML with MathML: one page that needs nothing else, light or dark."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.render.layout import Layout, Phrase
+from restitution.render.layout import Words as Said
+from restitution.render.mathml import to_mathml
+
+_STYLE = """
+.restitution { --ink: #1b1b1f; --paper: #fff; --soft: #5f6368; --line: #d9dbe0; --mark: #8a1c1c;
+  color: var(--ink); background: var(--paper); max-width: 46rem; margin: 0 auto; padding: 1rem;
+  font: 1.05rem/1.55 Georgia, "Times New Roman", serif; }
+@media (prefers-color-scheme: dark) { .restitution { --ink: #e8e8ec; --paper: #17181c;
+  --soft: #a3a7ae; --line: #3a3d44; --mark: #ff9d8f; } }
+.restitution h1 { font-size: 1.35rem; line-height: 1.25; margin: 0 0 1rem; }
+.restitution h2 { font-size: 1.1rem; margin: 1.6rem 0 .6rem; padding-top: .6rem;
+  border-top: 1px solid var(--line); }
+.restitution h3 { font-size: 1.02rem; margin: 1.2rem 0 .3rem; }
+.restitution p { margin: .5rem 0 .2rem; }
+.restitution .principle { font-style: italic; }
+.restitution table { border-collapse: collapse; margin: .1rem 0 .3rem 1.4rem;
+  width: calc(100% - 1.4rem); }
+.restitution td { padding: .16rem .15rem; vertical-align: baseline; }
+.restitution td.l { text-align: right; white-space: nowrap; width: 1%; }
+.restitution td.s { width: 1%; white-space: nowrap; }
+.restitution td.m, .restitution .mark { color: var(--mark); font: 600 .8rem/1 system-ui, sans-serif;
+  text-align: right; white-space: nowrap; }
+.restitution td.m { width: 4.5rem; }
+.restitution .mark { float: right; padding-top: .4rem; }
+.restitution .note { color: var(--soft); font-size: .9em; }
+.restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
+  font-size: 1.05em; }
+@media print { .restitution { --ink: #000; --paper: #fff; --soft: #333; --line: #999;
+  --mark: #000; max-width: none; padding: 0; font-size: 11pt; }
+  .restitution table, .restitution p { break-inside: avoid; }
+  .restitution p { break-after: avoid; } }
+"""
+
+
+def to_html(explanation: Explanation) -> str:
+    """A whole page."""
+    title = escape(explanation.title or "Worked solution")
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta name="color-scheme" content="light dark">\n'
+        f"<title>{title}</title>\n"
+        "<style>html { background: #fff } @media (prefers-color-scheme: dark) "
+        "{ html { background: #17181c } } body { margin: 0 }</style>\n</head>\n<body>\n"
+        f"{to_fragment(explanation)}\n</body>\n</html>\n"
+    )
+
+
+def to_fragment(explanation: Explanation) -> str:
+    """What stands in a page (or in a notebook), with its style."""
+    out = [f"<style>{_STYLE}</style>", '<article class="restitution">']
+    if explanation.title:
+        out.append(f"<h1>{escape(explanation.title)}</h1>")
+    for part in explanation.parts:
+        out += _part(part)
+    out += [f'<p class="note">Note: {escape(each)}</p>' for each in explanation.warnings]
+    out.append("</article>")
+    return "\n".join(out)
+
+
+def _part(part: PartExplanation) -> list[str]:
+    out = ["<section>"]
+    if part.label:
+        out.append(f"<h2>({escape(part.label)})</h2>")
+    for step in part.steps:
+        out += _step(step)
+    out.append("</section>")
+    return out
+
+
+def _step(step: Step) -> list[str]:
+    said = _said(step.words)
+    if step.kind == "heading":
+        return [f"<h3>{said}</h3>"]
+    if step.principle:
+        said = f'<span class="principle">{escape(step.principle)}:</span> {said}'
+    out: list[str] = []
+    if said:
+        mark = f'<span class="mark">{escape(step.mark)}</span>' if step.mark else ""
+        out.append(f"<p>{mark}{said}</p>")
+    if step.rows:
+        out += ["<table>", *_rows(step.rows), "</table>"]
+    return out
+
+
+def _said(words: Words) -> str:
+    return "".join(
+        escape(each) if isinstance(each, str) else to_mathml(each) for each in words
+    ).strip()
+
+
+def _rows(rows: Sequence[Row]) -> list[str]:
+    out: list[str] = []
+    for row in rows:
+        mark = f'<td class="m">{escape(row.mark)}</td>'
+        none = '<td class="m"></td>'
+        note = f' <span class="note">({_said(row.note)})</span>' if row.note else ""
+        left = _cell(row.operands[0])
+        if not row.signs:
+            out.append(f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>')
+            continue
+        lines = _lines(row)
+        for index, (sign, right) in enumerate(lines):
+            last = index == len(lines) - 1
+            out.append(
+                f'<tr><td class="l">{left if index == 0 else ""}</td>'
+                f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
+                f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
+            )
+    return out
+
+
+def _lines(row: Row) -> list[tuple[str, str]]:
+    """A chain in lines: short ones in one, long ones with each sign on its own."""
+    from restitution.render.text import to_text, width
+
+    pieces = list(zip(row.signs, row.operands[1:], strict=True))
+    room = sum(width(to_text(each)) + 3 for each in row.operands if each is not None)
+    if room <= 62 or len(pieces) == 1:
+        first, *rest = pieces
+        body = _cell(first[1]) + "".join(
+            f"<math><mo>{escape(sign)}</mo></math>{_cell(operand)}" for sign, operand in rest
+        )
+        return [(first[0], body)]
+    return [(sign, _cell(operand)) for sign, operand in pieces]
+
+
+def _cell(layout: Layout | None) -> str:
+    """Mathematics; words among it may be broken over lines, so they stay text."""
+    if layout is None:
+        return ""
+    if isinstance(layout, Said):
+        return escape(layout.text)
+    if isinstance(layout, Phrase):
+        gap = escape(layout.separator)
+        return gap.join(_cell(each) for each in layout.items)
+    return to_mathml(layout)

@@ -13,8 +13,10 @@ from restitution.expression.tree import AtTime, Expression, Name, Quantity
 from restitution.problem import Arrival, Impact
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Letter
-from restitution.solve.story import Equation as StoryEquation
+from restitution.solve.conditions import Equation as StoryEquation
+from restitution.solve.quantities import point_of
 from restitution.solve.story import Happening
+from restitution.solve.quantities import point_of
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def time_letter(number: int) -> Layout:
-    """t with the number of the event."""
+    """T with the number of the event."""
     return Letter("t", str(number))
 
 
@@ -55,9 +57,7 @@ def _moving(work: Working, event: Happening) -> list[str]:
     return [b for b in event.bodies if b in work.model.story.spheres]
 
 
-def _flight(
-    work: Working, event: Happening, value: sp.Expr
-) -> tuple[Words, list[Row]] | None:
+def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, list[Row]] | None:
     story = work.model.story
     step = event.step
     number = event.number
@@ -85,7 +85,12 @@ def _flight(
     if distance is None:
         return None
     words: Words = (
-        f"{body} moves a distance ", look(distance), *about, " at speed ", look(speed), ":"
+        f"{body} moves a distance ",
+        look(distance),
+        *about,
+        " at speed ",
+        look(speed),
+        ":",
     )
     ratio = Side(_quotient(distance, speed), tidy(distance / speed))
     rows: list[Row]
@@ -177,8 +182,11 @@ def _meeting(
         ]
         rows.append(chain(name, *answer(value), mark="A1"))
         return (
-            (f"{step.first} and {step.second} touch when their centres are ", look(reach),
-             " apart:"),
+            (
+                f"{step.first} and {step.second} touch when their centres are ",
+                look(reach),
+                " apart:",
+            ),
             rows,
         )
     pick = "x" if w.x != 0 else "y"
@@ -190,8 +198,11 @@ def _meeting(
         return None
     ratio = Side(_quotient(d, s), tidy(d / s))
     words: Words = (
-        f"The gap between {step.first} and {step.second} is ", look(d),
-        " and closes at ", look(s), ":",
+        f"The gap between {step.first} and {step.second} is ",
+        look(d),
+        " and closes at ",
+        look(s),
+        ":",
     )
     begun = work.put(start)
     if begun == 0:
@@ -262,7 +273,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
 
 
 def _point(work: Working, argument: Expression, tree: Quantity, now: int) -> Vector:
-    return work.put(work.model.story._point(argument, tree, now))  # type: ignore[no-any-return] # noqa: SLF001
+    return work.put(point_of(work.model.story, argument, tree, now))  # type: ignore[no-any-return]
 
 
 def _place_layout(work: Working, tree: Quantity, now: int) -> Layout | None:
@@ -300,8 +311,8 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
     """A sphere passes through the point it is said to come to."""
     story = work.model.story
     for event in story.happenings:
-        if not isinstance(event.step, Arrival) or isinstance(event.step.target, Name) and (
-            event.step.target.name in story.walls
+        if not isinstance(event.step, Arrival) or (
+            isinstance(event.step.target, Name) and (event.step.target.name in story.walls)
         ):
             continue
         body = event.step.body
@@ -324,7 +335,10 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
         )
         target = lay.from_tree(event.step.target)
         words: Words = (
-            f"{body} has to go from ", _coordinates(work.put(known[0])), " to ", target,
+            f"{body} has to go from ",
+            _coordinates(work.put(known[0])),
+            " to ",
+            target,
             ", in the direction of its velocity:",
         )
         return Step("fact", (row,), words=words)

@@ -61,9 +61,7 @@ def _smallest(
     return None
 
 
-def needed(
-    ordered: Sequence[Block[Unknown]], wanted: Collection[Unknown]
-) -> list[Block[Unknown]]:
+def needed(ordered: Sequence[Block[Unknown]], wanted: Collection[Unknown]) -> list[Block[Unknown]]:
     """The blocks on which the wanted unknowns rest, in the same order."""
     open_ = set(wanted)
     kept: list[Block[Unknown]] = []

@@ -70,9 +70,7 @@ def relation(left: Any, sign: str, right: Any, mark: str = "", note: Words = ())
 def product_of(*factors: Any) -> Layout:
     """A product with values put in: ``×`` between numbers, nothing between letters."""
     laid = [look(each) for each in factors]
-    if sum(_numeric(each) for each in laid) > 1 or any(
-        _begins(each) for each in laid[1:]
-    ):
+    if sum(_numeric(each) for each in laid) > 1 or any(_begins(each) for each in laid[1:]):
         first, *rest = [
             Brackets(each) if _is_negative(each) and index else lay.bracketed(each)
             for index, each in enumerate(laid)
@@ -85,11 +83,15 @@ def product_of(*factors: Any) -> Layout:
 
 def _numeric(laid: Layout) -> bool:
     _, size = lay.split_sign(laid)
-    return isinstance(size, Number) or (
-        isinstance(size, lay.Fraction)
-        and isinstance(size.above, Number)
-        and isinstance(size.below, Number)
-    ) or isinstance(size, lay.Root)
+    return (
+        isinstance(size, Number)
+        or (
+            isinstance(size, lay.Fraction)
+            and isinstance(size.above, Number)
+            and isinstance(size.below, Number)
+        )
+        or isinstance(size, lay.Root)
+    )
 
 
 def _begins(laid: Layout) -> bool:

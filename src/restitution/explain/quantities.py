@@ -35,6 +35,8 @@ from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Brackets, Layout, Number
 from restitution.solve import forms
+from restitution.solve.quantities import event_of, is_line, stage_number
+from restitution.solve.quantities import event_of, is_line, stage_number
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -43,8 +45,19 @@ if TYPE_CHECKING:
 # What a quantity rests on across the line of centres as well as along it.
 WHOLE = frozenset(
     {
-        "velocity", "speed", "direction", "across", "along", "angle", "deflection", "energy",
-        "momentum", "position", "distance", "dot", "time",
+        "velocity",
+        "speed",
+        "direction",
+        "across",
+        "along",
+        "angle",
+        "deflection",
+        "energy",
+        "momentum",
+        "position",
+        "distance",
+        "dot",
+        "time",
     }
 )
 
@@ -60,7 +73,7 @@ class Derived:
 
 
 def stage_of(work: Working, tree: Quantity, now: int, body: str | None) -> int:
-    return work.model.story._stage(tree, now, body)  # noqa: SLF001
+    return stage_number(work.model.story, tree, now, body)
 
 
 def name_of(tree: Expression) -> str | None:
@@ -164,11 +177,11 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
         parts = [_energy(work, name, stage) for name in names]
         made = lay.total([each for each in parts if each != Number("0")])
     elif kind == "energy_lost":
-        made = energy_lost(work, work.model.story._event(tree, now).number)  # noqa: SLF001
+        made = energy_lost(work, event_of(work.model.story, tree, now).number)
     elif kind == "total_energy_lost":
         made = _total_loss(work, tree, now)
     elif kind == "impulse" and body is None:
-        made = impulse(work, work.model.story._event(tree, now).number)  # noqa: SLF001
+        made = impulse(work, event_of(work.model.story, tree, now).number)
     elif kind == "angle" or kind == "deflection" or kind == "direction":
         return Side(look(value, angle=not isinstance(value, tuple)), value)
     return Side(made if made is not None else look(value), value)
@@ -273,7 +286,7 @@ def derive(
     if kind in ("along", "across"):
         return _derive_component(work, tree, now)
     if kind == "energy_lost":
-        event = work.model.story._event(tree, now)  # noqa: SLF001
+        event = event_of(work.model.story, tree, now)
         words: Words = ()
         if event.number in work.model.frames:
             frame = work.model.frames[event.number]
@@ -287,9 +300,7 @@ def derive(
                     place = f"parallel to {frame.wall}"
                 words = (f"The components {place} do not change, and lose no kinetic energy:",)
         made = formula(work, tree, now)
-        return Derived(
-            (_result(name, made, value, mark=f"M1 {mark}"),), value, words
-        )
+        return Derived((_result(name, made, value, mark=f"M1 {mark}"),), value, words)
     if kind == "impulse":
         return _derive_impulse(work, tree, body, now, mark)
     if kind == "line_of_centres":
@@ -302,15 +313,23 @@ def derive(
         return _derive_momentum(work, tree, body, now, value)
     if kind == "dot":
         a, b = (evaluated(work, each, now) for each in tree.arguments)
-        made = Side(
-            lay.total([product_of(x, y) for x, y in zip(a, b, strict=True)]), value
-        )
+        made = Side(lay.total([product_of(x, y) for x, y in zip(a, b, strict=True)]), value)
         return Derived((_result(name, made, value, mark=mark),), value)
     if kind == "total_energy_lost":
         return _derive_total_loss(work, tree, now, value)
     made = formula(work, tree, now)
-    return Derived((_result(name, made, value, percentage=percentage, mark=f"M1 {mark}"
-                            if kind != "mass" else mark),), value)
+    return Derived(
+        (
+            _result(
+                name,
+                made,
+                value,
+                percentage=percentage,
+                mark=f"M1 {mark}" if kind != "mass" else mark,
+            ),
+        ),
+        value,
+    )
 
 
 def _renamed(derived: Derived, old: Layout, new: Layout) -> Derived:
@@ -347,9 +366,7 @@ def _result(
     return chain(*sides, mark=mark)
 
 
-def _derive_velocity(
-    work: Working, tree: Quantity, body: str, now: int, mark: str
-) -> Derived:
+def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, mark: str) -> Derived:
     stage = stage_of(work, tree, now, body)
     value = evaluated(work, tree, now)
     frame = work.model.owner(body, stage)
@@ -357,9 +374,11 @@ def _derive_velocity(
     rows: list[Row] = []
     made: Side | None = None
     if event is not None and isinstance(event.step, Kick) and stage >= event.number:
-        return Derived((), value) if ("kick", event.number) in work.done and _told(
-            work, body, stage
-        ) else Derived((_result(lay.from_tree(tree), None, value, mark=mark),), value)
+        return (
+            Derived((), value)
+            if ("kick", event.number) in work.done and _told(work, body, stage)
+            else Derived((_result(lay.from_tree(tree), None, value, mark=mark),), value)
+        )
     if frame is not None and frame.axis is None and value != (0, 0):
         v = work.model.story.velocity(body, stage)
         a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
@@ -414,7 +433,8 @@ def _derive_direction(
             chain(
                 side(tangent, lay.function("tan", name)),
                 side(tangent, lay.fraction(look(y), look(x)))
-                if not isinstance(look(y), lay.Fraction) else side(tangent),
+                if not isinstance(look(y), lay.Fraction)
+                else side(tangent),
                 side(tangent),
                 mark="M1",
             ),
@@ -433,7 +453,7 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     name = lay.from_tree(tree)
     story = work.model.story
     a, b = _lines(work, tree, now)
-    sharp = any(story._is_line(each) for each in tree.arguments)  # noqa: SLF001
+    sharp = any(is_line(story, each) for each in tree.arguments)
     dot = tidy(a.dot(b))
     final = _result(name, None, value, angle=True)
     if work.sign(dot) == 0:
@@ -464,12 +484,10 @@ def _short_angle(name: Layout) -> Layout:
     return Brackets(name)
 
 
-def _frame_along(
-    work: Working, tree: Quantity, now: int
-) -> tuple[sp.Expr, sp.Expr] | None:
+def _frame_along(work: Working, tree: Quantity, now: int) -> tuple[sp.Expr, sp.Expr] | None:
     """Components of the first direction along and across the second, if these are known."""
     vector, line = tree.arguments
-    if work.model.story._is_line(vector):  # noqa: SLF001
+    if is_line(work.model.story, vector):
         vector, line = line, vector
     if not isinstance(vector, Quantity) or vector.kind != "velocity":
         return None
@@ -481,23 +499,15 @@ def _frame_along(
     return along, across
 
 
-def _cosine_rows(
-    work: Working, a: Vector, b: Vector, value: Any, sharp: bool = False
-) -> list[Row]:
-    """cos θ from the scalar product, with the values put in."""
+def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = False) -> list[Row]:
+    """Cos θ from the scalar product, with the values put in."""
     theta = _theta(work)
     dot = tidy(a.dot(b))
     cosine = tidy(sp.cos(value))
     if cosine.has(sp.atan, sp.atan2) or sp.count_ops(cosine) > 12:
         cosine = tidy(dot / (sp.sqrt(tidy(a.dot(a))) * sp.sqrt(tidy(b.dot(b)))))
-    products = [
-        product_of(x, y)
-        for x, y in zip(a, b, strict=True)
-        if x != 0 and y != 0
-    ]
-    above = lay.total(
-        [_opened(each) for each in products]
-    )
+    products = [product_of(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
+    above = lay.total([_opened(each) for each in products])
     sizes = [look(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))) for each in (a, b)]
     below = product_of(*[each for each in sizes if each != Number("1")] or [Number("1")])
     if sharp and work.sign(dot) < 0:
@@ -522,7 +532,7 @@ def _theta(work: Working) -> Layout:
 
 
 def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> Derived:
-    event = work.model.story._event(tree, now, body)  # noqa: SLF001
+    event = event_of(work.model.story, tree, now, body)
     value = evaluated(work, tree, now)
     name = lay.from_tree(tree)
     before = work.put(event.before[body])
@@ -542,16 +552,19 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
         return _deflection_at_wall(work, event.number, body, value, name)
     rows = _cosine_rows(work, _scaled(before), _scaled(after), value)
     return Derived(
-        (*rows, final), value,
-        (f"The angle of deflection of {body} is the angle between its velocities before and "
-         "after:",),
+        (*rows, final),
+        value,
+        (
+            f"The angle of deflection of {body} is the angle between its velocities before and "
+            "after:",
+        ),
     )
 
 
 def _scaled(v: Vector) -> Vector:
     """A vector without the letters common to its components."""
     x, y = v
-    letters = (sp.sympify(x).free_symbols | sp.sympify(y).free_symbols)
+    letters = sp.sympify(x).free_symbols | sp.sympify(y).free_symbols
     if not letters:
         return v
     common = sp.sympify(x if x != 0 else y)
@@ -575,9 +588,7 @@ def _numeric_angle(*vectors: Vector) -> bool:
     return True
 
 
-def _deflection_at_wall(
-    work: Working, number: int, body: str, value: Any, name: Layout
-) -> Derived:
+def _deflection_at_wall(work: Working, number: int, body: str, value: Any, name: Layout) -> Derived:
     """α + β: the angles to the wall before and after."""
     un, ut = (work.put(x) for x in work.model.before(number, body))
     v = work.put(work.model.after(number, body))
@@ -585,8 +596,9 @@ def _deflection_at_wall(
     first = _angle_of(work, tidy(-un), ut)
     second = _angle_of(work, v, ut)
     if ut == 0:
-        return Derived((_result(name, None, value, angle=True),), value,
-                       (f"{body} comes straight back:",))
+        return Derived(
+            (_result(name, None, value, angle=True),), value, (f"{body} comes straight back:",)
+        )
     made = Side(
         lay.total([look(each, angle=True) for each in (first, second) if each != 0]),
         tidy(first + second),
@@ -594,8 +606,10 @@ def _deflection_at_wall(
     return Derived(
         (_result(name, made, value, angle=True, mark="M1 A1"),),
         value,
-        (f"{body} is turned through the angle that its path makes with {wall} before and the "
-         "angle that it makes after:",),
+        (
+            f"{body} is turned through the angle that its path makes with {wall} before and the "
+            "angle that it makes after:",
+        ),
     )
 
 
@@ -644,9 +658,7 @@ def _parts(work: Working, number: int, body: str) -> tuple[sp.Expr, sp.Expr, sp.
     return un, tidy(-ut) if work.sign(ut) < 0 else ut, v
 
 
-def _spread(
-    work: Working, number: int, body: str, tangent: sp.Expr
-) -> tuple[Words, Layout]:
+def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Words, Layout]:
     """tan(α + β) at a wall, tan(β − α) between spheres, from the tangents."""
     un, ut, v = _parts(work, number, body)
     frame = work.model.frames[number]
@@ -665,18 +677,14 @@ def _spread(
         f"The angle of deflection of {body} is the difference of the angles that its "
         "velocities make with the line of centres:",
     )
-    return words, lay.fraction(
-        difference(big, small), lay.total([Number("1"), _times(a, b)])
-    )
+    return words, lay.fraction(difference(big, small), lay.total([Number("1"), _times(a, b)]))
 
 
-def tangent_of_difference(
-    work: Working, tree: Quantity, now: int
-) -> tuple[Words, Layout] | None:
+def tangent_of_difference(work: Working, tree: Quantity, now: int) -> tuple[Words, Layout] | None:
     """How the tangent of an angle of deflection is made up, where tangents serve."""
     body = name_of(tree)
     assert body is not None
-    event = work.model.story._event(tree, now, body)  # noqa: SLF001
+    event = event_of(work.model.story, tree, now, body)
     if event.number not in work.model.frames:
         return None
     un, ut, v = _parts(work, event.number, body)
@@ -699,7 +707,7 @@ def _derive_impulse(
     value = evaluated(work, tree, now)
     name = lay.from_tree(tree)
     story = work.model.story
-    event = story._event(tree, now, body)  # noqa: SLF001
+    event = event_of(story, tree, now, body)
     if body is not None:
         if isinstance(event.step, Impact) and event.number in work.model.frames:
             v, u = work.put(event.after[body]), work.put(event.before[body])
@@ -801,7 +809,7 @@ def quantities_in(work: Working, tree: Expression, now: int) -> Sequence[Asked]:
     if isinstance(tree, Quantity):
         return (Asked(tree, now),)
     if isinstance(tree, Letter):
-        let = work.model.story._lets.get(tree.name)  # noqa: SLF001
+        let = work.model.story._lets.get(tree.name)
         if let is None:
             return ()
         step, then = let

@@ -191,7 +191,7 @@ def _merged(workings: Sequence[Working]) -> list[Step]:
         common.append(lists[0][len(common)])
     out = list(common)
     for work, steps in zip(workings, lists, strict=True):
-        rest = steps[len(common):]
+        rest = steps[len(common) :]
         if not rest:
             continue
         out.append(Step("heading", words=_case(work, workings)))
@@ -205,9 +205,7 @@ def _case(work: Working, workings: Sequence[Working]) -> tuple[str | Layout, ...
     for symbol, value in work.model.final.items():
         if symbol.name not in work.model.unknowns.roles:
             continue
-        if all(
-            other.model.final.get(symbol) == value for other in workings
-        ):
+        if all(other.model.final.get(symbol) == value for other in workings):
             continue
         row = work.value_row(symbol, value=value)
         operands = tuple(o for o in row.operands if o is not None)

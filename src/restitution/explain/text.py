@@ -59,8 +59,7 @@ def _step(step: Step, width: int) -> list[str]:
 def said(words: Words) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
     return "".join(
-        each if isinstance(each, str) else one_line(each).replace(" ", _NO_BREAK)
-        for each in words
+        each if isinstance(each, str) else one_line(each).replace(" ", _NO_BREAK) for each in words
     )
 
 
@@ -97,9 +96,7 @@ def _rows(rows: Sequence[Row], width: int) -> list[str]:
 
 
 def _widest(row: Row) -> int:
-    return max(
-        (columns(_operand(each)) + 3 for each in row.operands[1:]), default=0
-    )
+    return max((columns(_operand(each)) + 3 for each in row.operands[1:]), default=0)
 
 
 def _operand(layout: Layout | None) -> str:
@@ -135,9 +132,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[str]:
         lines[-1] = _marked(lines[-1], row.mark, width)
     if row.note:
         note = said(row.note)
-        lines += [
-            " " * (_INDENT + 2) + each for each in _wrapped(f"({note})", width - _INDENT - 2)
-        ]
+        lines += [" " * (_INDENT + 2) + each for each in _wrapped(f"({note})", width - _INDENT - 2)]
     return lines
 
 
@@ -146,8 +141,10 @@ def _broken(layout: Layout, room: int) -> list[str]:
     if isinstance(layout, Sum) and len(layout.terms) > 1:
         pieces: list[str] = []
         for index, term in enumerate(layout.terms):
-            text = one_line(Sum((term,))) if index == 0 else (
-                f"{'−' if term[0] == '-' else '+'} {one_line(term[1])}"
+            text = (
+                one_line(Sum((term,)))
+                if index == 0
+                else (f"{'−' if term[0] == '-' else '+'} {one_line(term[1])}")
             )
             if pieces and columns(f"{pieces[-1]} {text}") <= room:
                 pieces[-1] = f"{pieces[-1]} {text}"

@@ -205,9 +205,11 @@ class Working:
             law.residual,
             law.kind,
             law.number,
-            lambda: self._momentum(law.number)
-            if law.kind == "momentum"
-            else self._restitution(law.number),
+            lambda: (
+                self._momentum(law.number)
+                if law.kind == "momentum"
+                else self._restitution(law.number)
+            ),
         )
 
     def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
@@ -251,9 +253,7 @@ class Working:
 
     def _ordered(self, symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
         order = [each.symbol for each in self.model.components.values()]
-        return sorted(
-            symbols, key=lambda s: (order.index(s) if s in order else len(order), s.name)
-        )
+        return sorted(symbols, key=lambda s: (order.index(s) if s in order else len(order), s.name))
 
     def value_row(self, x: sp.Symbol, mark: str = "", value: Any = None) -> Row:
         """``v = 2``."""
@@ -458,15 +458,16 @@ class Working:
             return first
         values = sorted([value, *others], key=lambda v: float(self.model.number(v)))
         rows = [self.value_row(x, value=each) for each in values]
-        cases = [lay.Relation(tuple(o for o in r.operands if o is not None), r.signs)
-                 for r in rows]
+        cases = [lay.Relation(tuple(o for o in r.operands if o is not None), r.signs) for r in rows]
         tail: list[Layout] = []
         for index, case in enumerate(cases):
             if index:
                 tail.append(case)
-        body = lay.Phrase(
-            (lay.Relation(cases[0].operands[1:], cases[0].signs[1:]), *tail), " or "
-        ) if len(cases[0].operands) > 2 else lay.Phrase((cases[0].operands[1], *tail), " or ")
+        body = (
+            lay.Phrase((lay.Relation(cases[0].operands[1:], cases[0].signs[1:]), *tail), " or ")
+            if len(cases[0].operands) > 2
+            else lay.Phrase((cases[0].operands[1], *tail), " or ")
+        )
         return Row((look(x), body), ("=",), (None, None))
 
     def _other_roots(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
@@ -520,9 +521,7 @@ class Working:
                 continue
             seen.append(value)
             shown_ = self.value_row(x, value=tidy(value))
-            layout = lay.Relation(
-                tuple(o for o in shown_.operands if o is not None)[:2], ("=",)
-            )
+            layout = lay.Relation(tuple(o for o in shown_.operands if o is not None)[:2], ("=",))
             out += ["; " if out else "", layout, f" is rejected: {branch.reason}"]
         if known is not None:
             self.known[x] = known
@@ -621,9 +620,7 @@ class Working:
         frame = self.model.frames[number]
         self._before(number)
         self._heading(number)
-        unknown = [
-            c for (n, _), c in self.model.components.items() if n == number
-        ]
+        unknown = [c for (n, _), c in self.model.components.items() if n == number]
         if frame.wall is None:
             self._setting_of_spheres(frame, unknown)
         else:
@@ -779,9 +776,7 @@ class Working:
         right = side(right_value, sum_of_products(right_terms) if right_terms else None)
         rows = [chain(left, right, mark="M1 A1")]
         rows += self._simpler(masses, left_terms, right_terms, rows[0])
-        return Step(
-            "principle", tuple(rows), "Conservation of momentum along the line of centres"
-        )
+        return Step("principle", tuple(rows), "Conservation of momentum along the line of centres")
 
     def _simpler(
         self,

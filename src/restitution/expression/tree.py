@@ -21,6 +21,11 @@ class Place:
     column: int
 
 
+def line_and_column(place: Place | None) -> tuple[int | None, int | None]:
+    """A place as the two numbers that an error takes; both None where nothing is known."""
+    return (None, None) if place is None else (place.line, place.column)
+
+
 @dataclass(frozen=True, slots=True)
 class Number:
     """An exact number as typed: ``3``, ``0.6``, ``60%``; never negative."""
@@ -143,18 +148,7 @@ class Quantity:
 
 
 Expression = (
-    Number
-    | Degrees
-    | Pi
-    | Letter
-    | Unit
-    | Name
-    | Pair
-    | Polar
-    | Negate
-    | Binary
-    | Apply
-    | Quantity
+    Number | Degrees | Pi | Letter | Unit | Name | Pair | Polar | Negate | Binary | Apply | Quantity
 )
 
 FUNCTIONS = (

@@ -20,7 +20,8 @@ from restitution.problem import (
     Problem,
     Relation,
 )
-from restitution.solve.story import AnyOf, Condition, Equation, Story
+from restitution.solve.conditions import AnyOf, Condition, Equation
+from restitution.solve.story import Story
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf

@@ -34,10 +34,11 @@ from restitution.problem import (
 )
 from restitution.problem import Value as ValueItem
 from restitution.solve.algebra import Found, solve_system
+from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
 from restitution.solve.letters import POSITIVE, REAL, Role, narrowed_by, roles
 from restitution.solve.numbers import FIELD, TINY, Sample, UndefinedError, at, sample, sign_at
-from restitution.solve.story import AnyOf, Condition, Equation, Sign, Story, lets_of
+from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
 SAMPLES_TRIED = 160

@@ -30,11 +30,11 @@ from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.algebra import solve_system
+from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import Role, is_angle
 from restitution.solve.numbers import TINY, Sample, UndefinedError, at, draw, sample
 from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, work_out
 from restitution.solve.solution import Answer, ItemResult
-from restitution.solve.story import AnyOf, Condition
 
 DRAWS = 4
 DRAWS_TRIED = 60

@@ -11,11 +11,11 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.problem import Compare, Extremum, Range, Show
+from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import requirements
 from restitution.solve.numbers import FIELD, TINY, UndefinedError, at
 from restitution.solve.part import Letters, Numbers, holds
 from restitution.solve.solution import Branch, ItemResult
-from restitution.solve.story import AnyOf, Condition, Equation
 
 if TYPE_CHECKING:
     from restitution.solve.solver import _Worker

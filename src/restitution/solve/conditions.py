@@ -1,0 +1,38 @@
+"""What a story asks for: equations that hold, and conditions that must."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from restitution.expression.evaluate import Scalar
+from restitution.expression.tree import Place
+
+
+@dataclass(frozen=True)
+class Condition:
+    """Something that must be so: ``value > 0``, or ``>= 0``, or ``!= 0``; else ``reason``."""
+
+    value: Scalar
+    relation: Literal[">", ">=", "!="]
+    reason: str
+    kind: Literal["coefficient", "approach", "sign", "time", "place", "fact"] = "sign"
+
+
+@dataclass(frozen=True)
+class AnyOf:
+    """At least one of several conditions must hold."""
+
+    options: tuple[Condition, ...]
+    reason: str
+    kind: Literal["place", "fact"] = "place"
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``value`` = 0, by ``reason``; ``place`` is where the text says so."""
+
+    value: Scalar
+    reason: str
+    place: Place | None = None
+    fact: bool = False

@@ -1,0 +1,321 @@
+"""Places and times: when a sphere comes to a wall, to a point, to another sphere, and where.
+
+Between events every sphere moves uniformly, so the times follow from linear equations, or from a
+quadratic one where spheres have size or a wall is a circle. What has to be so for an event to
+happen as told (in order, on the wall, nothing struck before) becomes a condition of the story.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from restitution.errors import StatementError
+from restitution.expression.evaluate import Scalar
+from restitution.expression.tree import Name, Place, line_and_column
+from restitution.problem import Arrival, Impact, Wall
+from restitution.solve.conditions import AnyOf, Condition, Equation
+from restitution.solve.neat import neat
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.solve.story import Story
+
+
+def time_to_point(story: Story, number: int, name: str, point: Vector, step: Arrival) -> Scalar:
+    """When a sphere's centre comes to a point."""
+    known = story.place(name, number - 1)
+    velocity = story.velocity(name, number - 1)
+    if known is None:
+        time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
+    else:
+        way = point - known[0]
+        if story.still(velocity):
+            raise StatementError(
+                f"{name} is at rest and reaches nothing", *line_and_column(step.place)
+            )
+        flight = story.rational(way.dot(velocity) / velocity.dot(velocity))
+        _off(story, way.cross(velocity), f"{name} does not pass through that point", step.place)
+        _flight(story, name, flight, number, f"{name} moves away from that point")
+        time = known[1] + flight
+    story.tracks[name].places.append((number, point, time))
+    return time
+
+
+def _off(story: Story, value: Scalar, reason: str, place: Place | None) -> None:
+    if not story.field.is_zero(value):
+        story.equations.append(Equation(value, reason, place))
+
+
+def _flight(story: Story, name: str, flight: Scalar, number: int, reason: str) -> None:
+    """A time of flight must be positive."""
+    story.conditions.append(Condition(flight, ">", reason, "time"))
+
+
+def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | None:
+    """When a sphere comes to a wall; None where nothing is known of places."""
+    known = story.place(name, number - 1)
+    velocity = story.velocity(name, number - 1)
+    radius = story.radius(name)
+    if wall.centre is not None:
+        return _time_to_circle(story, number, name, wall, known, velocity, radius)
+    origin = wall.through if wall.through is not None else wall.start
+    if known is None:
+        return None
+    if origin is None:
+        time = story.unknowns.hidden(
+            f"t_{number}", f"the place of the wall {wall.name}", "positive"
+        )
+        where = known[0] + velocity * (time - known[1])
+        _flight(story, name, time - known[1], number, "times must be in order")
+        story.tracks[name].places.append((number, where, time))
+        return time
+    through = story.read_vector(origin, f"the place of {wall.name}")
+    along = story.wall_direction(Name(wall.name))
+    normal = along.turned_left()
+    gap = normal.dot(known[0] - through)
+    speed = normal.dot(velocity)
+    if story.field.is_zero(speed):
+        raise StatementError(f"{name} moves parallel to {wall.name} and does not reach it")
+    if radius is not None:
+        side = story.unknowns.sign(gap)
+        if side in (None, 0):
+            side = -(story.unknowns.sign(speed) or 1)
+        gap = gap - side * radius * story.size(normal)
+    flight = story.rational(-gap / speed)
+    _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
+    where = known[0] + velocity * flight
+    if story.field.exact:
+        where = story.neat(where)
+    if wall.start is not None:
+        share = story.rational((where - through).dot(along))
+        reason = f"{name} passes the end of {wall.name}"
+        story.conditions.append(Condition(share, ">", reason, "place"))
+        story.conditions.append(Condition(along.dot(along) - share, ">", reason, "place"))
+    _nothing_first(story, name, wall, known[0], velocity, flight, number)
+    time = known[1] + flight
+    story.tracks[name].places.append((number, where, time))
+    return time
+
+
+def _nothing_first(
+    story: Story,
+    name: str,
+    target: Wall | None,
+    start: Vector,
+    velocity: Vector,
+    flight: Scalar,
+    number: int,
+) -> None:
+    """No other wall whose place is known is struck before."""
+    radius = story.radius(name)
+    left = story.latest(name, number - 1)
+    for wall in story.walls.values():
+        origin = wall.through if wall.through is not None else wall.start
+        if wall is target or origin is None:
+            continue
+        if left is not None and wall.name in left.bodies:
+            continue  # it has just left that wall
+        through = story.read_vector(origin, "")
+        along = story.wall_direction(Name(wall.name))
+        normal = along.turned_left()
+        gap, speed = normal.dot(start - through), normal.dot(velocity)
+        if story.field.is_zero(speed):
+            continue
+        if radius is not None:
+            side = story.unknowns.sign(gap)
+            if side in (None, 0):
+                side = -(story.unknowns.sign(speed) or 1)
+            gap = gap - side * radius * story.size(normal)
+        crossing = story.rational(-gap / speed)
+        reason = f"{name} strikes {wall.name} first"
+        options = [
+            Condition(-crossing, ">=", reason, "place"),
+            Condition(crossing - flight, ">", reason, "place"),
+        ]
+        if wall.start is not None:
+            share = story.rational((start + velocity * crossing - through).dot(along))
+            options.append(Condition(-share, ">=", reason, "place"))
+            options.append(Condition(share - along.dot(along), ">=", reason, "place"))
+        story.conditions.append(AnyOf(tuple(options), reason))
+
+
+def _time_to_circle(
+    story: Story,
+    number: int,
+    name: str,
+    wall: Wall,
+    known: tuple[Vector, Scalar] | None,
+    velocity: Vector,
+    radius: Scalar | None,
+) -> Scalar | None:
+    centre = story.read_vector(wall.centre, f"the centre of {wall.name}")
+    size = story.read(wall.radius, f"the radius of {wall.name}")
+    if known is None:
+        return None
+    out = known[0] - centre
+    square = story.rational(out.dot(out))
+    inside = story.unknowns.sign(square - size * size)
+    reach = size
+    if radius is not None:
+        reach = size + radius if inside == 1 else size - radius
+    excess = story.rational(square - reach * reach)
+    vv, ov = velocity.dot(velocity), out.dot(velocity)
+    if story.still(velocity):
+        raise StatementError(f"{name} is at rest and does not reach {wall.name}")
+    left = story.latest(name, number - 1)
+    if story.field.is_zero(excess) or (left is not None and wall.name in left.bodies):
+        flight = -2 * ov / vv
+    else:
+        under = story.rational(ov * ov - vv * excess)
+        story.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
+        depth = story.field.sqrt(under)
+        flight = (-ov - depth) / vv if inside == 1 else (-ov + depth) / vv
+    flight = story.rational(flight)
+    _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
+    where = known[0] + velocity * flight
+    if story.field.exact:
+        where = story.neat(where)
+    _nothing_first(story, name, wall, known[0], velocity, flight, number)
+    time = known[1] + flight
+    story.tracks[name].places.append((number, where, time))
+    return time
+
+
+def meeting_time(story: Story, number: int) -> Scalar | None:
+    """The time of an event of bodies whose places are known; None where they are not."""
+    for track in story.tracks.values():
+        if track.places and track.places[-1][0] == number:
+            return track.places[-1][2]
+    return None
+
+
+def meeting(
+    story: Story, number: int, step: Impact, approach: Vector
+) -> tuple[Scalar | None, Vector | None]:
+    """When two spheres with known places meet, and the line of centres if they have size."""
+    one, other = (story.place(name, number - 1) for name in (step.first, step.second))
+    if one is None or other is None:
+        return _meeting_half_known(story, number, step, one, other), None
+    start = _later(story, one[1], other[1])
+    v1, v2 = (story.velocity(name, number - 1) for name in (step.first, step.second))
+    p1, p2 = one[0] + v1 * (start - one[1]), other[0] + v2 * (start - other[1])
+    gap = p2 - p1
+    if story.field.exact:
+        gap = story.neat(gap)
+    r = story.radius(step.first)
+    ww = approach.dot(approach)
+    if story.still(approach):
+        raise StatementError(
+            f"{step.first} and {step.second} keep their distance", *line_and_column(step.place)
+        )
+    if r is None:
+        flight = gap.dot(approach) / ww
+        _off(
+            story,
+            story.rational(gap.cross(approach)),
+            f"{step.first} and {step.second} do not meet",
+            step.place,
+        )
+        c = None
+    elif step.along is not None:
+        along = story.direction(step.along, number - 1)
+        length = story.size(along)
+        sign = story.unknowns.sign(approach.dot(along)) or 1
+        reach = along * (sign * 2 * r / length)
+        way = gap - reach
+        flight = way.dot(approach) / ww
+        _off(
+            story,
+            story.rational(way.cross(approach)),
+            f"{step.first} and {step.second} do not meet on that line of centres",
+            step.place,
+        )
+        c = None
+    else:
+        ga = gap.dot(approach)
+        under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
+        if story.field.exact:
+            under = neat(under)
+        story.conditions.append(
+            Condition(under, ">", f"{step.first} passes {step.second} without touching it", "place")
+        )
+        flight = (ga - story.field.sqrt(under)) / ww
+        c = story.neat(gap - approach * flight)
+    flight = story.rational(flight)
+    story.conditions.append(
+        Condition(flight, ">", f"{step.first} and {step.second} are separating", "time")
+    )
+    time = start + flight
+    for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
+        where = known[0] + v * (time - known[1])
+        _nothing_first(story, name, None, known[0], v, time - known[1], number)
+        story.tracks[name].places.append((number, story.neat(where), time))
+    return time, c
+
+
+def _later(story: Story, a: Scalar, b: Scalar) -> Scalar:
+    sign = story.unknowns.sign(a - b)
+    return a if sign is None or sign >= 0 else b
+
+
+def _meeting_half_known(
+    story: Story,
+    number: int,
+    step: Impact,
+    one: tuple[Vector, Scalar] | None,
+    other: tuple[Vector, Scalar] | None,
+) -> Scalar | None:
+    if one is None and other is None:
+        placed = any(track.places for track in story.tracks.values())
+        fixed = any(
+            w.through is not None or w.start is not None or w.centre is not None
+            for w in story.problem.walls
+        )
+        if number == 1 and not placed and not fixed:
+            return story.field.zero
+        return None
+    known = one if one is not None else other
+    name = step.first if one is not None else step.second
+    assert known is not None
+    if story.still(story.velocity(name, number - 1)) and number == 1:
+        time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
+        return time
+    time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
+    return time
+
+
+def place_after_meeting(
+    story: Story,
+    number: int,
+    step: Impact,
+    c: Vector,
+    closing: Scalar,
+    unknown: bool,
+    time: Scalar | None,
+) -> None:
+    """Where the other centre is, when one is known."""
+    tracks = story.tracks[step.first], story.tracks[step.second]
+    if time is None or any(t.places and t.places[-1][0] == number for t in tracks):
+        return
+    r = story.radius(step.first)
+    if r is None:
+        apart = Vector(story.field.zero, story.field.zero)
+    else:
+        oriented = c if unknown else c * closing
+        sign = story.unknowns.sign(closing) if not unknown else 1
+        if sign in (1, -1) and not unknown:
+            oriented = c * sign
+        apart = oriented * (2 * r / story.size(oriented))
+        if story.field.exact:
+            apart = story.neat(apart)
+    one, other = (story.place(name, number - 1) for name in (step.first, step.second))
+    if one is not None:
+        v = story.velocity(step.first, number - 1)
+        where = one[0] + v * (time - one[1])
+    elif other is not None:
+        v = story.velocity(step.second, number - 1)
+        where = other[0] + v * (time - other[1]) - apart
+    else:
+        where = Vector(story.field.zero, story.field.zero)
+    tracks[0].places.append((number, where, time))
+    tracks[1].places.append((number, where + apart, time))
