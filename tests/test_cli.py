@@ -351,6 +351,11 @@ def test_the_asking_process_loads_no_algebra(folder):
         "print([m for m in ('sympy', 'numpy', 'rich', 'ziamath') if m in sys.modules])"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=folder, timeout=60
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        timeout=60,
     )
     assert done.stdout.splitlines()[-1] == "[]", done.stderr

@@ -22,6 +22,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
@@ -42,6 +43,7 @@ _HALF = Rational(1, 2)
 # --- the public functions ---------------------------------------------------------------------
 
 
+@lru_cache(maxsize=4096)
 def tidy(expression: Any) -> Any:
     """An expression (or the ends of a set of numbers) in the form a textbook would print.
 
@@ -62,6 +64,7 @@ def tidy(expression: Any) -> Any:
         return expression
 
 
+@lru_cache(maxsize=1024)
 def tidy_angle(expression: Any) -> Any:
     """An angle in radians in its usual form: ``pi/3``, ``pi - atan(4/3)``, ``alpha``.
 

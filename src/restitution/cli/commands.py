@@ -423,7 +423,8 @@ def _pointed(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:
 
 def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:
     place = "".join(f":{n}" for n in (error.line, error.column) if n is not None)
-    kind = "" if error.line is None and error.kind == "syntax" else f"{error.kind}: "
+    plain = error.kind == "time limit" or (error.line is None and error.kind == "syntax")
+    kind = "" if plain else f"{error.kind}: "
     yield f"{_name(file)}{place}: {kind}{_printable(error.message)}"
     if error.line is None:
         return

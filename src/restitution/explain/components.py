@@ -75,10 +75,15 @@ class Law:
 
 @dataclass
 class _Named:
-    """Letters as symbols, and hidden unknowns as symbols with presentable names."""
+    """Letters as symbols, and hidden unknowns as symbols with presentable names.
+
+    What a hidden unknown is worth goes to ``final`` and ``sample`` when it first turns up.
+    """
 
     roles: Mapping[str, Role]
-    sample: Mapping[str, Any]
+    branch: Branch
+    sample: dict[str, Any]
+    final: dict[sp.Symbol, sp.Expr]
     taken: set[str]
     names: dict[str, str] = field(default_factory=dict)
     phrases: dict[str, str] = field(default_factory=dict)
@@ -87,12 +92,26 @@ class _Named:
         return self.roles.get(name, POSITIVE).symbol(name)
 
     def hidden(self, key: str, phrase: str, sign: Sign) -> sp.Expr:
-        if key not in self.names:
-            self.names[key] = self._name(key)
-            self.taken.add(self.names[key])
-        self.phrases[self.names[key]] = phrase
         role = POSITIVE if sign == "positive" else REAL
-        return role.symbol(self.names[key])
+        if key in self.names:
+            return role.symbol(self.names[key])
+        name = self._name(key)
+        self.names[key] = name
+        self.taken.add(name)
+        self.phrases[name] = phrase
+        symbol = role.symbol(name)
+        value = self.branch.values.get(f"_{key}")
+        known = self.sample.get(f"_{key}")
+        if value is not None:
+            self.final[symbol] = tidy(sp.sympify(value))
+            if known is None:
+                try:
+                    known = at(sp.sympify(value), self.sample)
+                except (UndefinedError, KeyError, ArithmeticError):
+                    known = None
+        # What the answers do not depend on may be anything.
+        self.sample[name] = known if known is not None else FIELD.context.mpf("1.37")
+        return symbol
 
     def _name(self, key: str) -> str:
         if key.startswith(("m_", "t_")):
@@ -188,20 +207,20 @@ def model(
     sample = dict(branch.sample)
     taken = _letters_of(problem)
     names = _allocated(problem, taken)
-    unknowns = _Named(roles, sample, set(taken) | set(names.values()))
+    final: dict[sp.Symbol, sp.Expr] = {}
+    unknowns = _Named(roles, branch, sample, final, set(taken) | set(names.values()))
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
     blank = Part(None, ())
     story = Story(replace(problem, parts=(blank,)), blank, Symbolic(), unknowns, lets)
     story.problem = problem
-    told = Model(problem, part, branch, story, unknowns, {}, {}, [], {}, sample)
-    put = _values(told)
+    told = Model(problem, part, branch, story, unknowns, {}, {}, [], final, sample)
+    _letter_values(told)
+    put = final
     for number, step in enumerate(_events(problem, part), 1):
         story._tell(step)
-        _hidden_values(told, put)
         if isinstance(step, Impact):
             _in_letters(told, number, step, names, put)
         story._evaluators.clear()
-    _hidden_values(told, put)
     return told
 
 
@@ -212,34 +231,11 @@ def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
                 yield step
 
 
-def _values(told: Model) -> dict[sp.Symbol, sp.Expr]:
+def _letter_values(told: Model) -> None:
     """What the solution says of the letters."""
-    put: dict[sp.Symbol, sp.Expr] = {}
     for name, value in told.branch.values.items():
         if not name.startswith("_"):
-            symbol = told.unknowns.letter(name)
-            put[symbol] = tidy(sp.sympify(value))
-    told.final.update(put)
-    return put
-
-
-def _hidden_values(told: Model, put: dict[sp.Symbol, sp.Expr]) -> None:
-    for key, name in told.unknowns.names.items():
-        value = told.branch.values.get(f"_{key}")
-        if value is None:
-            known = told.sample.get(f"_{key}")
-            # What the answers do not depend on may be anything.
-            told.sample.setdefault(name, known if known is not None else FIELD.context.mpf("1.37"))
-            continue
-        for symbol in (POSITIVE.symbol(name), REAL.symbol(name)):
-            put[symbol] = sp.sympify(value)
-            told.final[symbol] = tidy(sp.sympify(value))
-        if name not in told.sample:
-            try:
-                told.sample[name] = at(sp.sympify(value), told.sample)
-            except (UndefinedError, KeyError, ArithmeticError):
-                if f"_{key}" in told.sample:
-                    told.sample[name] = told.sample[f"_{key}"]
+            told.final[told.unknowns.letter(name)] = tidy(sp.sympify(value))
 
 
 def _in_letters(
@@ -265,7 +261,6 @@ def _in_letters(
         value = tidy(final.dot(direction))
         told.components[number, body] = Component(symbol, body, number, value)
         told.final[symbol] = value
-        put[symbol] = value
         try:
             told.sample[symbol.name] = at(value, told.sample)
         except (UndefinedError, KeyError, ArithmeticError):

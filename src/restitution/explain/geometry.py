@@ -87,7 +87,8 @@ def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, L
     first, second = tidy(un / size), tidy(ut / size)
     if first == 0 or second == 0:
         return None
-    if not first.free_symbols and not second.free_symbols:
+    plain = frame.axis is None and all(sp.sympify(x).is_Rational for x in u)
+    if not plain and not first.free_symbols and not second.free_symbols:
         degrees = sp.N(sp.atan2(abs(second), abs(first)) * 180 / sp.pi, 20)
         nearest = round(float(degrees) / 15) * 15
         if abs(degrees - nearest) < 1e-12:

@@ -11,6 +11,7 @@ from restitution.render.text import width as columns
 
 _INDENT = 4
 _MARKS = 8
+_WHOLE = 28
 _NO_BREAK = "\u00a0"
 
 

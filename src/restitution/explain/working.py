@@ -213,8 +213,6 @@ class Working:
         )
 
     def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
-        for number in self._speaks_of(group):
-            self.setting(number)
         if len(group) == 1:
             self._use(group[0])
             (x,) = unknowns
@@ -239,6 +237,8 @@ class Working:
         if key in self.done:
             return
         self.done.add(key)
+        for number in self._speaks_of([equation]):
+            self.setting(number)
         self.add(equation.step())
 
     def _pair(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:

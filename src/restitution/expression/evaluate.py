@@ -12,7 +12,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import mpmath
@@ -146,6 +146,7 @@ def _context(digits: int) -> Any:
     return context
 
 
+@lru_cache(maxsize=4096)
 def root(x: sp.Expr) -> sp.Expr:
     """√x with whole squares taken out: √(u² v) is u√v where u is positive."""
     if x.is_Number or x.is_Symbol:

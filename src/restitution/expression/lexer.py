@@ -32,8 +32,8 @@ from restitution.expression.words import (
     UNIT_OF_A_PROPERTY,
     WORDS,
     guess,
-    near,
     one_slip,
+    unknown_name,
 )
 
 NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
@@ -510,15 +510,6 @@ def _spaced(run: str) -> str | None:
         if rest != run and 0 < len(rest) <= 3:
             return f"{' '.join(rest)} {greek}"
     return None
-
-
-def unknown_name(name: str, names: Mapping[str, str]) -> str:
-    """What to say of a name that no line declares."""
-    meant = near(name, sorted(names), cutoff=0.5)
-    if meant is None and len(names) == 1:
-        meant = next(iter(names))
-    said = f"unknown name '{name}': no sphere, wall or point is called that"
-    return said + (f"; did you mean '{meant}'?" if meant else "")
 
 
 def _function(source: Source, function: str, start: int, end: int) -> Token:

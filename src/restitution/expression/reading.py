@@ -14,7 +14,7 @@ from lark.lexer import Lexer
 
 from restitution.errors import StatementError
 from restitution.expression.grammar import RULES, TERMINALS
-from restitution.expression.lexer import Scan, Source, scan, unknown_name
+from restitution.expression.lexer import Scan, Source, scan
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_TREE_DEPTH
 from restitution.expression.quantities import SIGNATURES, stands_alone
 from restitution.expression.tree import (
@@ -44,6 +44,7 @@ from restitution.expression.words import (
     WORDS,
     guess,
     near,
+    unknown_name,
 )
 from restitution.expression.writing import write_expression
 

@@ -209,3 +209,12 @@ def guess(word: str) -> str | None:
         return MEANT[word]
     slips = [each for each in sorted(WORDS) if len(each) > 2 and one_slip(word, each)]
     return slips[0] if len(slips) == 1 else near(word, slips or sorted(WORDS))
+
+
+def unknown_name(name: str, names: Mapping[str, str]) -> str:
+    """What to say of a name that no line declares."""
+    meant = near(name, sorted(names), cutoff=0.5)
+    if meant is None and len(names) == 1:
+        meant = next(iter(names))
+    said = f"unknown name '{name}': no sphere, wall or point is called that"
+    return said + (f"; did you mean '{meant}'?" if meant else "")

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import unknown_name
 from restitution.expression.quantities import SIGNATURES
 from restitution.expression.tree import (
     Binary,
@@ -24,6 +23,7 @@ from restitution.expression.tree import (
     children,
     walk,
 )
+from restitution.expression.words import unknown_name
 from restitution.problem import (
     Aligned,
     Arrival,

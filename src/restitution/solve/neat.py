@@ -5,11 +5,14 @@ This is about size and equality, not about beauty: the textbook form is ``exact.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 
 _LARGE = 400
 
 
+@lru_cache(maxsize=4096)
 def neat(x: sp.Expr) -> sp.Expr:
     """The same value as one reduced fraction, with sin² + cos² = 1 used where it stands."""
     x = sp.sympify(x, strict=True)

@@ -1,0 +1,87 @@
+"""What the documentation shows is true: statements solve, Python runs, links and limits hold."""
+
+from __future__ import annotations
+
+import doctest
+import re
+from pathlib import Path
+
+import pytest
+
+import restitution
+from restitution.expression import limits
+from restitution.expression.tree import QUANTITIES
+
+ROOT = Path(__file__).parents[1]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def fenced(language):
+    return [
+        pytest.param(
+            match[2],
+            id=f"{page.name}:{page.read_text('utf-8')[: match.start()].count(chr(10)) + 2}",
+        )
+        for page in PAGES
+        for match in FENCE.finditer(page.read_text(encoding="utf-8"))
+        if match[1] == language
+    ]
+
+
+@pytest.mark.parametrize("statement", fenced("impact"))
+def test_statement_is_answered(statement):
+    solution = restitution.solve(restitution.parse(statement))
+    items = [item for _, item in solution.items()]
+    assert items
+    for item in items:
+        assert item.error is None, f"{item.text}: {item.error}"
+        assert item.answers or item.holds, item.text
+
+
+def test_every_fence_says_what_it_holds():
+    """A fence without a language would be run by no test."""
+    for page in PAGES:
+        for match in FENCE.finditer(page.read_text(encoding="utf-8")):
+            assert match[1] in ("impact", "python", "text", "sh", "json"), (
+                page.name,
+                match[0][:60],
+            )
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_python_runs(page, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    failed, _ = doctest.testfile(
+        str(page), module_relative=False, optionflags=doctest.NORMALIZE_WHITESPACE
+    )
+    assert failed == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text(encoding="utf-8")):
+        if "://" in target:
+            continue
+        path, _, anchor = target.partition("#")
+        found = page.parent / path if path else page
+        assert found.exists(), target
+        if anchor:
+            headings = re.findall(r"^#+ (.*)$", found.read_text(encoding="utf-8"), re.MULTILINE)
+            slugs = {
+                re.sub(r"[^\w\- ]", "", each).strip().lower().replace(" ", "-") for each in headings
+            }
+            assert anchor in slugs, target
+
+
+def test_reference_tells_the_limits():
+    text = (ROOT / "docs" / "language.md").read_text(encoding="utf-8").replace(" ", "")
+    for name in vars(limits):
+        if name.startswith("MAX_") and name != "MAX_ERRORS":
+            assert f"|{getattr(limits, name)}|" in text, name
+
+
+def test_reference_names_every_quantity():
+    text = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
+    for quantity in QUANTITIES:
+        assert f"`{quantity}" in text, quantity
