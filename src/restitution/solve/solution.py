@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import sympy as sp
@@ -11,7 +12,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.solve.letters import Role
-from restitution.solve.story import Story
+from restitution.solve.story import Story, Unknowns
 
 ItemKind = Literal["value", "vector", "point", "direction", "range", "extremum", "show"]
 
@@ -88,8 +89,8 @@ class ItemResult:
 class Branch:
     """One admissible set of values for all that was unknown.
 
-    ``values`` maps letters and hidden unknowns, by name, to exact values; ``story`` is the story
-    told with them put in, exactly; ``sample`` gives every letter and hidden unknown a number that
+    ``values`` maps letters and hidden unknowns, by name, to exact values; ``letters`` gives
+    them to a telling of the story; ``sample`` gives every letter and hidden unknown a number that
     satisfies all facts (the letters left free at a representative value); ``numbers`` is the
     story told with these, in high precision.
     """
@@ -97,9 +98,15 @@ class Branch:
     number: int
     values: Mapping[str, sp.Expr]
     angles: Mapping[str, tuple[sp.Expr, sp.Expr]]
-    story: Story
+    letters: Unknowns
     sample: Mapping[str, Any]
     numbers: Story
+    tell: Callable[[Any], Story] = field(compare=False, repr=False)
+
+    @cached_property
+    def story(self) -> Story:
+        """The story with these values put in, exactly; told when it is first wanted."""
+        return self.tell(self.letters)
 
 
 @dataclass(frozen=True)

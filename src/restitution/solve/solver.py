@@ -15,15 +15,17 @@ from restitution.errors import (
     RestitutionError,
     UnsupportedError,
 )
-from restitution.expression.evaluate import Angle
+from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
     Negate,
+    Polar,
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.language.checking import check
 from restitution.problem import (
@@ -33,6 +35,7 @@ from restitution.problem import (
     Given,
     Impact,
     Kick,
+    Let,
     Part,
     Problem,
     Range,
@@ -45,6 +48,7 @@ from restitution.solve import forms
 from restitution.solve.letters import is_angle
 from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.part import (
+    SYMBOLIC,
     Letters,
     Numbers,
     Outcome,
@@ -183,13 +187,16 @@ class _Worker:
 
     def _branch(self, setting: Setting, letters_: Letters, trial: Trial, number: int) -> Branch:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
-        story = setting.tell(told) if trial.found.values else None
-        if story is None:
-            story = setting.tell(Letters(setting.roles, {}, {}, trial.samples))
         numbers = setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
         return Branch(
-            number, trial.found.values, trial.found.angles, story, trial.samples[0], numbers
+            number,
+            trial.found.values,
+            trial.found.angles,
+            told,
+            trial.samples[0],
+            numbers,
+            setting.tell,
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
@@ -290,7 +297,10 @@ class _Worker:
     def _evaluate(
         self, tree: Expression, branch: Branch, now: int, samples: Any, kind: ItemKind
     ) -> Any:
-        value = branch.story.evaluator(now).value(tree)
+        if self._of_letters(tree):
+            value = Evaluator(SYMBOLIC, branch.letters.letter).value(tree)
+        else:
+            value = branch.story.evaluator(now).value(tree)
         if isinstance(tree, Letter) and isinstance(value, Angle):
             return exact.tidy_angle(value.measure())
         if kind == "direction" and isinstance(value, Vector):
@@ -299,6 +309,15 @@ class _Worker:
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
             return exact.tidy_angle(result)
         return result
+
+    def _of_letters(self, tree: Expression) -> bool:
+        """Whether an expression needs no telling of the story: its letters are enough."""
+        lets = {step.letter for _, step in self.problem.steps() if isinstance(step, Let)}
+        return not any(
+            isinstance(node, Quantity | Name | Polar)
+            or (isinstance(node, Letter) and node.name in lets)
+            for node in walk(tree)
+        )
 
     def _is_angle(self, tree: Expression, setting: Setting) -> bool:
         walls = frozenset(wall.name for wall in self.problem.walls)
@@ -375,8 +394,8 @@ class _Worker:
         for trial in outcome.refused:
             try:
                 told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
-                if isinstance(item.expression, Letter):
-                    value = told.letter(item.expression.name)
+                if self._of_letters(item.expression):
+                    value = Evaluator(SYMBOLIC, told.letter).value(item.expression)
                 else:
                     story = outcome.setting.tell(told)
                     value = story.evaluator(now).value(item.expression)
