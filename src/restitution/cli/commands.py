@@ -362,8 +362,9 @@ def language() -> None:
 
 def _reference() -> str:
     """The page ``docs/language.md``, which a wheel carries inside the package."""
-    inside = Path(__file__).with_name("language") / "reference.md"
-    checkout = Path(__file__).parents[2] / "docs" / "language.md"
+    package = Path(__file__).parents[1]
+    inside = package / "language" / "reference.md"
+    checkout = package.parents[1] / "docs" / "language.md"
     return (inside if inside.exists() else checkout).read_text(encoding="utf-8")
 
 

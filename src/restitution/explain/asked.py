@@ -161,6 +161,11 @@ def _settings_of(work: Working, tree: Quantity, now: int) -> None:
     """The axes of the impact that a quantity speaks of, even if nothing had to be found."""
     story = work.model.story
     body = name_of(tree)
+    if tree.kind == "direction" and body in story.walls:
+        for number, frame in work.model.frames.items():
+            if frame.wall == body and frame.by_values:
+                work.setting(number)
+                break
     if tree.kind in ("line_of_centres",) and work.model.frames:
         event = event_of(story, tree, now)
         if event.number in work.model.frames:
@@ -216,6 +221,8 @@ def _ending(
     """The rows, with the solution's own form of the result where it looks different."""
     made = list(rows)
     target = answer_.value
+    if isinstance(item.expression, Quantity) and item.expression.kind == "position":
+        return made
     if isinstance(target, sp.Set) or not _same(work, target, value):
         return made
     wanted = look(tuple(target) if isinstance(target, tuple) else target, angle=answer_.angle)
@@ -429,6 +436,10 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
     note: Words = ("as required",)
     if rows:
         final = rows[-1]
+        if final.operands[0] != lay.from_tree(left):
+            rows.append(chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note))
+            work.write("result", rows, derived.principle, derived.words)
+            return
         sides = [
             Side(o, v)
             for o, v in zip(final.operands, final.values, strict=True)

@@ -69,6 +69,7 @@ def kick(work: Working, number: int) -> None:
 
 
 def _difference(first: Layout, u: Vector) -> Layout:
+    """The velocity after less that before."""
     second = look((u.x, u.y))
     if second == lay.ZERO_VECTOR:
         return first

@@ -20,6 +20,7 @@ from restitution.expression.tree import Expression, Letter, Quantity, has_quanti
 from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
+from restitution.render.text import to_text
 from restitution.solve import algebra
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
@@ -256,6 +257,12 @@ def _from_solved(work: Working) -> list[Bound]:
                     "≥" if role.closed[0] else ">",
                 )
             )
+        elif role.kind == "angle" and isinstance(value, sp.atan):
+            tangent = tidy(value.args[0])
+            power = 2 if tangent.is_Pow and tangent.exp == sp.S.Half else 1
+            name = sp.tan(symbol) ** power
+            words = (look(name), " has to be positive:")
+            found.append(Bound(words, name, ">", sp.Integer(0), name, ">"))
         elif role.kind == "positive":
             words = (look(symbol), " has to be positive:")
             found.append(Bound(words, symbol, ">", sp.Integer(0), symbol, ">"))
@@ -406,6 +413,11 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
             except (NotImplementedError, ValueError):
                 limit = value.subs(symbol, end)
             ends.append(tidy_angle(limit) if is_angle else tidy(limit))
+        if not all(
+            _is_limit(work, value, symbol, at_, end)
+            for at_, end in zip((role.low, role.high), ends, strict=True)
+        ):
+            continue
         words: Words = (
             "As ",
             look(symbol),
@@ -422,6 +434,20 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
             ".",
         )
         work.write("result", rows, words=words, mark="M1")
+
+
+def _is_limit(
+    work: Working, value: sp.Expr, symbol: sp.Symbol, place: sp.Expr, limit: sp.Expr
+) -> bool:
+    """Whether an expression comes near a limit, by numbers."""
+    try:
+        there = work.model.number(place)
+        step = 1e-12 if place == 0 or work.model.sign(place) < 0 else -1e-12
+        near = at(value, {**work.model.sample, symbol.name: there + step})
+        far = at(limit, {**work.model.sample, symbol.name: there})
+    except (UndefinedError, KeyError, ArithmeticError):
+        return False
+    return bool(abs(near - far) < 1e-6)
 
 
 def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int) -> None:
@@ -595,17 +621,16 @@ def _defined(work: Working, value: sp.Expr) -> bool:
 def _at_an_end(
     work: Working,
     item: Extremum,
-    slope: sp.Expr,
-    variable: sp.Symbol,
+    intro: Words,
+    rows: Sequence[Row],
     x: sp.Symbol,
-    shown: sp.Expr,
-    row: Row,
+    slope: sp.Expr,
 ) -> None:
-    del variable, slope
-    constant = _constant_sign(work, shown)
+    """The quantity always grows, or always falls: an end of the interval counts."""
+    constant = _constant_sign(work, tidy(slope))
     words: list[str | Layout] = []
     if constant:
-        work.write("result", [row], words=("Differentiate:",))
+        work.write("result", rows, words=intro)
         role = work.model.unknowns.roles.get(x.name)
         grows = constant > 0
         upper = grows == (item.kind == "maximum")

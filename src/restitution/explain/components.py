@@ -231,6 +231,39 @@ def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
                 yield step
 
 
+def _by_values(
+    told: Model, number: int, step: Impact | Kick | Arrival
+) -> dict[str, tuple[int, Vector]]:
+    """Puts values for letters where a place on a circle is to be found: roots of roots else.
+
+    Gives back the velocities in letters, to be put in again after the telling.
+    """
+    story = told.story
+    if not isinstance(step, Impact):
+        return {}
+    wall = story.walls.get(step.second)
+    bodies = [b for b in (step.first, step.second) if b in story.spheres]
+    if wall is not None:
+        if wall.centre is None:
+            return {}
+    elif step.along is not None or not all(story.tracks[b].places for b in bodies):
+        return {}
+    final = told.branch.story
+    kept = {}
+    for body in bodies:
+        track = story.tracks[body]
+        kept[body] = track.velocities[-1]
+        stage, _ = kept[body]
+        v = final.velocity(body, number - 1)
+        track.velocities[-1] = (stage, Vector(tidy(v.x), tidy(v.y)))
+        known = final.place(body, number - 1)
+        if track.places and known is not None:
+            n, _, _ = track.places[-1]
+            where, when = known
+            track.places[-1] = (n, Vector(tidy(where.x), tidy(where.y)), tidy(when))
+    return kept
+
+
 def _letter_values(told: Model) -> None:
     """What the solution says of the letters."""
     for name, value in told.branch.values.items():
@@ -272,6 +305,8 @@ def _in_letters(
     e = sp.sympify(happening.e)
     u1 = tidy(happening.before[step.first].dot(frame.n))
     v = told.components[number, step.first].symbol
+    if frame.by_values and frame.wall in story._normals:  # noqa: SLF001
+        story._normals[frame.wall] = frame.n  # noqa: SLF001
     if step.second in story.walls:
         told.laws.append(Law("restitution", number, v + e * u1))
         push = -(frame.n * (v - u1))

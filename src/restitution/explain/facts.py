@@ -26,6 +26,7 @@ from restitution.problem import (
     AtRest,
     Compare,
     Given,
+    Kick,
     Part,
     Problem,
     Relation,
@@ -247,6 +248,9 @@ def _vectors(
         residuals = [gap.x, gap.y]
         sides = [(a.x, b.x), (a.y, b.y)]
     found = []
+    event = work.model.story.latest(body, now) if body is not None else None
+    if event is not None and isinstance(event.step, Kick) and body is not None:
+        return _after_a_blow(work, event.number, body, (left, right, now), a, b)
     for index, (residual, (one, other)) in enumerate(zip(residuals, sides, strict=True)):
 
         def step(one: Any = one, other: Any = other, index: int = index) -> Step:
@@ -260,6 +264,30 @@ def _vectors(
             )
 
         found.append(Equation(sp.sympify(residual), "fact", now, step, (left, right, now, index)))
+    return found
+
+
+def _after_a_blow(
+    work: Working, number: int, body: str, key: Any, a: Vector, b: Vector
+) -> list[Equation]:
+    """A velocity given after an impulse from outside: the components of the impulse."""
+    event = work.model.happening(number)
+    assert event.impulse is not None
+    mass = work.model.story.mass(body)
+    found = []
+    for index, name in enumerate(("x", "y")):
+        push = getattr(event.impulse, name)
+        gained = mass * (getattr(a, name) + getattr(b, name) - getattr(event.after[body], name)
+                         - getattr(event.before[body], name))
+
+        def step(push: Any = push, gained: Any = gained) -> Step:
+            p, q = work.put(push), work.put(gained)
+            return Step("fact", (chain(side(p), side(q), mark="A1"),),
+                        words=("Comparing components:",))
+
+        found.append(
+            Equation(sp.sympify(push - gained), "fact", number, step, (*key, index))
+        )
     return found
 
 
@@ -342,6 +370,32 @@ def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
     return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
 
 
+def _component_row(
+    work: Working, relation: Aligned, now: int, need: StoryEquation
+) -> Row:
+    """A velocity along an axis has no component across it; what that component is made of."""
+    for tree in (relation.left, relation.right):
+        body = name_of(tree)
+        if not isinstance(tree, Quantity) or tree.kind != "velocity" or body is None:
+            continue
+        stage = stage_of(work, tree, now, body)
+        frame = work.model.owner(body, stage)
+        if frame is None or frame.axis is not None or frame.by_values:
+            continue
+        v = work.model.story.velocity(body, stage)
+        a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
+        for name in ("x", "y"):
+            pairs = [(a, work.put(getattr(frame.n, name))), (b, work.put(getattr(frame.t, name)))]
+            total = sum((p * q for p, q in pairs), sp.Integer(0))
+            if work.model.sign(total) == 0:
+                kept = [(p, q) for p, q in pairs if p != 0 and q != 0]
+                return chain(
+                    side(total, sum_of_products(kept)), side(sp.Integer(0)), mark="M1 A1"
+                )
+    residual = work.numerator(need.value)
+    return chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1")
+
+
 def _directions_step(work: Working, relation: Relation, now: int, need: StoryEquation) -> Any:
     def step() -> Step | None:
         if isinstance(relation, AtRest):
@@ -366,11 +420,8 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
             p, q = work.put(a)
             single = single or p == 0 or q == 0
             if single:
-                residual = work.numerator(need.value)
                 return Step(
-                    "fact",
-                    (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1"),),
-                    words=(*words, ":"),
+                    "fact", (_component_row(work, relation, now, need),), words=(*words, ":")
                 )
             return Step(
                 "fact",
@@ -378,11 +429,8 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
                 words=(*words, ", so the scalar product is zero:"),
             )
         if single:
-            residual = work.numerator(need.value)
             return Step(
-                "fact",
-                (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1"),),
-                words=(*words, ":"),
+                "fact", (_component_row(work, relation, now, need),), words=(*words, ":")
             )
         a, b = work.put(a), work.put(b)
         row = chain(

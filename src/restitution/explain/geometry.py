@@ -87,6 +87,8 @@ def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, L
     first, second = tidy(un / size), tidy(ut / size)
     if first == 0 or second == 0:
         return None
+    if frame.axis is not None and _surd(size):
+        return None
     plain = frame.axis is None and all(sp.sympify(x).is_Rational for x in u)
     if not plain and not first.free_symbols and not second.free_symbols:
         degrees = sp.N(sp.atan2(abs(second), abs(first)) * 180 / sp.pi, 20)
@@ -103,6 +105,13 @@ def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, L
         return None
     sign = -1 if frame.wall is not None else 1
     return _scalar(u, frame.n * sign), _scalar(u, frame.t)
+
+
+def _surd(value: sp.Expr) -> bool:
+    return any(
+        isinstance(node, sp.Pow) and node.exp == sp.S.Half and not node.base.free_symbols
+        for node in sp.preorder_traversal(value)
+    )
 
 
 def _scalar(u: Vector, n: Vector) -> Layout:

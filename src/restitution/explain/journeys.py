@@ -76,6 +76,8 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, lis
         return None
     where, when = work.put(known[0]), work.put(known[1])
     v = work.put(story.velocity(body, number - 1))
+    if isinstance(step, Impact) and story.walls[target].centre is not None:
+        return _to_circle(work, event, value, where, when, v)
     there = story.place(body, number)
     assert there is not None
     end = work.put(there[0])
@@ -97,21 +99,54 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, lis
     if when == 0:
         rows = [chain(name, ratio, side(flight), mark="M1 A1")]
     else:
-        total = lay.total([time_letter(_since(work, body, number)), _term(ratio.layout)])
+        total = lay.total([time_letter(_since(work, body, number)), ratio.layout])
         rows = [
             chain(name, side(value, total), *answer(value), mark="M1 A1"),
         ]
     return words, rows
 
 
-def _term(layout: Layout) -> Layout:
-    return layout
+def _to_circle(
+    work: Working, event: Happening, value: sp.Expr, where: Vector, when: sp.Expr, v: Vector
+) -> tuple[Words, list[Row]]:
+    """The distance from the centre of a circular wall is its radius again."""
+    story = work.model.story
+    step = event.step
+    assert isinstance(step, Impact)
+    wall = story.walls[step.second]
+    centre = work.put(story.read_vector(wall.centre, "the centre"))
+    there = story.place(step.first, event.number)
+    assert there is not None
+    end = work.put(there[0])
+    reach = tidy(work.resolved(sp.sqrt(tidy((end - centre).dot(end - centre)))))
+    flight = tidy(value - when)
+    gap = Vector(tidy(where.x - centre.x), tidy(where.y - centre.y))
+    squares = [_squared(g, -w) for g, w in ((gap.x, v.x), (gap.y, v.y)) if (g, w) != (0, 0)]
+    total = (gap.x + v.x * flight) ** 2 + (gap.y + v.y * flight) ** 2
+    rows = [
+        Row(
+            (lay.total(squares), lay.power(lay.bracketed(look(reach)), lay.Number("2"))),
+            ("=",),
+            (total, reach**2),
+            "M1 A1",
+        ),
+        chain(side(flight, lay.Letter("t")), *answer(flight), mark="A1"),
+    ]
+    name = side(value, time_letter(event.number))
+    if when != 0:
+        made = lay.total([time_letter(_since(work, step.first, event.number)), lay.Letter("t")])
+        rows.append(chain(name, side(value, made), *answer(value)))
+    else:
+        rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), mark="A1")
+    return (
+        (f"{step.first} is at the distance ", look(reach), f" from the centre of {wall.name} ",
+         "again after a time " if when != 0 else "after a time ", lay.Letter("t"), " with"),
+        rows,
+    )
 
 
 def _quotient(a: sp.Expr, b: sp.Expr) -> Layout:
     first, second = look(a), look(b)
-    if isinstance(first, lay.Fraction) or isinstance(second, lay.Fraction):
-        return lay.Product((lay.bracketed(first), lay.bracketed(second)), "÷")  # type: ignore[arg-type]
     return lay.fraction(first, second)
 
 
@@ -231,6 +266,8 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
     if tree.kind == "time":
         assert isinstance(tree.stage, int)
         travel(work, tree.stage)
+        if any(time_letter(tree.stage) in row.operands for s in work.steps for row in s.rows):
+            return Derived((), value)
         return Derived((chain(Side(name, value), *answer(value), mark="A1"),), value)
     bodies = [a for a in tree.arguments if isinstance(a, Name) and a.name in story.spheres]
     stage = tree.stage

@@ -250,3 +250,16 @@ def _wordy(laid: Layout) -> bool:
     if isinstance(laid, lay.Function):
         return True
     return isinstance(laid, Product) and any(isinstance(f, lay.Function) for f in laid.factors)
+
+
+def vector_difference(first: tuple[Any, Any], second: tuple[Any, Any]) -> Layout:
+    """``(3**i** − 9**j**) − (6**i** − 5**j**)``; nothing is taken away for the zero vector."""
+    a, b = look((first[0], first[1])), look((second[0], second[1]))
+    if b == lay.ZERO_VECTOR:
+        return a
+    left = Brackets(a) if isinstance(a, Sum) and len(a.terms) > 1 else a
+    right = Brackets(b) if isinstance(b, Sum) else b
+    terms = left.terms if isinstance(left, Sum) else (("+", left),)
+    if a == lay.ZERO_VECTOR:
+        return Sum((("-", right),))
+    return Sum((*terms, ("-", right)))

@@ -18,6 +18,7 @@ from restitution.explain.phrases import (
     minus,
     product_of,
     square,
+    vector_difference,
 )
 from restitution.explain.steps import Row, Side, Words, shown, side
 from restitution.expression.evaluate import Angle
@@ -712,7 +713,7 @@ def _derive_impulse(
         if isinstance(event.step, Impact) and event.number in work.model.frames:
             v, u = work.put(event.after[body]), work.put(event.before[body])
             mass = work.put(story.mass(body))
-            gap = _vector_difference(v, u)
+            gap = vector_difference(v, u)
             made = Side(product_of(mass, Brackets(gap)) if mass != 1 else gap, value)
             return Derived(
                 (_result(name, made, value, mark=f"M1 {mark}"),),
@@ -730,15 +731,6 @@ def _derive_impulse(
             along = f"perpendicular to {frame.wall}"
         words = (f"Impulse = change of momentum of {which} {along}:",)
     return Derived((_result(name, made_, value, mark=f"M1 {mark}"),), value, words)
-
-
-def _vector_difference(v: Vector, u: Vector) -> Layout:
-    first, second = look((v.x, v.y)), look((u.x, u.y))
-    if second == lay.ZERO_VECTOR:
-        return first
-    a: Layout = Brackets(first) if isinstance(first, lay.Sum) else first
-    b: Layout = Brackets(second) if isinstance(second, lay.Sum) else second
-    return lay.Sum((("+", a), ("-", b)))
 
 
 def _derive_line(work: Working, tree: Quantity, now: int, value: Any) -> Derived:

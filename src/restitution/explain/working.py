@@ -31,7 +31,7 @@ from restitution.explain.phrases import (
     sum_of_products,
 )
 from restitution.explain.steps import Row, Side, Step, StepKind, Words, side
-from restitution.problem import Arrival, Impact
+from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
@@ -45,7 +45,7 @@ class Equation:
     """An equation to be used: its residual, and how its step is written when it is."""
 
     residual: sp.Expr
-    kind: Literal["momentum", "restitution", "fact"]
+    kind: Literal["momentum", "restitution", "fact", "carried"]
     number: int
     step: Callable[[], Step | None]
     key: Any = None
@@ -121,8 +121,18 @@ class Working:
         if not checked and not words and not (principle and mark):
             return
         step = Step(kind, tuple(checked), principle, words, mark, dict(values or {}))
-        if step not in self.steps:
-            self.steps.append(step)
+        if step in self.steps:
+            return
+        last = self.steps[-1] if self.steps else None
+        if last is not None and words and checked and last.words == words and last.rows and (
+            (last.kind, last.principle, last.mark) == (kind, principle, mark)
+        ):
+            rows_ = tuple(r for r in checked if r not in last.rows)
+            self.steps[-1] = Step(
+                kind, last.rows + rows_, principle, words, mark, {**last.values, **step.values}
+            )
+            return
+        self.steps.append(step)
 
     def add(self, step: Step | None) -> None:
         """Adds a step that is ready, after the same check."""
@@ -138,36 +148,35 @@ class Working:
     def reach(self, wanted: Iterable[sp.Symbol]) -> None:
         """Writes the working that determines these unknowns."""
         goal = {s for s in wanted if s in self.model.final} - set(self.known)
-        self._carry(goal)
-        goal -= set(self.known)
         if not goal:
             return
         equations = self._equations()
-        chosen = needed(blocks([self.open(each.residual) for each in equations]), goal)
-        inside = {x for block in chosen for x in block.unknowns}
-        if inside & set(self.carried):
-            self._carry(inside)
-            chosen = needed(blocks([self.open(each.residual) for each in equations]), goal)
-        for block in chosen:
+        sets = [self.open(each.residual) for each in equations]
+        for block in needed(blocks(sets), goal):
             group = [equations[index] for index in block.equations]
             self._block(group, set(block.unknowns))
         left = sorted(goal - set(self.known), key=lambda s: s.name)
         if left:
             self._state(left)
 
-    def _carry(self, goal: set[sp.Symbol]) -> None:
-        """Results of earlier parts that serve here."""
-        rows = []
-        label = ""
-        for symbol in sorted(goal, key=lambda s: s.name):
-            if symbol in self.carried:
-                label, value = self.carried[symbol]
-                self.determine(symbol, value)
-                self._told_about(symbol)
-                rows.append(self._carried_row(symbol, value))
-        if rows:
+    def _carried(self) -> list[Equation]:
+        """Results of earlier parts, as equations that serve here."""
+        return [
+            Equation(
+                symbol - value, "carried", -2, self._carried_step(symbol, label, value), symbol
+            )
+            for symbol, (label, value) in self.carried.items()
+        ]
+
+    def _carried_step(
+        self, symbol: sp.Symbol, label: str, value: sp.Expr
+    ) -> Callable[[], Step | None]:
+        def step() -> Step | None:
+            self._told_about(symbol)
             where = f"From part ({label}):" if label else "From above:"
-            self.write("result", rows, words=(where,))
+            return Step("result", (self._carried_row(symbol, value),), words=(where,))
+
+        return step
 
     def _carried_row(self, symbol: sp.Symbol, value: sp.Expr) -> Row:
         name: Any = symbol
@@ -175,7 +184,9 @@ class Working:
             name, value = sp.tan(symbol), tidy(sp.tan(value))
         if self.is_angle(symbol) and name is symbol:
             return self.value_row(symbol, value=value)
-        return chain(side(name), side(value), side(self.put(value)))
+        if value.free_symbols & set(self.known):
+            return chain(side(name), side(value), side(self.put(value)))
+        return chain(side(name), side(value))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
         for number, body in self.model.components:
@@ -193,7 +204,7 @@ class Working:
     def _equations(self) -> list[Equation]:
         laws = [self._law(each) for each in self.model.laws]
         numbers = sorted({each.number for each in (*laws, *self.facts)})
-        ordered: list[Equation] = [each for each in self.facts if each.number < 0]
+        ordered = self._carried() + [each for each in self.facts if each.number < 0]
         for number in numbers:
             if number >= 0:
                 ordered += [each for each in laws if each.number == number]
@@ -228,7 +239,7 @@ class Working:
         """The impacts whose components stand in these equations."""
         symbols = {s for each in group for s in sp.sympify(each.residual).free_symbols}
         return sorted(
-            {each.number for each in group if each.kind != "fact"}
+            {each.number for each in group if each.kind in ("momentum", "restitution")}
             | {c.number for c in self.model.components.values() if c.symbol in symbols}
         )
 
@@ -237,8 +248,11 @@ class Working:
         if key in self.done:
             return
         self.done.add(key)
-        for number in self._speaks_of([equation]):
-            self.setting(number)
+        if equation.kind != "carried":
+            for number in self._speaks_of([equation]):
+                self.setting(number)
+        if equation.kind == "fact" and equation.number > 0:
+            self.blows(equation.number)
         self.add(equation.step())
 
     def _pair(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
@@ -271,8 +285,10 @@ class Working:
     def _system(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
         left = list(group)
         local: list[sp.Symbol] = []
-        for number in sorted({each.number for each in group if each.kind != "fact"}):
-            pair = [e for e in left if e.number == number and e.kind != "fact"]
+        self._take_carried(left, local)
+        laws = ("momentum", "restitution")
+        for number in sorted({each.number for each in group if each.kind in laws}):
+            pair = [e for e in left if e.number == number and e.kind in laws]
             parts = [
                 c.symbol
                 for (n, _), c in self.model.components.items()
@@ -307,6 +323,22 @@ class Working:
             self.determine(symbol)
         if rows:
             self.write("solve", rows, words=("So",))
+
+    def _take_carried(self, left: list[Equation], local: list[sp.Symbol]) -> None:
+        """Results of earlier parts that hold letters still to be found."""
+        for each in [e for e in left if e.kind == "carried"]:
+            symbol = each.key
+            if symbol in self.known or symbol in {
+                s for x in left for s in self.open(x.residual) if x.kind == "carried"
+                and x is not each and s == symbol
+            }:
+                continue
+            if self.is_angle(symbol):
+                continue
+            self._use(each)
+            left.remove(each)
+            self.known[symbol] = self.carried[symbol][1]
+            local.append(symbol)
 
     def _linear(
         self, pair: Sequence[Equation], parts: Sequence[sp.Symbol]
@@ -381,7 +413,7 @@ class Working:
                     continue
                 value = tidy(-b / a)
                 component = any(x == c.symbol for c in self.model.components.values())
-                rank = ("momentum", "restitution", "fact").index(equation.kind)
+                rank = ("carried", "momentum", "restitution", "fact").index(equation.kind)
                 key = (
                     0.0 if component else 1.0,
                     float(rank),
@@ -640,9 +672,7 @@ class Working:
                     if any(s == c.symbol for c in self.model.components.values())
                 }
         self.reach({s for s in inside if s not in self.known and self._reachable(s, number)})
-        for each in self.model.story.happenings[: number - 1]:
-            if any(body in happening.bodies for body in each.bodies):
-                self.other_event(each.number)
+        self.blows(number - 1)
 
     def _reachable(self, symbol: sp.Symbol, number: int) -> bool:
         """Whether earlier impacts alone fix a component."""
@@ -650,8 +680,13 @@ class Working:
         sets = [self.open(each.residual) for each in laws]
         return any(symbol in block.unknowns for block in blocks(sets))
 
-    def other_event(self, number: int) -> None:
-        """A blow from outside, told before what follows it (set by the module of quantities)."""
+    def blows(self, upto: int) -> None:
+        """Impulses from outside up to an event."""
+        from restitution.explain.blows import kick
+
+        for each in self.model.story.happenings[:upto]:
+            if isinstance(each.step, Kick):
+                kick(self, each.number)
 
     def _heading(self, number: int) -> None:
         impacts = [h for h in self.model.story.happenings if isinstance(h.step, Impact)]

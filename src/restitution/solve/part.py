@@ -192,7 +192,7 @@ class Setting:
         hidden = [name for name in found.values if name.startswith("_")]
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
-        last_error: StatementError | None = None
+        last_error: RestitutionError | None = None
         depends = any(name in self._used_letters() for name in free) or any(
             name.startswith("_") for name in free
         )
@@ -211,7 +211,7 @@ class Setting:
                     None,
                 )
                 wrong = wrong or self.examine(values, solved)
-            except StatementError as error:
+            except (StatementError, ImpossibleError) as error:
                 reasons[error.message, "equation"] += 1
                 last_error = error
                 continue

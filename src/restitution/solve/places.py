@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from restitution.errors import StatementError
+from restitution.errors import ImpossibleError
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, line_and_column
 from restitution.problem import Arrival, Impact, Wall
@@ -21,6 +21,16 @@ if TYPE_CHECKING:
     from restitution.solve.story import Story
 
 
+def _lose(story: Story, number: int, *names: str) -> None:
+    """After an event at an unknown time nothing more is known of where these spheres are.
+
+    Where the text gives no place, the first impact alone has one: it is where places and times
+    are counted from, and what follows is not held to it.
+    """
+    for name in names:
+        story.tracks[name].places.append((number, None, None))
+
+
 def time_to_point(story: Story, number: int, name: str, point: Vector, step: Arrival) -> Scalar:
     """When a sphere's centre comes to a point."""
     known = story.place(name, number - 1)
@@ -30,7 +40,7 @@ def time_to_point(story: Story, number: int, name: str, point: Vector, step: Arr
     else:
         way = point - known[0]
         if story.still(velocity):
-            raise StatementError(
+            raise ImpossibleError(
                 f"{name} is at rest and reaches nothing", *line_and_column(step.place)
             )
         flight = story.rational(way.dot(velocity) / velocity.dot(velocity))
@@ -59,7 +69,8 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     if wall.centre is not None:
         return _time_to_circle(story, number, name, wall, known, velocity, radius)
     origin = wall.through if wall.through is not None else wall.start
-    if known is None:
+    if known is None or story.implied:
+        _lose(story, number, name)
         return None
     if origin is None:
         time = story.unknowns.hidden(
@@ -75,7 +86,7 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     gap = normal.dot(known[0] - through)
     speed = normal.dot(velocity)
     if story.field.is_zero(speed):
-        raise StatementError(f"{name} moves parallel to {wall.name} and does not reach it")
+        raise ImpossibleError(f"{name} moves parallel to {wall.name} and does not reach it")
     if radius is not None:
         side = story.unknowns.sign(gap)
         if side in (None, 0):
@@ -161,7 +172,7 @@ def _time_to_circle(
     excess = story.rational(square - reach * reach)
     vv, ov = velocity.dot(velocity), out.dot(velocity)
     if story.still(velocity):
-        raise StatementError(f"{name} is at rest and does not reach {wall.name}")
+        raise ImpossibleError(f"{name} is at rest and does not reach {wall.name}")
     left = story.latest(name, number - 1)
     if story.field.is_zero(excess) or (left is not None and wall.name in left.bodies):
         flight = -2 * ov / vv
@@ -194,6 +205,9 @@ def meeting(
 ) -> tuple[Scalar | None, Vector | None]:
     """When two spheres with known places meet, and the line of centres if they have size."""
     one, other = (story.place(name, number - 1) for name in (step.first, step.second))
+    if story.implied:
+        _lose(story, number, step.first, step.second)
+        return None, None
     if one is None or other is None:
         return _meeting_half_known(story, number, step, one, other), None
     start = _later(story, one[1], other[1])
@@ -205,7 +219,7 @@ def meeting(
     r = story.radius(step.first)
     ww = approach.dot(approach)
     if story.still(approach):
-        raise StatementError(
+        raise ImpossibleError(
             f"{step.first} and {step.second} keep their distance", *line_and_column(step.place)
         )
     if r is None:
@@ -272,14 +286,11 @@ def _meeting_half_known(
             for w in story.problem.walls
         )
         if number == 1 and not placed and not fixed:
+            story.implied = True
             return story.field.zero
         return None
     known = one if one is not None else other
-    name = step.first if one is not None else step.second
     assert known is not None
-    if story.still(story.velocity(name, number - 1)) and number == 1:
-        time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
-        return time
     time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
     return time
 

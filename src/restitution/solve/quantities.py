@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from restitution import law
-from restitution.errors import StatementError, UnsupportedError
+from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import AtTime, Expression, Name, Quantity, line_and_column
 from restitution.problem import Arrival, Impact
@@ -139,7 +139,7 @@ def angle_between(story: Story, a: Vector, b: Vector) -> Angle:
     """The angle between two vectors, 0 to 180°."""
     for each in (a, b):
         if story.field.is_zero(each.x) and story.field.is_zero(each.y):
-            raise StatementError("a body at rest has no direction of motion")
+            raise ImpossibleError("a body at rest has no direction of motion")
     x, y = a.dot(b), story.field.abs(a.cross(b))
     return Angle(x, y, lambda: story.field.arctan2(y, x))
 
@@ -254,7 +254,7 @@ def _position_at(story: Story, name: str, tree: Quantity, now: int) -> Vector:
 def _position_when(story: Story, name: str, t: Scalar, now: int) -> Vector:
     """The place at a time: on the piece of the path that the time belongs to."""
     places = [each for each in story.tracks[name].places if each[0] <= now]
-    if not places:
+    if not places or any(where is None for _, where, _ in places):
         return _missing_place(story, name)
     chosen = places[0]
     for each in places[1:]:

@@ -100,7 +100,8 @@ class _Track:
     """What is known of one sphere as the story goes on."""
 
     velocities: list[tuple[int, Vector]]
-    places: list[tuple[int, Vector, Scalar]] = field(default_factory=list)  # event, where, when
+    # After which event, where and when; None for where is "no longer known".
+    places: list[tuple[int, Any, Scalar]] = field(default_factory=list)
 
 
 class Story:
@@ -127,6 +128,7 @@ class Story:
         self.equations: list[Equation] = []
         self.conditions: list[Condition | AnyOf] = []
         self.happenings: list[Happening] = []
+        self.implied = False  # places are counted from the first impact, as the text gives none
         self._lets = lets
         self._open_lets: list[str] = []
         self._let_values: dict[str, Value] = {}
@@ -325,7 +327,7 @@ class Story:
     def place(self, name: str, stage: int) -> tuple[Vector, Scalar] | None:
         """Where a sphere's centre was last known to be up to an event, and when."""
         known = [(p, t) for n, p, t in self.tracks[name].places if n <= stage]
-        return known[-1] if known else None
+        return known[-1] if known and known[-1][0] is not None else None
 
     # --- telling ------------------------------------------------------------------------------
 
@@ -351,8 +353,10 @@ class Story:
         impulse = self.evaluator(number - 1).vector(step.impulse)
         before = self.velocity(name, number - 1)
         after = self.neat(before + impulse / self.mass(name))
-        known = self.place(name, number - 1)
+        known = None if self.implied else self.place(name, number - 1)
         time = None
+        if self.implied:
+            self.tracks[name].places.append((number, None, None))
         if known is not None:
             n = self.tracks[name].places[-1][0]
             if n == 0 and self.field.is_zero(known[1]) and self.still(before):
