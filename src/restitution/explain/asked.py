@@ -221,7 +221,7 @@ def _ending(
     """The rows, with the solution's own form of the result where it looks different."""
     made = list(rows)
     target = answer_.value
-    if isinstance(item.expression, Quantity) and item.expression.kind == "position":
+    if isinstance(item.expression, Quantity) and item.expression.kind in ("position", "time"):
         return made
     if isinstance(target, sp.Set) or not _same(work, target, value):
         return made

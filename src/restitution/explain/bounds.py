@@ -533,31 +533,49 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             function, variable, shown_x = replaced, t, sp.tan(x)
     slope = tidy(sp.factor(sp.diff(function, variable)))
     back = {variable: shown_x}
-    root = _stationary(work, slope, function, target_, variable, x)
-    rate = lay.Fraction(lay.Words("d"), lay.product(lay.Words("d"), look(shown_x)))
-    shown_slope = tidy(slope.xreplace(back)) if variable is not x else slope
+    root = _stationary(work, slope, function, target_, variable)
+    letter: Any = x
+    words: Words = ("Differentiate:",)
+    if variable is not x:
+        letter = _parameter(work)
+        words = ("With ", look(letter), " = ", look(shown_x), ":")
+    put = {variable: letter}
+    rate = lay.Fraction(lay.Words("d"), lay.Words(f"d{to_text(look(letter))}"))
+    own_slope = slope.xreplace(back)
     row = Row(
-        (lay.product(rate, lay.Brackets(name)), look(shown_slope)),
+        (lay.product(rate, lay.Brackets(name)), look(slope.xreplace(put))),
         ("=",),
-        (None, shown_slope),
+        (None, own_slope),
         "M1 A1",
     )
-    if root is None:
-        _at_an_end(work, item, slope, variable, x, shown_slope, row)
+    rows: list[Row] = []
+    if variable is not x:
+        own = function.xreplace(back)
+        rows.append(Row((name, look(function.xreplace(put))), ("=",), (own, own)))
+    if root is None or _constant_sign(work, tidy(own_slope)):
+        _at_an_end(work, item, words, [*rows, row], x, own_slope)
         return
     factor, place = root
-    rows = [
+    rows += [
         row,
         Row(
-            (look(factor.xreplace(back)), lay.Number("0")),
+            (look(factor.xreplace(put)), lay.Number("0")),
             ("=",),
             (None, None),
             "M1",
             ("for a stationary value",),
         ),
-        Row((look(shown_x), look(place)), ("=",), (None, None), "A1"),
+        Row((look(letter), look(place)), ("=",), (None, None), "A1"),
     ]
-    work.write("result", rows, words=("Differentiate:",))
+    work.write("result", rows, words=words)
+
+
+def _parameter(work: Working) -> sp.Symbol:
+    """A letter for the tangent of an angle that the problem does not use."""
+    taken = set(work.model.unknowns.roles) | {
+        c.symbol.name for c in work.model.components.values()
+    }
+    return sp.Symbol(next(c for c in ("t", "s", "z", "q", "p", "T") if c not in taken))
 
 
 def _as_function(value: sp.Expr, target: sp.Expr, name: Layout) -> tuple[sp.Expr, sp.Expr, Layout]:
@@ -584,7 +602,6 @@ def _stationary(
     function: sp.Expr,
     target: sp.Expr,
     variable: sp.Symbol,
-    x: sp.Symbol,
 ) -> tuple[sp.Expr, sp.Expr] | None:
     """The factor of the derivative that vanishes at the extremum, and its root there."""
     numerator = sp.fraction(sp.together(slope))[0]
@@ -606,7 +623,6 @@ def _stationary(
             reached = function.xreplace({variable: place})
             if work.model.sign(reached - target) == 0 and _defined(work, reached):
                 return factor if not factor.could_extract_minus_sign() else -factor, place
-    del x
     return None
 
 

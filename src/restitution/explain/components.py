@@ -155,15 +155,57 @@ class Model:
     laws: list[Law]
     final: dict[sp.Symbol, sp.Expr]
     sample: dict[str, Any]
+    _across: dict[tuple[int, str], sp.Expr] = field(default_factory=dict)
 
     def happening(self, number: int) -> Happening:
         return self.story.happenings[number - 1]
 
     def before(self, number: int, body: str) -> tuple[sp.Expr, sp.Expr]:
         """The components of a velocity just before an impact, along and across."""
+        chord = self._chord(number, body)
+        if chord is not None:
+            return chord
         frame = self.frames[number]
         u = self.happening(number).before[body]
         return tidy(u.dot(frame.n)), tidy(u.dot(frame.t))
+
+    def on_a_chord(self, number: int, body: str) -> bool:
+        """Whether the components before are known from the near end of a chord."""
+        return self._chord(number, body) is not None
+
+    def _chord(self, number: int, body: str) -> tuple[sp.Expr, sp.Expr] | None:
+        """Components at the far end of a chord of a circular wall: those at its near end.
+
+        A chord makes equal angles with the radii at its ends.
+        """
+        frame = self.frames[number]
+        wall = self.story.walls.get(frame.wall or "")
+        if wall is None or wall.centre is None:
+            return None
+        latest = self.story.latest(body, number - 1)
+        if latest is not None:
+            earlier = self.frames.get(latest.number)
+            if earlier is None or earlier.wall != frame.wall:
+                return None
+            if self.sign(latest.after[body].dot(earlier.n)) <= 0:
+                return None
+            across = tidy(latest.before[body].dot(earlier.t))
+            if (latest.number, body) in self._across:
+                across = self._across[latest.number, body]
+            self._across[number, body] = across
+            return -self.components[latest.number, body].symbol, across
+        start = self.story.place(body, 0)
+        if start is None or self.story.radius(body) is not None:
+            return None
+        inwards = self.story.read_vector(wall.centre, "the centre") - start[0]
+        size = self.story.read(wall.radius, "the radius")
+        u = self.happening(number).before[body]
+        if tidy(inwards.dot(inwards) - size**2) != 0 or self.sign(u.dot(inwards)) <= 0:
+            return None
+        across = tidy(u.cross(inwards) / size)
+        across = -across if self.sign(across) < 0 else across
+        self._across[number, body] = across
+        return tidy(-u.dot(inwards) / size), across
 
     def after(self, number: int, body: str) -> sp.Expr:
         """The component along the line of centres just after."""
@@ -217,10 +259,15 @@ def model(
     _letter_values(told)
     put = final
     for number, step in enumerate(_events(problem, part), 1):
-        story._tell(step)
+        kept = _by_values(told, number, step)
+        story._tell(step)  # the same telling, with letters put in as it goes on
+        for body, velocity in kept.items():
+            tracks = story.tracks[body].velocities
+            tracks[tracks.index((velocity[0], story.happenings[-1].before[body]))] = velocity
+            before = {**story.happenings[-1].before, body: velocity[1]}
+            story.happenings[-1] = replace(story.happenings[-1], before=before)
         if isinstance(step, Impact):
             _in_letters(told, number, step, names, put)
-        story._evaluators.clear()
     return told
 
 
@@ -298,12 +345,12 @@ def _in_letters(
             told.sample[symbol.name] = at(value, told.sample)
         except (UndefinedError, KeyError, ArithmeticError):
             pass
-        across = tidy(u.dot(frame.t))
+        across = told.before(number, body)[1]
         after[body] = Vector(
             frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
         )
     e = sp.sympify(happening.e)
-    u1 = tidy(happening.before[step.first].dot(frame.n))
+    u1 = told.before(number, step.first)[0]
     v = told.components[number, step.first].symbol
     if frame.by_values and frame.wall in story._normals:  # noqa: SLF001
         story._normals[frame.wall] = frame.n  # noqa: SLF001

@@ -8,7 +8,13 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explain.components import Frame
-from restitution.explain.phrases import chain, difference, direction_words, look
+from restitution.explain.phrases import (
+    chain,
+    difference,
+    direction_words,
+    look,
+    vector_difference,
+)
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.problem import Impact
 from restitution.render import layout as lay
@@ -26,6 +32,8 @@ def resolved(work: Working, frame: Frame) -> list[Row]:
     for body in work.model.spheres(frame.number):
         u = happening.before[body]
         raw_n, raw_t = work.model.before(frame.number, body)
+        if work.model.on_a_chord(frame.number, body):
+            continue
         if frame.wall is not None:
             raw_n = tidy(-raw_n)
         if work.open(raw_n) or work.open(raw_t):
@@ -176,12 +184,7 @@ def line_of_centres(work: Working, frame: Frame) -> None:
                     ),
                     side(
                         (other.x - one.x, other.y - one.y),
-                        lay.Sum(
-                            (
-                                ("+", Brackets(look((other.x, other.y)))),
-                                ("-", Brackets(look((one.x, one.y)))),
-                            )
-                        ),
+                        vector_difference(other, one),
                     ),
                     side((tidy(other.x - one.x), tidy(other.y - one.y))),
                 )
@@ -189,10 +192,6 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             words=("The line of centres joins the centres at the impact:",),
         )
         return
-    body = step.first
-    after = work.model.branch.story.velocity(body, frame.number)
-    if {s.name for s in sp.sympify(after.x).free_symbols} & {"_"}:
-        body = step.second
     _by_change(work, frame, _better(work, step, frame.number), "along the line of centres")
 
 
@@ -220,7 +219,7 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
         ),
         side(
             (change.x, change.y),
-            lay.Sum((("+", Brackets(look((v.x, v.y)))), ("-", Brackets(look((u.x, u.y)))))),
+            vector_difference(v, u),
         ),
         side((change.x, change.y)),
         mark="M1",

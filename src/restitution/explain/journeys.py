@@ -249,7 +249,14 @@ def _meeting(
 
 def _squared(gap: sp.Expr, w: sp.Expr) -> Layout:
     t = sp.Symbol("t", positive=True)
-    return lay.power(lay.bracketed(look(tidy(gap - w * t))), lay.Number("2"))
+    del t
+    t_ = lay.Letter("t")
+    sign, size = lay.split_sign(look(w))
+    moved = lay.product(lay.bracketed(size), t_) if w != 0 else lay.Number("0")
+    if gap == 0:
+        return lay.power(lay.bracketed(moved), lay.Number("2"))
+    whole = lay.total([look(gap), moved]) if sign == "-" else difference(gap, moved)
+    return lay.power(lay.bracketed(whole), lay.Number("2"))
 
 
 def _later(work: Working, a: Any, b: Any) -> Any:

@@ -509,7 +509,9 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
         cosine = tidy(dot / (sp.sqrt(tidy(a.dot(a))) * sp.sqrt(tidy(b.dot(b)))))
     products = [product_of(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
     above = lay.total([_opened(each) for each in products])
-    sizes = [look(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))) for each in (a, b)]
+    sizes = [
+        look(tidy(work.resolved(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))))) for each in (a, b)
+    ]
     below = product_of(*[each for each in sizes if each != Number("1")] or [Number("1")])
     if sharp and work.sign(dot) < 0:
         above = Brackets(above, "||")

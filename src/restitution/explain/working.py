@@ -40,6 +40,10 @@ from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
 
 
+# Characters in a line of mathematics beyond which it is left out: it would help no one.
+_LONGEST = 260
+
+
 @dataclass(frozen=True)
 class Equation:
     """An equation to be used: its residual, and how its step is written when it is."""
@@ -114,6 +118,8 @@ class Working:
         """Adds a step; lines that the values contradict are left out and noted."""
         checked = []
         for row in rows:
+            if too_long(row):
+                continue  # true, but no one would write it
             if holds(row, self.model.sample):
                 checked.append(row)
             else:
@@ -447,6 +453,15 @@ class Working:
                 and any(self._satisfies(own, value, factor) for value in others)
             ):
                 kept *= factor
+        if own is not None and kept.has(own):
+            mirrored = kept.xreplace({own: -own})
+            for factor, _ in factors:
+                if factor.has(own) and sp.expand(factor - mirrored) == 0 or sp.expand(
+                    factor + mirrored
+                ) == 0:
+                    if sp.expand(kept - factor) != 0:
+                        kept *= factor
+                        break
         return sp.expand(above) if kept == 1 else kept
 
     # --- one equation for one unknown ------------------------------------------------------------
@@ -465,6 +480,8 @@ class Working:
         elif numerator.is_polynomial(x):
             rows = self._polynomial_rows(x, numerator, value, others)
         if not rows:
+            rows = [self._roots_row(x, value, others)]
+        if not rows or too_long(rows[0]):
             rows = [self._roots_row(x, value, others)]
         note = self._why_rejected(x, equation.residual)
         if note:
@@ -731,7 +748,22 @@ class Working:
 
     def _setting_of_wall(self, frame: Frame, unknown: Sequence[Component]) -> None:
         (component,) = unknown
-        if frame.by_values:
+        chord = self.model.on_a_chord(frame.number, component.body)
+        if chord:
+            un, ut = (self.put(x) for x in self.model.before(frame.number, component.body))
+            self.write(
+                "principle",
+                words=(
+                    "A chord of the circle makes equal angles with the radii at its ends, so "
+                    f"{component.body} comes to {frame.wall} with the components ",
+                    look(tidy(-un)),
+                    " towards it and ",
+                    look(ut),
+                    " along it.",
+                ),
+                mark="M1",
+            )
+        elif frame.by_values:
             self.line_of_centres(frame)
         if component.symbol in self.known:
             words: Words = (
@@ -901,6 +933,13 @@ def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
     for (a, b), coefficient in poly.terms():
         total += coefficient * t**b * (1 + t**2) ** ((top - a - b) // 2)
     return sp.expand(total)
+
+
+def too_long(row: Row) -> bool:
+    """Whether a line is longer than anyone would write."""
+    from restitution.render.text import to_text
+
+    return sum(len(to_text(each)) for each in row.operands if each is not None) > _LONGEST
 
 
 def _plain(row: Row) -> str:

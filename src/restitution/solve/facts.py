@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from restitution.errors import StatementError
+from restitution.errors import ImpossibleError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Name, Place
 from restitution.problem import (
@@ -133,6 +133,10 @@ def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> 
     why = "a fact"
     if relation.relation == "perpendicular to":
         return [Equation(dot, why, place, True)]
+    if relation.relation in ("in the direction of", "opposite to"):
+        for each in (a, b):
+            if story.still(each):
+                raise ImpossibleError("a body at rest has no direction of motion")
     found: list[Requirement] = [Equation(cross, why, place, True)]
     if relation.relation == "in the direction of":
         found.append(Condition(dot, ">", "the directions would be opposite", "fact"))

@@ -27,10 +27,12 @@ def plain(value: Any, samples: Samples) -> Any:
 
 def tidy(x: sp.Expr) -> sp.Expr:
     """Textbook form; sines of angles such as 37° are treated as those of a letter."""
+    if x.has(sp.atan):
+        x = x.replace(sp.atan, lambda a: sp.atan(tidy(a)))
     if not x.has(sp.sin, sp.cos, sp.tan):
         return unnested(exact.tidy(x))
     masked, angles = _angles_as_letters(x)
-    return exact.tidy(masked).xreplace(angles) if angles else exact.tidy(x)
+    return exact.tidy(neat(masked)).xreplace(angles) if angles else exact.tidy(x)
 
 
 def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:

@@ -165,12 +165,19 @@ class Setting:
 
         Raises UndefinedError where something has no real value.
         """
-        story = self.tell(Numbers(values))
+        outside = [
+            problem
+            for name in solved
+            if (problem := _outside(name, values[name], self.roles.get(name))) is not None
+        ]
+        if outside:
+            # An impossible coefficient is blamed only where nothing else is wrong.
+            return next((each for each in outside if each[1] != "coefficient"), outside[0])
+        try:
+            story = self.tell(Numbers(values))
+        except ImpossibleError as error:
+            return error.message, "place"
         wanted = self.requirements(story)
-        for name in solved:
-            problem = _outside(name, values[name], self.roles.get(name))
-            if problem is not None:
-                return problem
         for need in (*story.conditions, *wanted):
             if isinstance(need, Condition) and not holds(need):
                 return need.reason, need.kind

@@ -179,7 +179,7 @@ def _time_to_circle(
     else:
         under = story.rational(ov * ov - vv * excess)
         story.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
-        depth = story.field.sqrt(under)
+        depth = story.real_root(under, f"{name} passes by {wall.name}")
         flight = (-ov - depth) / vv if inside == 1 else (-ov + depth) / vv
     flight = story.rational(flight)
     _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
@@ -253,7 +253,9 @@ def meeting(
         story.conditions.append(
             Condition(under, ">", f"{step.first} passes {step.second} without touching it", "place")
         )
-        flight = (ga - story.field.sqrt(under)) / ww
+        flight = (
+            ga - story.real_root(under, f"{step.first} passes {step.second} without touching it")
+        ) / ww
         c = story.neat(gap - approach * flight)
     flight = story.rational(flight)
     story.conditions.append(

@@ -32,7 +32,16 @@ from restitution.solve import forms
 from restitution.solve.algebra import solve_system
 from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import Role, is_angle
-from restitution.solve.numbers import TINY, Sample, UndefinedError, at, draw, sample
+from restitution.solve.numbers import (
+    FIELD,
+    TINY,
+    Sample,
+    UndefinedError,
+    at,
+    draw,
+    sample,
+    sign_at,
+)
 from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, work_out
 from restitution.solve.solution import Answer, ItemResult
 
@@ -785,10 +794,11 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
         return None
     step = sp.Rational(-1 if below else 1, 10**8)
     near = bottom.xreplace({symbol: point + step})
-    product = value * near
-    if product.free_symbols:
-        return None
-    return sp.oo if sp.N(product) > 0 else -sp.oo
+    rng = random.Random(47)
+    names = sorted(s.name for s in (value * near).free_symbols)
+    points = [{name: FIELD.context.mpf(rng.uniform(0.1, 0.9)) for name in names} for _ in range(4)]
+    sign = sign_at(value * near, points)
+    return None if sign in (None, 0) else sign * sp.oo
 
 
 def _limit_at(value: sp.Expr, drawn: Sample) -> Any | None:

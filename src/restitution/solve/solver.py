@@ -407,6 +407,8 @@ class _Worker:
             parts = value if isinstance(value, tuple) else (value,)
             if any(s.name.startswith("_") for p in parts for s in p.free_symbols):
                 continue
+            if any(each.has(sp.nan, sp.zoo) for each in parts):
+                continue
             made = _answer(0, value, kind, angle, item.percentage)
             if not any(made.exact == each.exact for each in found):
                 found.append(Rejected(made.value, made.exact, made.display, trial.reason or ""))
@@ -450,6 +452,8 @@ def _same_value(a: Any, b: Any) -> bool:
 
 
 def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
+    if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
+        raise ImpossibleError("it has no value: a division by zero, or a direction at rest")
     if isinstance(value, tuple):
         x, y = value
         shown = display_point(x, y) if kind == "point" else display_vector(x, y)

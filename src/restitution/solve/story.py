@@ -21,7 +21,7 @@ from typing import Any, Literal, Protocol
 import sympy as sp
 
 from restitution import law
-from restitution.errors import StatementError, UnsupportedError
+from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Numeric, Scalar, Symbolic, Value
 from restitution.expression.tree import (
     Expression,
@@ -369,6 +369,13 @@ class Story:
             self.tracks[name].places.append((number, where, time))
         return Happening(number, step, {name: before}, {name: after}, impulse=impulse, time=time)
 
+    def real_root(self, under: Scalar, reason: str) -> Scalar:
+        """A square root that has to be real: raises ImpossibleError, with the reason, if not."""
+        negative = under.is_negative if self.field.exact else under < 0
+        if negative:
+            raise ImpossibleError(reason)
+        return self.field.sqrt(under)
+
     def still(self, v: Vector) -> bool:
         return self.field.is_zero(v.x) and self.field.is_zero(v.y)
 
@@ -564,7 +571,7 @@ class Story:
             under = sp.expand(under)
         what = f"the offset must be less than 2r, or {step.first} passes {step.second}"
         self.conditions.append(Condition(under, ">", what, "place"))
-        c = approach * self.field.sqrt(under) + approach.turned_left() * d
+        c = approach * self.real_root(under, what) + approach.turned_left() * d
         return self.neat(c)
 
 
