@@ -16,6 +16,7 @@ from restitution.explain.phrases import (
     vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
+from restitution.expression.tree import Expression, Negate
 from restitution.problem import Impact
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
@@ -242,6 +243,11 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
     )
 
 
+def _size_of(offset: Expression) -> Layout:
+    """An offset as it was written, without its sign."""
+    return lay.from_tree(offset.operand if isinstance(offset, Negate) else offset)
+
+
 def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     """Sin θ = d/2r for the angle θ between the line of centres and the relative path."""
     story = work.model.story
@@ -262,7 +268,7 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     rows = [
         chain(
             shown(lay.function("sin", theta)),
-            side(ratio, lay.fraction(look(d), look(tidy(2 * work.put(r))))),
+            side(ratio, lay.fraction(_size_of(step.offset), look(tidy(2 * work.put(r))))),
             side(ratio),
             mark="M1",
         ),

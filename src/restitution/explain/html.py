@@ -24,6 +24,7 @@ _STYLE = """
 .restitution .principle { font-style: italic; }
 .restitution table { border-collapse: collapse; margin: .1rem 0 .3rem 1.4rem;
   width: calc(100% - 1.4rem); }
+.restitution td math { math-style: normal; }
 .restitution td { padding: .16rem .15rem; vertical-align: baseline; }
 .restitution td.l { text-align: right; white-space: nowrap; width: 1%; }
 .restitution td.s { width: 1%; white-space: nowrap; }
@@ -125,7 +126,7 @@ def _lines(row: Row) -> list[tuple[str, str]]:
 
     pieces = list(zip(row.signs, row.operands[1:], strict=True))
     room = sum(width(to_text(each)) + 3 for each in row.operands if each is not None)
-    if room <= 62 or len(pieces) == 1:
+    if room <= 80 or len(pieces) == 1:
         first, *rest = pieces
         body = _cell(first[1]) + "".join(
             f"<math><mo>{escape(sign)}</mo></math>{_cell(operand)}" for sign, operand in rest

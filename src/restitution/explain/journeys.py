@@ -367,6 +367,9 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
         v = story.velocity(body, event.number - 1)
         if sp.simplify(sp.sympify((point - known[0]).cross(v)) - sp.sympify(equation.value)) != 0:
             continue
+        closed = _triangle_of_chords(work, event, body, point)
+        if closed is not None:
+            return closed
         latest = story.latest(body, event.number - 1)
         if latest is not None:
             travel_known(work, latest.number)
@@ -392,6 +395,41 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
         (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1 A1"),),
         words=(f"{equation.reason[0].upper()}{equation.reason[1:]} unless",),
     )
+
+
+def _triangle_of_chords(
+    work: Working, event: Happening, body: str, point: Vector
+) -> Step | None:
+    """Two impacts with one circular wall and back to the start on it: three chords."""
+    story = work.model.story
+    frames = [work.model.frames.get(number) for number in range(1, event.number)]
+    start = story.place(body, 0)
+    if start is None or len(frames) != 2 or any(f is None or f.wall is None for f in frames):
+        return None
+    if not all(work.model.on_a_chord(number, body) for number in (1, 2)):
+        return None
+    if work.sign(start[0].x - point.x) != 0 or work.sign(start[0].y - point.y) != 0:
+        return None
+    tangents = []
+    for number in (1, 2):
+        un, ut = work.model.before(number, body)
+        tangents.append(tidy(work.put(-ut / un)))
+    tangents.append(tidy(work.put(ut / work.model.after(2, body))))
+    a, b, c = tangents
+    row = chain(
+        Side(
+            lay.fraction(lay.total([look(a), look(b)]), minus(lay.Number("1"), look(tidy(a * b)))),
+            (a + b) / (1 - a * b),
+        ),
+        Side(look(tidy(1 / c)), 1 / c),
+        mark="M1 A1",
+    )
+    words: Words = (
+        "The three chords form a triangle, and each makes equal angles with the radii at its "
+        "ends. So these three angles add up to 90°. Their tangents are ",
+        look(a), ", ", look(b), " and ", look(c), ", so",
+    )
+    return Step("fact", (row,), words=words)
 
 
 def _coordinates(v: Vector) -> Layout:

@@ -481,6 +481,8 @@ def _letter_branches(
             substitutions[symbol] = value
             taken.add(lone.name)
             break
+    for equation in pending:
+        _substitute_linear(setting, equation, substitutions)
     branches = [({s.name: v for s, v in substitutions.items()}, {})]
     progress = True
     while progress:
@@ -507,6 +509,33 @@ def _letter_branches(
                 pending.remove(equation)
             branches = new
     return branches
+
+
+def _substitute_linear(
+    setting: Setting, equation: sp.Expr, substitutions: dict[sp.Symbol, sp.Expr]
+) -> None:
+    """β = 90° − α from α + β = 90°: angles that stand as themselves are not left under a sine."""
+    current = sp.expand(equation.xreplace(substitutions))
+    if len(current.free_symbols) < 2:
+        return
+    for symbol in sorted(
+        current.free_symbols, key=lambda s: (s.name in setting.asked, s.name), reverse=False
+    ):
+        coefficient = current.coeff(symbol)
+        rest = sp.expand(current - coefficient * symbol)
+        if (
+            setting.roles[symbol.name].kind != "angle"
+            or symbol.name in setting.protected
+            or not coefficient.is_Rational
+            or coefficient == 0
+            or rest.has(symbol)
+        ):
+            continue
+        value = sp.expand(-rest / coefficient)
+        for key, old in substitutions.items():
+            substitutions[key] = old.xreplace({symbol: value})
+        substitutions[symbol] = value
+        return
 
 
 def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found]:
