@@ -174,12 +174,13 @@ def unknown_wall() -> System:
 
 
 def mass_ratio() -> System:
-    # c = cos alpha, part c
+    # c = cos alpha; a and b are B's component and the coefficient in part c, where k = 3
     return [
-        *spheres(m, 3 * m, u * c, 0, v, w, e),
+        *spheres(m, k * m, u * c, 0, v, w, e),
         Eq(v, 0),
-        Eq(q, 1 - (3 * w**2 + u**2 * (1 - c**2)) / u**2),
-    ], [v, w, e, q]
+        *spheres(m, 3 * m, u * c, 0, 0, a, b),
+        Eq(q, 1 - (3 * a**2 + u**2 * (1 - c**2)) / u**2),
+    ], [v, w, k, a, b, q]
 
 
 def rejected_root() -> System:
@@ -210,8 +211,16 @@ def two_angles_of_approach() -> System:
 
 
 def energy_lost_at_a_wall() -> System:
-    # t = tan alpha, part c
-    return [Eq((1 - half**2) * t**2, half * (1 + t**2))], [t]
+    # the three parts: a fraction, a coefficient, and t = tan alpha
+    return [
+        Eq(v, half * 3 * u / 5),
+        Eq(q, ((3 * u / 5) ** 2 - v**2) / u**2),
+        Eq(w, e * u * sqrt(3) / 2),
+        Eq(half * m * (3 * u**2 / 4 - w**2), half * m * u**2 / 4),
+        Eq(c**2 + s**2, 1),
+        Eq(x, half * u * s),
+        Eq(half * m * ((u * s) ** 2 - x**2), half * half * m * u**2),
+    ], [v, q, w, e, c, s, x]
 
 
 def quarter_lost_at_right_angles() -> System:

@@ -17,7 +17,8 @@ KINDS = {"value", "vector", "point", "direction", "range", "extremum", "show"}
 ERRORS = {"syntax", "missing", "contradiction", "impossible", "unsupported", "time limit"}
 CALLED = {"sqrt", "sin", "cos", "tan", "atan", "asin", "acos", "Abs", "pi", "oo", "Interval",
           "Union", "FiniteSet", "Lopen", "Ropen", "open", "EmptySet", "E", "Min", "Max",
-          "cot", "sec", "csc", "CRootOf", "Piecewise", "True", "Reals", "Rational", "x"}  # fmt: skip
+          "cot", "sec", "csc",
+          "CRootOf", "Piecewise", "True", "Reals", "Rational", "x"}  # fmt: skip
 
 
 def read_back(text):
@@ -173,7 +174,7 @@ def test_unfinished_names_the_same_items(name):
 
     def items(content):
         return [
-            (part["part"], item["line"], item["text"])
+            (part["part"], item["line"], item["text"], item["kind"])
             for part in content["parts"]
             for item in part["items"]
         ]

@@ -158,6 +158,7 @@ def tell(tale: Tale) -> Told | None:
     """Run a tale; None where two bodies do not approach each other in some impact."""
     now = {name: velocity.value for name, velocity in tale.velocities.items()}
     stages, normals, approaches = [dict(now)], [], []
+    sides: dict[tuple[str, str], Pair] = {}
     for blow in tale.blows:
         a, b = blow.first, blow.second
         if blow.wall:
@@ -172,6 +173,19 @@ def tell(tale: Tale) -> Told | None:
             approach = float(dot(plus(now[a], now[b], -1), normal)) / size if size else 0.0
         if approach < 1e-6:
             return None
+        if not blow.wall and blow.offset is None:
+            # "A hits B" puts B on the side to which A moves; and on one line nobody passes.
+            met = sides.get((a, b))
+            if met is None and float(dot(now[a], normal)) < -1e-9:
+                return None
+            relative = plus(now[a], now[b], -1)
+            if met is not None and abs(float(cross(met, normal))) < 1e-9 * size:
+                straight = abs(float(cross(relative, normal))) < 1e-9 * size
+                if straight and float(dot(met, normal)) < 0:
+                    return None
+        if not blow.wall:
+            sides[a, b] = (float(normal[0]), float(normal[1]))
+            sides[b, a] = (-float(normal[0]), -float(normal[1]))
         if blow.wall:
             now[a] = rebound(now[a], along, blow.e.value)
         else:

@@ -46,7 +46,6 @@ from restitution.render.layout import Layout
 from restitution.solve.letters import trees_of_relation
 from restitution.solve.quantities import event_of
 from restitution.solve.solution import Answer, ItemResult
-from restitution.solve.quantities import event_of
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -95,9 +94,10 @@ def speaks_across(problem: Problem, part: Part) -> bool:
                     pending += trees_of(item)
     for tree in pending:
         for node in walk(tree):
-            if isinstance(node, Quantity) and node.kind in WHOLE:
-                if node.kind == "energy" or node.stage != 0:
-                    return True
+            if not isinstance(node, Quantity) or node.kind not in WHOLE:
+                continue
+            if node.kind == "energy" or node.stage != 0:
+                return True
     return False
 
 

@@ -33,10 +33,9 @@ def kick(work: Working, number: int) -> None:
     mass = tidy(sp.sympify(work._known(sp.sympify(final.mass(body)))))
     assert event.impulse is not None
     sought = work.open(tuple(event.impulse))
-    push = Vector(
-        tidy(final.happenings[number - 1].impulse.x),  # type: ignore[union-attr]
-        tidy(final.happenings[number - 1].impulse.y),
-    )  # type: ignore[union-attr]
+    given = final.happenings[number - 1].impulse
+    assert given is not None
+    push = Vector(tidy(given.x), tidy(given.y))
     name = bold_velocity(body)
     if sought:
         # The blow itself is wanted: the velocities are known.

@@ -185,22 +185,19 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
         a, b = work.put(a), work.put(b)
         if work.model.sign(event.oriented().dot(frame.n)) < 0:
             a, b, first, second = b, a, second, first
+        gains = "gains on" if relation.happens else "does not gain on"
         again = "collide again if" if relation.happens else "do not collide again if"
         words: Words = (
-            f"{one} and {other} {again} {first} "
-            f"{'gains on' if relation.happens else 'does not gain on'} {second} along the line of "
-            "centres:",
+            (f"{one} and {other} {again} {first} {gains} {second} along the line of centres:"),
         )
         sign = ">" if relation.happens else "≤"
         return Bound(words, a, sign, b, sp.sympify(a) - sp.sympify(b), sign)
     value = sp.sympify(need.value)
     work.reach(work.open(value))
+    moves = "moves" if relation.happens else "does not move"
     happens = "hits" if relation.happens else "does not hit"
     again = " again" if relation.again else ""
-    words = (
-        f"{one} {happens} {other}{again} if it {'moves' if relation.happens else 'does not move'} "
-        f"towards {other}:",
-    )
+    words = ((f"{one} {happens} {other}{again} if it {moves} towards {other}:"),)
     shown = work.put(value)
     return Bound(words, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation])
 
@@ -548,15 +545,15 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         (None, own_slope),
         "M1 A1",
     )
-    rows: list[Row] = []
+    lines: list[Row] = []
     if variable is not x:
         own = function.xreplace(back)
-        rows.append(Row((name, look(function.xreplace(put))), ("=",), (own, own)))
+        lines.append(Row((name, look(function.xreplace(put))), ("=",), (own, own)))
     if root is None or _constant_sign(work, tidy(own_slope)):
-        _at_an_end(work, item, words, [*rows, row], x, own_slope)
+        _at_an_end(work, item, words, [*lines, row], x, own_slope)
         return
     factor, place = root
-    rows += [
+    lines += [
         row,
         Row(
             (look(factor.xreplace(put)), lay.Number("0")),
@@ -567,14 +564,12 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         ),
         Row((look(letter), look(place)), ("=",), (None, None), "A1"),
     ]
-    work.write("result", rows, words=words)
+    work.write("result", lines, words=words)
 
 
 def _parameter(work: Working) -> sp.Symbol:
     """A letter for the tangent of an angle that the problem does not use."""
-    taken = set(work.model.unknowns.roles) | {
-        c.symbol.name for c in work.model.components.values()
-    }
+    taken = set(work.model.unknowns.roles) | {c.symbol.name for c in work.model.components.values()}
     return sp.Symbol(next(c for c in ("t", "s", "z", "q", "p", "T") if c not in taken))
 
 

@@ -7,6 +7,7 @@ equations in those letters, and every quantity of the problem is an expression i
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
@@ -334,17 +335,15 @@ def _in_letters(
     for body in (step.first, step.second):
         if body not in story.spheres:
             continue
-        u = happening.before[body]
+        happening.before[body]
         symbol = sp.Symbol(names[number, body], real=True)
         final = told.branch.story.velocity(body, number)
         direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
         value = tidy(final.dot(direction))
         told.components[number, body] = Component(symbol, body, number, value)
         told.final[symbol] = value
-        try:
+        with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
             told.sample[symbol.name] = at(value, told.sample)
-        except (UndefinedError, KeyError, ArithmeticError):
-            pass
         across = told.before(number, body)[1]
         after[body] = Vector(
             frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
@@ -352,8 +351,8 @@ def _in_letters(
     e = sp.sympify(happening.e)
     u1 = told.before(number, step.first)[0]
     v = told.components[number, step.first].symbol
-    if frame.by_values and frame.wall in story._normals:  # noqa: SLF001
-        story._normals[frame.wall] = frame.n  # noqa: SLF001
+    if frame.by_values and frame.wall in story._normals:
+        story._normals[frame.wall] = frame.n
     if step.second in story.walls:
         told.laws.append(Law("restitution", number, v + e * u1))
         push = -(frame.n * (v - u1))
@@ -415,9 +414,8 @@ def _frame(
             n = -n
         if told.sign(u.dot(t)) < 0:
             t = -t
-    elif axis is None:
-        if told.sign((u - happening.before[step.second]).dot(n)) < 0:
-            n, t = -n, -t
+    elif axis is None and told.sign((u - happening.before[step.second]).dot(n)) < 0:
+        n, t = -n, -t
     return Frame(number, wall, n, t, axis, by_values)
 
 

@@ -36,7 +36,6 @@ from restitution.render.layout import Layout
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation as StoryEquation
 from restitution.solve.quantities import event_of, is_line
-from restitution.solve.quantities import event_of, is_line
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -277,17 +276,20 @@ def _after_a_blow(
     found = []
     for index, name in enumerate(("x", "y")):
         push = getattr(event.impulse, name)
-        gained = mass * (getattr(a, name) + getattr(b, name) - getattr(event.after[body], name)
-                         - getattr(event.before[body], name))
+        gained = mass * (
+            getattr(a, name)
+            + getattr(b, name)
+            - getattr(event.after[body], name)
+            - getattr(event.before[body], name)
+        )
 
         def step(push: Any = push, gained: Any = gained) -> Step:
             p, q = work.put(push), work.put(gained)
-            return Step("fact", (chain(side(p), side(q), mark="A1"),),
-                        words=("Comparing components:",))
+            return Step(
+                "fact", (chain(side(p), side(q), mark="A1"),), words=("Comparing components:",)
+            )
 
-        found.append(
-            Equation(sp.sympify(push - gained), "fact", number, step, (*key, index))
-        )
+        found.append(Equation(sp.sympify(push - gained), "fact", number, step, (*key, index)))
     return found
 
 
@@ -370,9 +372,7 @@ def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
     return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
 
 
-def _component_row(
-    work: Working, relation: Aligned, now: int, need: StoryEquation
-) -> Row:
+def _component_row(work: Working, relation: Aligned, now: int, need: StoryEquation) -> Row:
     """A velocity along an axis has no component across it; what that component is made of."""
     for tree in (relation.left, relation.right):
         body = name_of(tree)
@@ -389,9 +389,7 @@ def _component_row(
             total = sum((p * q for p, q in pairs), sp.Integer(0))
             if work.model.sign(total) == 0:
                 kept = [(p, q) for p, q in pairs if p != 0 and q != 0]
-                return chain(
-                    side(total, sum_of_products(kept)), side(sp.Integer(0)), mark="M1 A1"
-                )
+                return chain(side(total, sum_of_products(kept)), side(sp.Integer(0)), mark="M1 A1")
     residual = work.numerator(need.value)
     return chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1")
 
@@ -429,9 +427,7 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
                 words=(*words, ", so the scalar product is zero:"),
             )
         if single:
-            return Step(
-                "fact", (_component_row(work, relation, now, need),), words=(*words, ":")
-            )
+            return Step("fact", (_component_row(work, relation, now, need),), words=(*words, ":"))
         a, b = work.put(a), work.put(b)
         row = chain(
             side(tidy(a.x * b.y), sum_of_products([(a.x, b.y)])),

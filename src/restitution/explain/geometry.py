@@ -151,8 +151,10 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             work.write(
                 "principle",
                 words=(
-                    f"The impulse acts along the radius of {frame.wall} through the point of "
-                    "impact, in the direction of ",
+                    (
+                        f"The impulse acts along the radius of {frame.wall} through the point of "
+                        "impact, in the direction of "
+                    ),
                     direction_words(frame.n.x, frame.n.y),
                     ".",
                 ),

@@ -16,7 +16,6 @@ from restitution.render.layout import Bold, Brackets, Layout, Letter
 from restitution.solve.conditions import Equation as StoryEquation
 from restitution.solve.quantities import point_of
 from restitution.solve.story import Happening
-from restitution.solve.quantities import point_of
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -139,8 +138,14 @@ def _to_circle(
     else:
         rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), mark="A1")
     return (
-        (f"{step.first} is at the distance ", look(reach), f" from the centre of {wall.name} ",
-         "again after a time " if when != 0 else "after a time ", lay.Letter("t"), " with"),
+        (
+            f"{step.first} is at the distance ",
+            look(reach),
+            f" from the centre of {wall.name} ",
+            "again after a time " if when != 0 else "after a time ",
+            lay.Letter("t"),
+            " with",
+        ),
         rows,
     )
 
@@ -397,9 +402,7 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
     )
 
 
-def _triangle_of_chords(
-    work: Working, event: Happening, body: str, point: Vector
-) -> Step | None:
+def _triangle_of_chords(work: Working, event: Happening, body: str, point: Vector) -> Step | None:
     """Two impacts with one circular wall and back to the start on it: three chords."""
     story = work.model.story
     frames = [work.model.frames.get(number) for number in range(1, event.number)]
@@ -425,9 +428,16 @@ def _triangle_of_chords(
         mark="M1 A1",
     )
     words: Words = (
-        "The three chords form a triangle, and each makes equal angles with the radii at its "
-        "ends. So these three angles add up to 90°. Their tangents are ",
-        look(a), ", ", look(b), " and ", look(c), ", so",
+        (
+            "The three chords form a triangle, and each makes equal angles with the radii at its "
+            "ends. So these three angles add up to 90°. Their tangents are "
+        ),
+        look(a),
+        ", ",
+        look(b),
+        " and ",
+        look(c),
+        ", so",
     )
     return Step("fact", (row,), words=words)
 

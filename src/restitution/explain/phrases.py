@@ -70,6 +70,13 @@ def relation(left: Any, sign: str, right: Any, mark: str = "", note: Words = ())
 def product_of(*factors: Any) -> Layout:
     """A product with values put in: ``×`` between numbers, nothing between letters."""
     laid = [look(each) for each in factors]
+    if (
+        len(laid) == 2
+        and isinstance(laid[0], lay.Letter)
+        and isinstance(laid[1], Product)
+        and (laid[0] in laid[1].factors)
+    ):
+        return Product(tuple(laid), "×")  # e × eu, not eeu
     if sum(_numeric(each) for each in laid) > 1 or any(_begins(each) for each in laid[1:]):
         first, *rest = [
             Brackets(each) if _is_negative(each) and index else lay.bracketed(each)

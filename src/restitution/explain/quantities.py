@@ -37,7 +37,6 @@ from restitution.render import layout as lay
 from restitution.render.layout import Brackets, Layout, Number
 from restitution.solve import forms
 from restitution.solve.quantities import event_of, is_line, stage_number
-from restitution.solve.quantities import event_of, is_line, stage_number
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -74,6 +73,7 @@ class Derived:
 
 
 def stage_of(work: Working, tree: Quantity, now: int, body: str | None) -> int:
+    """After how many events a quantity is meant."""
     return stage_number(work.model.story, tree, now, body)
 
 
@@ -100,6 +100,7 @@ def evaluated(work: Working, tree: Expression, now: int) -> Any:
 
 
 def plain(work: Working, value: Any) -> Any:
+    """A value of the story with all that is known put in."""
     if isinstance(value, Vector):
         return (work.put(value.x), work.put(value.y))
     if isinstance(value, Angle):
@@ -272,8 +273,8 @@ def derive(
     body = name_of(tree)
     value = evaluated(work, tree, now)
     if name is not None:
-        made = derive(work, tree, now, percentage=percentage, mark=mark)
-        return _renamed(made, lay.from_tree(tree), name)
+        own = derive(work, tree, now, percentage=percentage, mark=mark)
+        return _renamed(own, lay.from_tree(tree), name)
     name = lay.from_tree(tree)
     kind = tree.kind
     if kind == "velocity" and body is not None:
@@ -428,7 +429,7 @@ def _derive_direction(
     row = _result(name, None, value, angle=True)
     if x == 0 or y == 0:
         return Derived((row,), value)
-    if x.free_symbols or y.free_symbols or True:
+    if True:
         tangent = tidy(y / x)
         rows = (
             chain(
@@ -442,6 +443,7 @@ def _derive_direction(
             row,
         )
         return Derived(rows, value)
+    return None
 
 
 def _lines(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:
@@ -558,8 +560,10 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
         (*rows, final),
         value,
         (
-            f"The angle of deflection of {body} is the angle between its velocities before and "
-            "after:",
+            (
+                f"The angle of deflection of {body} is the angle between its velocities before and "
+                "after:"
+            ),
         ),
     )
 
@@ -610,8 +614,10 @@ def _deflection_at_wall(work: Working, number: int, body: str, value: Any, name:
         (_result(name, made, value, angle=True, mark="M1 A1"),),
         value,
         (
-            f"{body} is turned through the angle that its path makes with {wall} before and the "
-            "angle that it makes after:",
+            (
+                f"{body} is turned through the angle that its path makes with {wall} before "
+                "and the angle that it makes after:"
+            ),
         ),
     )
 
@@ -668,8 +674,10 @@ def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Wo
     if frame.wall is not None:
         a, b = tidy(-un / ut), tidy(v / ut)
         words: Words = (
-            f"{body} is turned through the sum of the angles that its path makes with "
-            f"{frame.wall} before and after:",
+            (
+                f"{body} is turned through the sum of the angles that its path makes with "
+                f"{frame.wall} before and after:"
+            ),
         )
         top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), _times(a, b))
         return words, lay.fraction(top, bottom)
@@ -677,8 +685,10 @@ def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Wo
     first = work.sign((b - a) / (1 + a * b)) * work.sign(tangent) > 0
     big, small = (b, a) if first else (a, b)
     words = (
-        f"The angle of deflection of {body} is the difference of the angles that its "
-        "velocities make with the line of centres:",
+        (
+            f"The angle of deflection of {body} is the difference of the angles that its "
+            "velocities make with the line of centres:"
+        ),
     )
     return words, lay.fraction(difference(big, small), lay.total([Number("1"), _times(a, b)]))
 

@@ -39,7 +39,6 @@ from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
 
-
 # Characters in a line of mathematics beyond which it is left out: it would help no one.
 _LONGEST = 260
 
@@ -130,8 +129,13 @@ class Working:
         if step in self.steps:
             return
         last = self.steps[-1] if self.steps else None
-        if last is not None and words and checked and last.words == words and last.rows and (
-            (last.kind, last.principle, last.mark) == (kind, principle, mark)
+        if (
+            last is not None
+            and words
+            and checked
+            and last.words == words
+            and last.rows
+            and ((last.kind, last.principle, last.mark) == (kind, principle, mark))
         ):
             rows_ = tuple(r for r in checked if r not in last.rows)
             self.steps[-1] = Step(
@@ -235,10 +239,10 @@ class Working:
             (x,) = unknowns
             self._root(x, group[0])
             return
-        if len(group) == 2 and {each.kind for each in group} == {"momentum", "restitution"}:
-            if group[0].number == group[1].number:
-                self._pair(group, unknowns)
-                return
+        kinds = {(each.kind, each.number) for each in group}
+        if kinds == {("momentum", group[0].number), ("restitution", group[0].number)}:
+            self._pair(group, unknowns)
+            return
         self._system(group, unknowns)
 
     def _speaks_of(self, group: Sequence[Equation]) -> list[int]:
@@ -335,8 +339,10 @@ class Working:
         for each in [e for e in left if e.kind == "carried"]:
             symbol = each.key
             if symbol in self.known or symbol in {
-                s for x in left for s in self.open(x.residual) if x.kind == "carried"
-                and x is not each and s == symbol
+                s
+                for x in left
+                for s in self.open(x.residual)
+                if x.kind == "carried" and x is not each and s == symbol
             }:
                 continue
             if self.is_angle(symbol):
@@ -456,12 +462,10 @@ class Working:
         if own is not None and kept.has(own):
             mirrored = kept.xreplace({own: -own})
             for factor, _ in factors:
-                if factor.has(own) and sp.expand(factor - mirrored) == 0 or sp.expand(
-                    factor + mirrored
-                ) == 0:
-                    if sp.expand(kept - factor) != 0:
-                        kept *= factor
-                        break
+                same = 0 in (sp.expand(factor - mirrored), sp.expand(factor + mirrored))
+                if factor.has(own) and same and sp.expand(kept - factor) != 0:
+                    kept *= factor
+                    break
         return sp.expand(above) if kept == 1 else kept
 
     # --- one equation for one unknown ------------------------------------------------------------
@@ -580,7 +584,7 @@ class Working:
         for key, name in self.model.unknowns.names.items():
             if name == x.name:
                 return f"_{key}"
-        return x.name
+        return str(x.name)
 
     def _polynomial_rows(
         self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr, others: Sequence[sp.Expr]
@@ -659,7 +663,7 @@ class Working:
     def _vanishes(self, factor: sp.Expr, t: sp.Symbol, own: sp.Expr) -> bool:
         return self.model.sign(factor.xreplace({t: own})) == 0
 
-    # --- the principles ----------------------------------------------------------------------------
+    # --- the principles ------------------------------------------------------------------------
 
     def setting(self, number: int) -> None:
         """Sets the axes of an impact, names the unknown components, and what does not change."""
@@ -754,8 +758,10 @@ class Working:
             self.write(
                 "principle",
                 words=(
-                    "A chord of the circle makes equal angles with the radii at its ends, so "
-                    f"{component.body} comes to {frame.wall} with the components ",
+                    (
+                        "A chord of the circle makes equal angles with the radii at its ends, so "
+                        f"{component.body} comes to {frame.wall} with the components "
+                    ),
                     look(tidy(-un)),
                     " towards it and ",
                     look(ut),
@@ -767,15 +773,19 @@ class Working:
             self.line_of_centres(frame)
         if component.symbol in self.known:
             words: Words = (
-                f"Resolve the velocity of {component.body} parallel and perpendicular to "
-                f"{frame.wall}.",
+                (
+                    f"Resolve the velocity of {component.body} parallel and perpendicular to "
+                    f"{frame.wall}."
+                ),
             )
         else:
             words = (
                 f"Resolve parallel and perpendicular to {frame.wall}. Let ",
                 look(component.symbol),
-                f" be the component of the velocity of {component.body} perpendicular to "
-                f"{frame.wall}, away from it, after the impact.",
+                (
+                    f" be the component of the velocity of {component.body} perpendicular to "
+                    f"{frame.wall}, away from it, after the impact."
+                ),
             )
         self.write("setting", words=words)
         self._resolved(frame)

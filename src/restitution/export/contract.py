@@ -26,7 +26,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, Negate, Pair, Polar, Quantity
+from restitution.expression.tree import Expression, Name, Negate, Pair, Polar, Quantity
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
@@ -62,8 +62,9 @@ def unfinished(
     file: str, problem: Problem, error: RestitutionError, label: str | None = None
 ) -> Object:
     """The object of a problem whose solving ended without a result: nothing is answered."""
+    walls = frozenset(wall.name for wall in problem.walls)
     parts = [
-        _part(part.label, [_unanswered(*asked, error) for asked in _asked(part)])
+        _part(part.label, [_unanswered(*asked, error) for asked in _asked(part, walls)])
         for part in problem.parts
         if label is None or part.label == label
     ]
@@ -177,27 +178,31 @@ def _decimal(value: float | tuple[float, float] | None) -> Any:
 # --- what was asked, by the text alone --------------------------------------------------------
 
 
-def _asked(part: Part) -> Iterator[tuple[int | None, str, str]]:
+def _asked(part: Part, walls: frozenset[str]) -> Iterator[tuple[int | None, str, str]]:
     """Line, text and kind of every item of a part."""
     for step in part.steps:
         if isinstance(step, Show):
             yield (None if step.place is None else step.place.line), step.text, "show"
         elif isinstance(step, Find):
             for item in step.items:
-                yield (None if item.place is None else item.place.line), item.text, _kind(item)
+                yield (
+                    (None if item.place is None else item.place.line),
+                    item.text,
+                    _kind(item, walls),
+                )
 
 
-def _kind(item: Value | Range | Extremum) -> str:
+def _kind(item: Value | Range | Extremum, walls: frozenset[str]) -> str:
     if isinstance(item, Range):
         return "range"
     if isinstance(item, Extremum):
         return "extremum"
-    return _kind_of(item.expression)
+    return _kind_of(item.expression, walls)
 
 
-def _kind_of(expression: Expression) -> str:
+def _kind_of(expression: Expression, walls: frozenset[str]) -> str:
     if isinstance(expression, Negate):
-        return _kind_of(expression.operand)
+        return _kind_of(expression.operand, walls)
     if isinstance(expression, Pair | Polar):
         return "vector"
     if isinstance(expression, Quantity):
@@ -207,4 +212,10 @@ def _kind_of(expression: Expression) -> str:
             return "point"
         if expression.kind == "line_of_centres":
             return "direction"
+        if expression.kind == "direction" and _is_one_of(expression.arguments, walls):
+            return "direction"
     return "value"
+
+
+def _is_one_of(arguments: tuple[Expression, ...], walls: frozenset[str]) -> bool:
+    return len(arguments) == 1 and isinstance(arguments[0], Name) and arguments[0].name in walls

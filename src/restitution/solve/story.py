@@ -420,22 +420,35 @@ class Story:
         second is on: A hits B, so B lies on the side to which A moves.
         """
         earlier = self._contacts.get(key)
-        if (
-            not unknown
-            and (earlier is None or not self._same_line(earlier, c))
-            and own is not None
-            and not self.field.is_zero(own)
-        ):
+        if not unknown and earlier is None and own is not None and not self.field.is_zero(own):
             self.conditions.append(Condition(own * closing, ">", what, "approach"))
         elif unknown:
             self.conditions.append(Condition(closing, ">", what, "approach"))
-        elif earlier is not None and self._same_line(earlier, c):
+        elif earlier is not None and self._same_line(earlier, c) and self._held(key, u, c):
             self.conditions.append(Condition(u.dot(earlier), ">", what, "approach"))
         else:
             self.conditions.append(Condition(closing, "!=", what, "approach"))
         oriented = c if unknown else c * closing
         self._contacts[key] = oriented
         self._contacts[key[1], key[0]] = -oriented
+
+    def _held(self, key: tuple[str, str], u: Vector, c: Vector) -> bool:
+        """Whether two bodies that met are still in the same order along their line.
+
+        They are if nothing happened to either since, if one is a wall, or if they move, one
+        relative to the other, along that line alone: else they may have passed each other.
+        """
+        if key[1] in self.walls:
+            return True
+        last = next(
+            number
+            for number, event in reversed(list(enumerate(self.happenings)))
+            if set(event.bodies) == set(key)
+        )
+        between = self.happenings[last + 1 :]
+        if not any(set(event.bodies) & set(key) for event in between):
+            return True
+        return self._same_line(u, c)
 
     def _same_line(self, a: Vector, b: Vector) -> bool:
         cross = a.cross(b)

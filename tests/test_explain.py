@@ -1,0 +1,365 @@
+"""Worked solutions: every line is true, every answer is reached, and they read as they should.
+
+That a line is true is checked here by other means than the package's own: plain Python floats,
+and SymPy's own evaluation.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from restitution.explain import (
+    Explanation,
+    Row,
+    explain,
+    to_html,
+    to_latex,
+    to_markdown,
+    to_text,
+)
+from restitution.explain.order import blocks, needed
+from restitution.language import parse, read
+from restitution.render.text import to_text as one_line
+from restitution.render.text import width
+from restitution.solve import solve
+
+ROOT = Path(__file__).parent
+EXAMPLES = sorted((ROOT.parent / "src" / "restitution" / "examples").glob("*.impact"))
+QUESTIONS = sorted((ROOT / "questions").glob("*.impact"))
+FEW = QUESTIONS[::6]
+
+
+def told(text: str) -> Explanation:
+    return explain(solve(parse(text)))
+
+
+def float_of(value: sp.Expr, numbers: dict[str, float]) -> complex:
+    put = {s: numbers.setdefault(s.name, 0.37) for s in sp.sympify(value).free_symbols}
+    return complex(sp.N(sp.sympify(value).subs(put)))
+
+
+def is_true(row: Row, numbers: dict[str, float]) -> bool:
+    """Checks a line by SymPy's own evaluation, to nine figures."""
+    known = [(v, i) for i, v in enumerate(row.values) if v is not None]
+    for (a, i), (b, k) in zip(known, known[1:], strict=False):
+        if any(sign != "=" for sign in row.signs[i:k]):
+            continue
+        pairs = zip(a, b, strict=True) if isinstance(a, tuple) else [(a, b)]
+        for x, y in pairs:
+            p, q = float_of(x, numbers), float_of(y, numbers)
+            if abs(p - q) > 1e-9 * (1 + abs(p) + abs(q)):
+                return False
+    return True
+
+
+# --- every line of every example -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
+def test_nothing_fails_and_no_line_is_left_out(path: Path) -> None:
+    solution = solve(read(path))
+    explanation = explain(solution)
+    assert not [w for w in explanation.warnings if "left out" in w]
+    assert len(explanation.parts) == len(solution.parts)
+    text = to_text(explanation)
+    assert "Limit(" not in text
+    assert "sqrt" not in text
+    assert "**" not in text
+    assert not re.search(r"_[a-z]_", text)  # no hidden unknown shows its name
+    assert to_html(explanation).count("<math") == to_html(explanation).count("</math>")
+    assert to_latex(explanation).count("{aligned}") % 2 == 0
+    assert to_markdown(explanation).count("$$") % 2 == 0
+
+
+@pytest.mark.parametrize("path", EXAMPLES[::7], ids=lambda path: path.stem)
+def test_lines_are_true_by_other_arithmetic(path: Path) -> None:
+    from restitution.explain.route import workings
+
+    solution = solve(read(path))
+    for part in solution.parts.values():
+        for work in workings(solution, part):
+            numbers = {name: float(value) for name, value in work.model.sample.items()}
+            for step in work.steps:
+                for row in step.rows:
+                    assert is_true(row, dict(numbers)), [
+                        one_line(o) for o in row.operands if o is not None
+                    ]
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_answer_is_in_the_working(path: Path) -> None:
+    solution = solve(read(path))
+    explanation = explain(solution)
+    seen = "".join(to_text(explanation, width=2000).split())
+    for part in solution.parts.values():
+        for item in part.items:
+            if item.error is not None:
+                assert "".join(item.error.message.split()) in seen
+            elif item.kind in ("value", "vector", "point", "extremum"):
+                for answer in item.answers:
+                    last = answer.display.split(" when ")[0].split(" approached")[0]
+                    last = last.rpartition("=")[2]
+                    assert "".join(last.split()) in seen, (item.text, answer.display)
+
+
+@pytest.mark.parametrize("path", EXAMPLES[::3], ids=lambda path: path.stem)
+def test_text_fits_a_terminal(path: Path) -> None:
+    lines = to_text(explain(solve(read(path)))).splitlines()
+    wide = [line for line in lines if width(line) > 80]
+    assert len(wide) <= max(1, len(lines) // 12), wide
+
+
+# --- what a good solution says --------------------------------------------------------------------
+
+SPHERES = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find velocity(A), velocity(B), impulse
+"""
+
+SPHERES_TOLD = """\
+The line of centres is parallel to 𝐣. Let v and w be the components of the
+velocities of A and B in the direction of 𝐣 after the impact.
+Perpendicular to the line of centres the velocities do not change: the
+components stay 3 for A and 2 for B.                                          B1
+Conservation of momentum along the line of centres:
+    2 × (−4) + 3 × 3 = 2v + 3w                                             M1 A1
+                   1 = 2v + 3w
+Newton's experimental law:
+    v − w = (3/7)(3 − (−4)) = 3                                            M1 A1
+Solving simultaneously:
+    v = 2                                                                     A1
+    w = −1                                                                    A1
+    𝐯_A = 3𝐢 + 2𝐣                                                             A1
+    𝐯_B = 2𝐢 − 𝐣                                                              A1
+Impulse = change of momentum of A along the line of centres:
+    magnitude of the impulse = 2(2 − (−4)) = 12                            M1 A1"""
+
+
+def test_two_spheres_with_vectors() -> None:
+    assert to_text(told(SPHERES)) == SPHERES_TOLD
+
+
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+find impulse, energy_lost
+"""
+
+WALL_TOLD = """\
+Resolve parallel and perpendicular to W. Let v be the component of the velocity
+of P perpendicular to W, away from it, after the impact.
+Newton's experimental law:
+    v = eu sin α                                                           M1 A1
+Impulse = change of momentum of P perpendicular to W:
+    magnitude of the impulse = m(eu sin α + u sin α) = (1 + e)mu sin α     M1 A1
+The components parallel to W do not change, and lose no kinetic energy:
+    kinetic energy lost = ½m(u sin α)² − ½m(eu sin α)²
+                        = ½mu²(1 − e²) sin²α                               M1 A1"""
+
+
+def test_a_wall_in_letters() -> None:
+    assert to_text(told(WALL)) == WALL_TOLD
+
+
+TWO_ROOTS = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1/2
+given deflection(A) = arctan(3/5)
+find alpha
+"""
+
+
+def test_several_solutions_from_one_equation() -> None:
+    text = to_text(told(TWO_ROOTS))
+    assert "1 − 5 tan α + 4 tan²α = 0" in text
+    assert "(4 tan α − 1)(tan α − 1) = 0" in text
+    assert "tan α = ¼ or tan α = 1" in text
+    assert text.count("Conservation of momentum") == 1
+
+
+def test_a_rejected_root_is_told_with_its_reason() -> None:
+    text = to_text(
+        told(
+            "sphere A, B: mass m\nsphere A: velocity u at 45°\nsphere B: at rest\n"
+            "A hits B: along i\ngiven angle(velocity(A), line_of_centres) = arctan(4)\nfind e"
+        )
+    )
+    flat = " ".join(text.split())
+    assert "e = 3/2 is rejected: a coefficient of restitution lies in [0, 1]" in flat
+
+
+def test_what_is_given_comes_before_what_follows() -> None:
+    """v from the fact, w from momentum, e from Newton's law: one unknown at a time."""
+    text = to_text(
+        told(
+            "sphere A: mass 2, velocity 3i - 4j\nsphere B: mass 3, velocity 2i + 3j\n"
+            "A hits B: along j\ngiven velocity(A) = 3i + 2j\nfind e"
+        )
+    )
+    order = [text.index(each) for each in ("v = 2", "w = −1", "e = 3/7")]
+    assert order == sorted(order)
+    assert "simultaneously" not in text
+
+
+def test_no_idle_lines() -> None:
+    text = to_text(told(SPHERES.replace("find velocity(A), velocity(B), impulse", "find impulse")))
+    assert "do not change" not in text
+    assert "w = " not in text
+
+
+def test_later_parts_use_earlier_results() -> None:
+    text = to_text(
+        told(
+            "sphere P: mass 3m, at rest\nsphere Q: mass m, velocity u at theta\n"
+            "Q hits P: along i\ngiven velocity(P) perpendicular to velocity(Q)\n"
+            "part a\nfind e\npart b\ngiven energy_lost = 1/6 energy(0)\nfind theta"
+        )
+    )
+    first, second = text.split("(b)")
+    assert "Conservation of momentum" in first
+    assert "From part (a):" in second
+    assert "Conservation of momentum" not in second
+    assert "tan²θ = 3" in second
+
+
+def test_show_ends_with_the_printed_result() -> None:
+    text = to_text(told(WALL.replace("find impulse, energy_lost", "show speed(P) = "
+                                     "u sqrt(cos^2(alpha) + e^2 sin^2(alpha))")))
+    lines = [line.strip() for line in text.splitlines()]
+    assert lines[-1] == "(as required)"
+    assert lines[-2].endswith("A1*")
+
+
+def test_false_claims_are_refuted_not_shown() -> None:
+    text = to_text(told(WALL.replace("find impulse, energy_lost", "show speed(P) = e u")))
+    assert "is false" in text
+    assert "A1*" not in text
+
+
+def test_an_item_without_an_answer_says_why() -> None:
+    text = to_text(told("wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\n"
+                        "find impulse, speed(P)"))
+    assert "no answer" in text
+    assert "√13" in text
+
+
+def test_letters_of_the_problem_are_not_used_again() -> None:
+    text = to_text(
+        told("sphere A: mass w, velocity v i\nsphere B: mass x, at rest\n"
+             "A hits B: along i\nfind velocity(B)")
+    )
+    assert "Let y and p be the components" in text
+
+
+def test_a_component_named_in_the_statement_keeps_its_name() -> None:
+    text = to_text(
+        told("sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nA hits B: along i\n"
+             "let p = along(velocity(A), i)\nfind p")
+    )
+    assert "Let p and v be the components" in text
+
+
+def test_ranges_name_the_condition_that_bounds() -> None:
+    text = to_text(
+        told(
+            "sphere A, B: mass m\nsphere C: mass k m\nsphere A: velocity u i\n"
+            "sphere B, C: at rest\nA hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\n"
+            "given A and B collide again\nfind range of k"
+        )
+    )
+    assert "u/4 > 3(2 − k)u/(8(k + 1))" in text
+    assert text.count("k > ⅘") == 2
+
+
+def test_extrema_are_found_by_differentiating() -> None:
+    text = to_text(
+        told(
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+            "sphere C: mass 4m, at rest\nA hits B: along i\nB hits C: along i\n"
+            "find maximum of speed(C) over k"
+        )
+    )
+    assert "Differentiate" in text
+    assert "k = 2" in text
+
+
+# --- the value ------------------------------------------------------------------------------------
+
+
+def test_one_part_of_several() -> None:
+    solution = solve(parse(SPHERES + "part b\nfind deflection(A)"))
+    assert [p.label for p in explain(solution).parts] == [None, "b"]
+    assert [p.label for p in explain(solution, "b").parts] == ["b"]
+    with pytest.raises(KeyError, match="parts"):
+        explain(solution, "c")
+
+
+def test_an_explanation_is_immutable_and_shows_itself() -> None:
+    explanation = told(SPHERES)
+    with pytest.raises(AttributeError):
+        explanation.title = "x"  # type: ignore[misc]
+    assert str(explanation) == repr(explanation) == to_text(explanation)
+    assert "<math" in explanation._repr_html_()
+    assert "$$" in explanation._repr_markdown_()
+    assert r"\begin{aligned}" in explanation._repr_latex_()
+    assert explanation == told(SPHERES)
+
+
+def test_text_never_comes_through_as_markup() -> None:
+    explanation = told("title <script>x</script> & $y$ 100%\n" + SPHERES.strip())
+    assert "<script>" not in to_html(explanation)
+    assert r"\$y\$ 100\%" in to_latex(explanation)
+    assert r"\<script\>" in to_markdown(explanation)
+
+
+def test_a_page_is_self_contained() -> None:
+    page = to_html(told(SPHERES))
+    assert page.startswith("<!DOCTYPE html>")
+    assert "http" not in page
+    assert "<script" not in page
+    assert "prefers-color-scheme: dark" in page
+    assert "@media print" in page
+
+
+# --- the order of working -------------------------------------------------------------------------
+
+
+def test_blocks_come_smallest_first() -> None:
+    found = blocks([{"v", "w"}, {"v", "w", "e"}, {"v"}])
+    assert [sorted(block.unknowns) for block in found] == [["v"], ["w"], ["e"]]
+
+
+def test_two_equations_for_two_unknowns_are_one_block() -> None:
+    (block,) = blocks([{"v", "w"}, {"v", "w"}])
+    assert block.equations == (0, 1)
+
+
+def test_only_what_is_needed() -> None:
+    found = blocks([{"a"}, {"b"}, {"a", "c"}])
+    assert [sorted(b.unknowns) for b in needed(found, {"c"})] == [["a"], ["c"]]
+
+
+def test_too_few_equations_give_no_block() -> None:
+    assert blocks([{"v", "w"}]) == []
+
+
+def test_lines_that_the_numbers_contradict_do_not_pass() -> None:
+    from restitution.explain.checking import holds
+    from restitution.explain.phrases import chain
+    from restitution.explain.steps import side
+
+    x = sp.Symbol("x")
+    sample = {"x": sp.Rational(1, 3)}
+    assert holds(chain(side(3 * x), side(sp.Integer(1))), sample)
+    assert not holds(chain(side(3 * x), side(sp.Integer(2))), sample)
+    assert math.isclose(float(sample["x"]), 1 / 3)
