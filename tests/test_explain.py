@@ -233,8 +233,14 @@ def test_later_parts_use_earlier_results() -> None:
 
 
 def test_show_ends_with_the_printed_result() -> None:
-    text = to_text(told(WALL.replace("find impulse, energy_lost", "show speed(P) = "
-                                     "u sqrt(cos^2(alpha) + e^2 sin^2(alpha))")))
+    text = to_text(
+        told(
+            WALL.replace(
+                "find impulse, energy_lost",
+                "show speed(P) = u sqrt(cos^2(alpha) + e^2 sin^2(alpha))",
+            )
+        )
+    )
     lines = [line.strip() for line in text.splitlines()]
     assert lines[-1] == "(as required)"
     assert lines[-2].endswith("A1*")
@@ -247,24 +253,31 @@ def test_false_claims_are_refuted_not_shown() -> None:
 
 
 def test_an_item_without_an_answer_says_why() -> None:
-    text = to_text(told("wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\n"
-                        "find impulse, speed(P)"))
+    text = to_text(
+        told(
+            "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind impulse, speed(P)"
+        )
+    )
     assert "no answer" in text
     assert "√13" in text
 
 
 def test_letters_of_the_problem_are_not_used_again() -> None:
     text = to_text(
-        told("sphere A: mass w, velocity v i\nsphere B: mass x, at rest\n"
-             "A hits B: along i\nfind velocity(B)")
+        told(
+            "sphere A: mass w, velocity v i\nsphere B: mass x, at rest\n"
+            "A hits B: along i\nfind velocity(B)"
+        )
     )
     assert "Let y and p be the components" in text
 
 
 def test_a_component_named_in_the_statement_keeps_its_name() -> None:
     text = to_text(
-        told("sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nA hits B: along i\n"
-             "let p = along(velocity(A), i)\nfind p")
+        told(
+            "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "let p = along(velocity(A), i)\nfind p"
+        )
     )
     assert "Let p and v be the components" in text
 

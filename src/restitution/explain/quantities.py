@@ -429,21 +429,11 @@ def _derive_direction(
     row = _result(name, None, value, angle=True)
     if x == 0 or y == 0:
         return Derived((row,), value)
-    if True:
-        tangent = tidy(y / x)
-        rows = (
-            chain(
-                side(tangent, lay.function("tan", name)),
-                side(tangent, lay.fraction(look(y), look(x)))
-                if not isinstance(look(y), lay.Fraction)
-                else side(tangent),
-                side(tangent),
-                mark="M1",
-            ),
-            row,
-        )
-        return Derived(rows, value)
-    return None
+    tangent = tidy(y / x)
+    plain_ratio = isinstance(look(y), lay.Fraction) or isinstance(look(x), lay.Fraction)
+    made = side(tangent) if plain_ratio else side(tangent, lay.fraction(look(y), look(x)))
+    first = chain(side(tangent, lay.function("tan", name)), made, side(tangent), mark="M1")
+    return Derived((first, row), value)
 
 
 def _lines(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:

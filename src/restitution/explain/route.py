@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import sympy as sp
 
@@ -17,8 +16,23 @@ from restitution.explain.working import Working
 from restitution.problem import Find, Part, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solve.solution import Branch, ItemResult, PartSolution, Solution
+from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.solve.story import lets_of
+
+# What algebra may raise on an expression of a form that was not foreseen.
+_FAILURES = (
+    RestitutionError,
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    NotImplementedError,
+    RecursionError,
+    StopIteration,
+    TypeError,
+    ValueError,
+    sp.PolynomialError,
+)
 
 Carried = dict[str, tuple[str, sp.Expr]]
 
@@ -58,18 +72,25 @@ def _part(
             if item.error is not None
         ]
         return PartExplanation(part.part.label, asked, tuple(steps), answers), dropped
-    workings: list[Working] = []
-    models = _models(solution, part)
-    for told in models:
-        others = [m.final for m in models if m is not told]
-        work = _worked(solution, part, told, others, carried)
-        workings.append(work)
+    made = workings(solution, part, carried)
+    for work in made:
         dropped += [line for line in work.dropped if line not in dropped]
-    steps = _merged(workings)
+    steps = _merged(made)
     fresh = [step for step in steps if step.kind == "note" or step not in seen]
     seen.update(steps)
-    _carry(part.part, workings, carried)
+    _carry(part.part, made, carried)
     return PartExplanation(part.part.label, asked, tuple(fresh), answers), dropped
+
+
+def workings(
+    solution: Solution, part: PartSolution, carried: Carried | None = None
+) -> list[Working]:
+    """The working of a part, one for each of its solutions; ``carried`` are earlier results."""
+    models = _models(solution, part)
+    return [
+        _worked(solution, part, told, [m.final for m in models if m is not told], carried or {})
+        for told in models
+    ]
 
 
 def _question(item: ItemResult) -> str:
@@ -125,8 +146,10 @@ def _worked(
     for (_, now), result in zip(listed, part.items, strict=False):
         try:
             explain_item(work, result, now, told.branch.number)
-        except RestitutionError:
-            continue
+        except _FAILURES as error:
+            # No working is better than none of the answers.
+            work.dropped.append(f"{result.text} ({type(error).__name__})")
+            work.write("note", words=(f"{_answers(result)}.",))
     return work
 
 
@@ -213,7 +236,3 @@ def _case(work: Working, workings: Sequence[Working]) -> tuple[str | Layout, ...
     if not words:
         return (f"Solution {work.model.branch.number}",)
     return (*words, ":")
-
-
-def _unused(*_: Any) -> Branch | None:
-    return None

@@ -284,6 +284,8 @@ class Working:
         found = self.put(x) if value is None else value
         if self.is_angle(x):
             return chain(side(x), *answer(tidy_angle(found), angle=True), mark=mark)
+        if x.name in self.model.unknowns.roles:
+            return chain(side(x), *answer(found), mark=mark)
         return chain(side(x), side(found), mark=mark)
 
     def is_angle(self, x: sp.Symbol) -> bool:
