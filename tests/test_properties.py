@@ -11,19 +11,15 @@ from __future__ import annotations
 import dataclasses
 import math
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
-import pytest
 import strategies
 import sympy as sp
 from hypothesis import assume, given, note, settings
-from hypothesis import strategies as st
 from strategies import Blow, Said, Tale
 
-from restitution.language import parse, to_statement
+from restitution.language import parse
 from restitution.solve import ItemResult, Solution, solve
 
 Number = Any  # a Fraction, or a float where a root or an angle comes in
@@ -336,7 +332,7 @@ def test_momentum_is_conserved_and_no_energy_is_gained(tale: Tale) -> None:
     solution = solved(tale.statement("find " + ", ".join(items)))
     for n, blow in enumerate(tale.blows, 1):
         lost = symbolic(solution[f"energy_lost({n})"].answers[0].exact)
-        assert float(lost.subs({s: 1 for s in lost.free_symbols})) >= 0
+        assert float(lost.subs(dict.fromkeys(lost.free_symbols, 1))) >= 0
         # in exact arithmetic, so these are equalities: nothing is lost where and only where e = 1
         assert (lost == 0) == (blow.e.value == 1)
         assert single(solution, f"impulse({n})", SCALE) > 0

@@ -63,7 +63,7 @@ _ESCAPES = {
 
 
 def to_latex(layout: Layout) -> str:
-    """The layout in LaTeX's mathematical mode (needs amsmath for ``\\tfrac`` and ``\\text``)."""
+    r"""The layout in LaTeX's mathematical mode (needs amsmath for ``\tfrac`` and ``\text``)."""
     match layout:
         case Number(digits):
             return digits
