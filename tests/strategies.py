@@ -592,7 +592,10 @@ def tales(
         first, second = draw(st.sampled_from(pairs))
         heading = draw(st.sampled_from(HEADINGS))
         along = said((Fraction(heading[0]), Fraction(heading[1])))
-        if not exact and draw(st.booleans()):
+        if any({first, second} == {blow.first, blow.second} for blow in blows):
+            # they meet again on another line: who is on which side is not told
+            along = said((Fraction(7 + number), Fraction(-3)))
+        elif not exact and draw(st.booleans()):
             degrees = draw(st.sampled_from(DEGREES))
             along = Said(f"{degrees}°", by_angle(1, degrees))
         offset = None

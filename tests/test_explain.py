@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -46,7 +47,7 @@ def float_of(value: sp.Expr, numbers: dict[str, float]) -> complex:
 def is_true(row: Row, numbers: dict[str, float]) -> bool:
     """Checks a line by SymPy's own evaluation, to nine figures."""
     known = [(v, i) for i, v in enumerate(row.values) if v is not None]
-    for (a, i), (b, k) in zip(known, known[1:], strict=False):
+    for (a, i), (b, k) in pairwise(known):
         if any(sign != "=" for sign in row.signs[i:k]):
             continue
         pairs = zip(a, b, strict=True) if isinstance(a, tuple) else [(a, b)]
@@ -195,7 +196,7 @@ def test_a_rejected_root_is_told_with_its_reason() -> None:
         )
     )
     flat = " ".join(text.split())
-    assert "e = 3/2 is rejected: a coefficient of restitution lies in [0, 1]" in flat
+    assert "it leads to e = 3/2, and a coefficient of restitution lies in [0, 1]" in flat
 
 
 def test_what_is_given_comes_before_what_follows() -> None:
@@ -214,7 +215,7 @@ def test_what_is_given_comes_before_what_follows() -> None:
 def test_no_idle_lines() -> None:
     text = to_text(told(SPHERES.replace("find velocity(A), velocity(B), impulse", "find impulse")))
     assert "do not change" not in text
-    assert "w = " not in text
+    assert ("    v = " in text) != ("    w = " in text)  # one component is enough
 
 
 def test_later_parts_use_earlier_results() -> None:

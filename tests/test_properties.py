@@ -104,17 +104,17 @@ class Told:
         return math.hypot(*map(float, self.velocity(name, stage)))
 
     def energy(self, stage: int = -1) -> Number:
-        return sum(
-            self.mass(name) * dot(v, v) / 2 for name, v in self.stages[stage].items()
-        )
+        return sum(self.mass(name) * dot(v, v) / 2 for name, v in self.stages[stage].items())
 
     def energy_lost(self, number: int = -1) -> Number:
         number = number % len(self.stages)
         return self.energy(number - 1) - self.energy(number)
 
     def momentum(self, stage: int = -1) -> Pair:
-        pairs = [(self.mass(name) * v[0], self.mass(name) * v[1]) for name, v in
-                 self.stages[stage].items()]
+        pairs = [
+            (self.mass(name) * v[0], self.mass(name) * v[1])
+            for name, v in self.stages[stage].items()
+        ]
         return sum(p[0] for p in pairs), sum(p[1] for p in pairs)
 
     def blow(self, name: str, number: int = -1) -> Pair:
@@ -151,12 +151,23 @@ def line_of_centres(blow: Blow, u1: Pair, u2: Pair) -> Pair:
 
 
 def tell(tale: Tale) -> Told | None:
-    """Run a tale; None where two bodies do not approach each other in some impact."""
+    """Run a tale; None where it cannot happen: two bodies do not approach each other.
+
+    A hits B says that A moves towards B, if it moves along the line of centres at all: where it
+    does not, B moves towards A, and the tale is told the other way about.
+    """
     now = {name: velocity.value for name, velocity in tale.velocities.items()}
-    stages, normals, approaches = [dict(now)], [], []
+    stages, normals, approaches, blows = [dict(now)], [], [], []
     sides: dict[tuple[str, str], Pair] = {}
     for blow in tale.blows:
         a, b = blow.first, blow.second
+        if not blow.wall and blow.offset is None and (a, b) not in sides:
+            c = blow.along.value
+            own = float(dot(now[a], c))
+            if abs(own) > 1e-9 and own * float(dot(plus(now[a], now[b], -1), c)) < 0:
+                a, b = b, a
+        blow = dataclasses.replace(blow, first=a, second=b)
+        blows.append(blow)
         if blow.wall:
             along = blow.along.value
             normal = (-along[1], along[0])
@@ -170,10 +181,7 @@ def tell(tale: Tale) -> Told | None:
         if approach < 1e-6:
             return None
         if not blow.wall and blow.offset is None:
-            # "A hits B" puts B on the side to which A moves; and on one line nobody passes.
-            met = sides.get((a, b))
-            if met is None and float(dot(now[a], normal)) < -1e-9:
-                return None
+            met = sides.get((a, b))  # who is on which side, and on one line nobody passes
             relative = plus(now[a], now[b], -1)
             if met is not None and abs(float(cross(met, normal))) < 1e-9 * size:
                 straight = abs(float(cross(relative, normal))) < 1e-9 * size
@@ -193,6 +201,7 @@ def tell(tale: Tale) -> Told | None:
         normals.append((float(normal[0]) / size, float(normal[1]) / size))
         stages.append(dict(now))
         approaches.append(approach)
+    tale = dataclasses.replace(tale, blows=tuple(blows))
     return Told(tale, tuple(stages), tuple(normals), tuple(approaches))
 
 
@@ -310,7 +319,7 @@ def can_happen(tale: Tale) -> Told:
 @given(strategies.tales())
 def test_numbers_agree_with_the_principles(tale: Tale) -> None:
     told = can_happen(tale)
-    solution = solved(tale.statement("find " + ", ".join(asked(told))))
+    solution = solved(told.tale.statement("find " + ", ".join(asked(told))))
     checked_forward(told, solution, {"r": SCALE["r"]})
 
 
@@ -318,7 +327,7 @@ def test_numbers_agree_with_the_principles(tale: Tale) -> None:
 @given(strategies.tales(letters=True))
 def test_letters_agree_with_the_principles(tale: Tale) -> None:
     told = can_happen(tale)
-    solution = solved(tale.statement("find " + ", ".join(asked(told))))
+    solution = solved(told.tale.statement("find " + ", ".join(asked(told))))
     checked_forward(told, solution, SCALE)
 
 
@@ -329,7 +338,7 @@ def test_momentum_is_conserved_and_no_energy_is_gained(tale: Tale) -> None:
     number_of = range(1, len(tale.blows) + 1)
     items = [f"energy_lost({n})" for n in number_of] + [f"impulse({n})" for n in number_of]
     items += [f"momentum({stage})" for stage in range(len(tale.blows) + 1)]
-    solution = solved(tale.statement("find " + ", ".join(items)))
+    solution = solved(told.tale.statement("find " + ", ".join(items)))
     for n, blow in enumerate(tale.blows, 1):
         lost = symbolic(solution[f"energy_lost({n})"].answers[0].exact)
         assert float(lost.subs(dict.fromkeys(lost.free_symbols, 1))) >= 0
@@ -346,8 +355,8 @@ def test_momentum_is_conserved_and_no_energy_is_gained(tale: Tale) -> None:
 @given(strategies.tales(most=1, exact=True, letters=True))
 def test_an_unknown_e_stays_in_the_answer_as_a_letter(tale: Tale) -> None:
     told = can_happen(tale)
-    open_blow = dataclasses.replace(tale.blows[0], e=Said("", tale.blows[0].e.value))
-    opened = dataclasses.replace(tale, blows=(open_blow,))
+    open_blow = dataclasses.replace(told.tale.blows[0], e=Said("", tale.blows[0].e.value))
+    opened = dataclasses.replace(told.tale, blows=(open_blow,))
     items = ["velocity(A)", "impulse", "energy_lost", "speed(A)"]
     solution = solved(opened.statement("find " + ", ".join(items)))
     letters = SCALE | {"e": float(tale.blows[0].e.value)}
@@ -355,7 +364,201 @@ def test_an_unknown_e_stays_in_the_answer_as_a_letter(tale: Tale) -> None:
     joules = SCALE["m"] * SCALE["u"] ** 2
     assert close(single(solution, "velocity(A)", letters), (vx, vy))
     assert close(single(solution, "speed(A)", letters), told.speed("A") * SCALE["u"])
-    assert close(
-        single(solution, "impulse", letters), told.impulse() * SCALE["m"] * SCALE["u"]
-    )
+    assert close(single(solution, "impulse", letters), told.impulse() * SCALE["m"] * SCALE["u"])
     assert close(single(solution, "energy_lost", letters), float(told.energy_lost()) * joules)
+
+
+# --- 2. what was given is forgotten, and found again ------------------------------------------
+
+
+@dataclass(frozen=True)
+class Hidden:
+    """One datum taken out of a tale: what to ask for, its value, and the tale for another one."""
+
+    ask: str
+    value: float
+    tale: Tale
+    instead: Callable[[float], Tale]
+
+
+def with_velocity(tale: Tale, name: str, velocity: Said) -> Tale:
+    return dataclasses.replace(tale, velocities=tale.velocities | {name: velocity})
+
+
+def with_blow(tale: Tale, **changes: Any) -> Tale:
+    blow = dataclasses.replace(tale.blows[0], **changes)
+    return dataclasses.replace(tale, blows=(blow, *tale.blows[1:]))
+
+
+def hide_e(draw: st.DrawFn, tale: Tale) -> Hidden:
+    text = draw(st.sampled_from(["", "f"]))
+    value = float(tale.blows[0].e.value)
+
+    def instead(x: float) -> Tale:
+        return with_blow(tale, e=Said(text, x))
+
+    return Hidden(text or "e", value, instead(value), instead)
+
+
+def hide_mass(draw: st.DrawFn, tale: Tale) -> Hidden:
+    name = draw(st.sampled_from(sorted(tale.masses)))
+    value = float(tale.masses[name].value)
+
+    def instead(x: float) -> Tale:
+        return dataclasses.replace(tale, masses=tale.masses | {name: Said("m", x)})
+
+    return Hidden("m", value, instead(value), instead)
+
+
+def hide_speed(draw: st.DrawFn, tale: Tale) -> Hidden:
+    """The velocity is u times a known vector, or u at a known angle."""
+    name = tale.blows[0].first
+    if draw(st.booleans()):
+        degrees = draw(st.sampled_from(strategies.DEGREES))
+        text, way = f"u at {degrees}°", strategies.by_angle(1, degrees)
+    else:
+        exact = draw(st.tuples(strategies.halves(), strategies.halves()).filter(all))
+        text, way = strategies.in_words(exact, "u"), exact
+    value = float(draw(strategies.halves(1, 6)))
+
+    def instead(x: float) -> Tale:
+        return with_velocity(tale, name, Said(text, (x * way[0], x * way[1])))
+
+    return Hidden("u", value, instead(value), instead)
+
+
+ACUTE = (30.0, 45.0, 60.0, math.degrees(math.atan(3 / 4)), math.degrees(math.atan(12 / 5)))
+
+
+def hide_angle(draw: st.DrawFn, tale: Tale) -> Hidden:
+    """The direction of motion is an acute angle from i, from -i or from j."""
+    name = tale.blows[0].first
+    size = draw(strategies.halves(1, 6))
+    turn = draw(st.sampled_from([0, 180, 90]))
+    origin = {0: "", 180: " from -i", 90: " from j"}[turn]
+    text = f"{size} at alpha{origin}"
+    value = math.radians(draw(st.sampled_from(ACUTE)))
+
+    def instead(x: float) -> Tale:
+        return with_velocity(
+            tale, name, Said(text, strategies.by_angle(size, turn + math.degrees(x)))
+        )
+
+    return Hidden("alpha", value, instead(value), instead)
+
+
+def hide_component(draw: st.DrawFn, tale: Tale) -> Hidden:
+    """One component of a velocity, of either sign."""
+    name = tale.blows[0].first
+    known = draw(strategies.halves().filter(bool))
+    value = float(draw(strategies.halves().filter(bool)))
+    sideways = draw(st.booleans())
+    text = f"(p, {known})" if sideways else f"{known} i + p j"
+
+    def instead(x: float) -> Tale:
+        return with_velocity(tale, name, Said(text, (x, known) if sideways else (known, x)))
+
+    return Hidden("p", value, instead(value), instead)
+
+
+def hide_line(draw: st.DrawFn, tale: Tale) -> Hidden:
+    """The line of centres, or the wall, is at an acute angle to i."""
+    value = math.radians(draw(st.sampled_from(ACUTE)))
+
+    def instead(x: float) -> Tale:
+        along = Said("theta", (math.cos(x), math.sin(x)))
+        return with_blow(tale, along=along, offset=None)
+
+    return Hidden("theta", value, instead(value), instead)
+
+
+def of_results(told: Told) -> dict[str, float]:
+    """Numbers that may be stated of a tale told."""
+    found = {"energy_lost": float(told.energy_lost()), "impulse": told.impulse()}
+    for name in told.stages[-1]:
+        vx, vy = map(float, told.velocity(name))
+        found[f"speed({name})"] = math.hypot(vx, vy)
+        found[f"along(velocity({name}), i)"] = vx
+        found[f"along(velocity({name}), 3i + 4j)"] = (3 * vx + 4 * vy) / 5
+        if math.hypot(vx, vy) > 1e-6:
+            found[f"direction({name})"] = math.atan2(vy, vx)
+        if told.speed(name, -2) > 1e-6 and told.speed(name) > 1e-6:
+            found[f"deflection({name})"] = told.deflection(name)
+    return found
+
+
+def result(tale: Tale, text: str) -> float | None:
+    told = tell(tale)
+    if told is None or told.tale.blows != tale.blows:
+        return None
+    return of_results(told).get(text)
+
+
+HIDE = [hide_e, hide_mass, hide_speed, hide_angle, hide_component, hide_line]
+STATED = [
+    "speed(A)",
+    "along(velocity(A), i)",
+    "along(velocity(A), 3i + 4j)",
+    "direction(A)",
+    "deflection(A)",
+    "impulse",
+    "energy_lost",
+    "speed(B)",
+    "direction(B)",
+]
+
+
+@pytest.mark.parametrize("hide", HIDE, ids=lambda hide: hide.__name__)
+@examples(20)
+@given(data=st.data())
+def test_a_forgotten_datum_is_found_again(hide: Any, data: st.DataObject) -> None:
+    tale = data.draw(strategies.tales(most=1, exact=True))
+    hidden = data.draw(st.composite(lambda draw: hide(draw, tale))())
+    told = can_happen(hidden.tale)
+    assume(told.tale.blows == hidden.tale.blows)
+    possible = of_results(told)
+    stated = data.draw(st.sampled_from([each for each in STATED if each in possible]))
+    # the datum must matter: otherwise there is nothing to find it by
+    near = [result(hidden.instead(hidden.value * x), stated) for x in (0.93, 0.97)]
+    assume(all(x is not None and abs(x - possible[stated]) > 1e-4 for x in near))
+
+    # the exact result, from a tale in which the hidden datum is told in words
+    words = data.draw(st.just(exact_words(hidden)))
+    forward = solved(words.statement(f"find {stated}"))
+    assert close(single(forward, stated), possible[stated])
+    fact = as_typed(forward[stated].answers[0].exact)
+    back = solved(hidden.tale.statement(f"given {stated} = {fact}", f"find {hidden.ask}"))
+    found = values(back[hidden.ask])
+    assert any(close(x, hidden.value, 1e-7) for x in found), (found, hidden.value)
+    for x in found:
+        again = tell(hidden.instead(x))
+        assert again is not None, f"{hidden.ask} = {x} cannot happen"
+        got = of_results(again)[stated]
+        assert same_angle(got, possible[stated]) or close(got, possible[stated], 1e-7)
+
+
+def exact_words(hidden: Hidden) -> Tale:
+    """The tale with the value written for the letter."""
+    values_known = {30: "30°", 45: "45°", 60: "60°"}
+    degrees = round(math.degrees(hidden.value), 6)
+    if hidden.ask in ("alpha", "theta"):
+        word = values_known.get(round(degrees)) if degrees == round(degrees) else None
+        tangent = Fraction(math.tan(hidden.value)).limit_denominator(100)
+        written = word or f"arctan({tangent})"
+    else:
+        written = str(Fraction(hidden.value).limit_denominator(1000))
+
+    def put(text: str) -> str:
+        return re.sub(rf"\b{hidden.ask}\b", f"({written})" if "°" not in written else written, text)
+
+    tale = hidden.tale
+    blow = tale.blows[0]
+    e = put(blow.e.text) or (written if hidden.ask == "e" else "")
+    blow = dataclasses.replace(
+        blow, e=Said(e, blow.e.value), along=Said(put(blow.along.text), blow.along.value)
+    )
+    return Tale(
+        {k: Said(put(x.text), x.value) for k, x in tale.masses.items()},
+        {k: Said(put(x.text), x.value) for k, x in tale.velocities.items()},
+        (blow, *tale.blows[1:]),
+    )

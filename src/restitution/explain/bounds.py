@@ -275,7 +275,11 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     value = work.put(bound.value)
     simple, sign = _reduced(work, value, bound.asks)
     if simple.free_symbols:
-        rows += _solved(work, simple, sign, x, rows[0])
+        rows += [
+            each
+            for each in _solved(work, simple, sign, x, rows[0])
+            if (each.operands, each.signs) != (rows[0].operands, rows[0].signs)
+        ]
     if rows[-1].operands != rows[0].operands:
         last = rows[-1]
         rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)

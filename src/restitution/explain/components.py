@@ -8,6 +8,7 @@ equations in those letters, and every quantity of the problem is an expression i
 from __future__ import annotations
 
 import contextlib
+import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
@@ -226,6 +227,21 @@ class Model:
         except (UndefinedError, KeyError, ArithmeticError):
             return 0
         return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
+
+    def identically_zero(self, x: sp.Expr) -> bool:
+        """Whether an expression vanishes whatever its letters are (tried at a few points)."""
+        rng = random.Random(41)
+        for _ in range(2):
+            point = {
+                name: value * (1 + rng.random()) + rng.random() / 16
+                for name, value in self.sample.items()
+            }
+            try:
+                if abs(at(x, point)) > 1e-20:
+                    return False
+            except (UndefinedError, KeyError, ArithmeticError):
+                return False
+        return True
 
     def owner(self, body: str, stage: int) -> Frame | None:
         """The frame of the latest impact of a body up to a stage."""
@@ -496,3 +512,31 @@ def is_polar(tree: Any) -> bool:
     return isinstance(tree, Polar) and any(
         isinstance(node, Degrees | Apply) for node in walk(tree.angle)
     )
+
+
+def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """What every unknown would be by values that were rejected: letters, then components."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for name, value in values.items():
+        if not name.startswith("_"):
+            found[told.unknowns.letter(name)] = sp.sympify(value)
+    for key, name in told.unknowns.names.items():
+        if f"_{key}" in values:
+            for symbol in told.final:
+                if symbol.name == name:
+                    found[symbol] = sp.sympify(values[f"_{key}"])
+    for number in sorted(told.frames):
+        if told.frames[number].by_values:
+            break
+        symbols = [c.symbol for (n, _), c in told.components.items() if n == number]
+        laws = [law.residual.xreplace(found) for law in told.laws if law.number == number]
+        try:
+            solved = list(sp.linsolve(laws, *symbols))
+        except (ValueError, NotImplementedError):
+            break
+        if len(solved) != 1:
+            break
+        found.update(
+            {s: tidy(v) for s, v in zip(symbols, solved[0], strict=True) if s not in v.free_symbols}
+        )
+    return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -57,7 +58,20 @@ def fact_equations(
             relation = Compare((Letter(name), let.expression), ("=",))
             found += _of_relation(work, relation, now, None)
     found += _of_story(work)
-    return found
+    return [replace(each, residual=_essential(work, each.residual)) for each in found]
+
+
+def _essential(work: Working, residual: sp.Expr) -> sp.Expr:
+    """A product without the factors that are not zero."""
+    factored = sp.factor_terms(residual)
+    if not factored.is_Mul:
+        return residual
+    kept = sp.Integer(1)
+    for factor in factored.args:
+        base = factor.base if factor.is_Pow else factor
+        if base.free_symbols and work.model.sign(base) == 0:
+            kept *= base
+    return residual if kept == 1 else kept
 
 
 def _of_story(work: Working) -> list[Equation]:

@@ -6,7 +6,8 @@ triangular form of a system of equations; groups that nothing asked for rests on
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Sequence
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Generic, TypeVar
@@ -27,16 +28,32 @@ class Block(Generic[Unknown]):
     uses: frozenset[Unknown]
 
 
-def blocks(equations: Sequence[Collection[Unknown]]) -> list[Block[Unknown]]:
-    """Groups of equations, each given by the unknowns in it, in an order of working."""
+def blocks(
+    equations: Sequence[Collection[Unknown]],
+    left_in: Callable[[int, AbstractSet[Unknown]], Collection[Unknown]] | None = None,
+) -> list[Block[Unknown]]:
+    """Groups of equations, each given by the unknowns in it, in an order of working.
+
+    ``left_in(index, known)`` may tell which unknowns an equation still holds once others are
+    known: fewer than are left, where a known value makes a term vanish.
+    """
     known: set[Unknown] = set()
     left = [index for index, each in enumerate(equations) if each]
     found: list[Block[Unknown]] = []
     while left:
-        group = _smallest(equations, left, known)
+        open_ = {
+            index: frozenset(equations[index]) - known
+            if left_in is None or not known & set(equations[index])
+            else frozenset(left_in(index, known))
+            for index in left
+        }
+        left = [index for index in left if open_[index]]
+        group = _smallest(open_, left)
         if group is None:
             break
-        inside = frozenset(x for index in group for x in equations[index])
+        inside = frozenset(
+            x for index in group for x in (*open_[index], *(known & set(equations[index])))
+        )
         found.append(Block(group, inside - known, inside & frozenset(known)))
         known |= inside
         left = [
@@ -46,9 +63,8 @@ def blocks(equations: Sequence[Collection[Unknown]]) -> list[Block[Unknown]]:
 
 
 def _smallest(
-    equations: Sequence[Collection[Unknown]], left: Sequence[int], known: set[Unknown]
+    open_: Mapping[int, frozenset[Unknown]], left: Sequence[int]
 ) -> tuple[int, ...] | None:
-    open_ = {index: frozenset(equations[index]) - known for index in left}
     tried = 0
     for size in range(1, min(_LARGEST, len(left)) + 1):
         for group in combinations(left, size):

@@ -252,7 +252,8 @@ def _impulse_body(work: Working, number: int) -> str:
         u, _ = work.model.before(number, name)
         v = work.model.after(number, name)
         still = 0 if work.put(u) == 0 else 1
-        return len(work.open(v)), still + float(sp.count_ops(work.put(v))) / 100
+        idle = 0 if v in work.wanted else 1
+        return len(work.open(v)), idle + still / 2 + float(sp.count_ops(work.put(v))) / 100
 
     return min(names, key=cost)
 

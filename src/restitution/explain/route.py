@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
-from restitution.explain.components import Model, model
+from restitution.explain.components import Model, model, rejected_values
 from restitution.explain.facts import fact_equations
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
@@ -33,6 +33,9 @@ _FAILURES = (
     ValueError,
     sp.PolynomialError,
 )
+
+# Steps that need not be said again in a later part.
+_ONCE = ("heading", "setting", "principle")
 
 Carried = dict[str, tuple[str, sp.Expr]]
 
@@ -76,7 +79,7 @@ def _part(
     for work in made:
         dropped += [line for line in work.dropped if line not in dropped]
     steps = _merged(made)
-    fresh = [step for step in steps if step.kind == "note" or step not in seen]
+    fresh = [step for step in steps if step.kind not in _ONCE or step not in seen]
     seen.update(steps)
     _carry(part.part, made, carried)
     return PartExplanation(part.part.label, asked, tuple(fresh), answers), dropped
@@ -130,7 +133,8 @@ def _worked(
     carried: Carried,
 ) -> Working:
     problem = solution.problem
-    work = Working(told, alternatives=others, rejected=part.rejected)
+    rejected = [(each, rejected_values(told, each.values)) for each in part.rejected]
+    work = Working(told, alternatives=others, rejected=rejected)
     work.across = speaks_across(problem, part.part)
     protected = frozenset(set(lets_of(problem, part.part)) & _protected(part.part))
     work.facts = fact_equations(work, problem, part.part, protected)
@@ -171,9 +175,16 @@ def _silent_letters(work: Working) -> None:
 def _take_over(work: Working, carried: Carried) -> None:
     names = {c.symbol.name: c.symbol for c in work.model.components.values()}
     names.update({s.name: s for s in work.model.final if s.name not in names})
+    components = {c.symbol.name for c in work.model.components.values()}
+    # What rests on a letter that is data in this part, and was found before, is of no use here.
+    stale = {
+        label
+        for name, (label, _) in carried.items()
+        if name not in names and name in work.model.unknowns.roles
+    }
     for name, (label, value) in carried.items():
         symbol = names.get(name)
-        if symbol is None:
+        if symbol is None or (name in components and label in stale):
             continue
         renamed = value.xreplace(
             {s: work.model.unknowns.letter(s.name) for s in value.free_symbols}

@@ -8,7 +8,7 @@ still in them, as a teacher would.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -61,7 +61,7 @@ class Working:
     model: Model
     facts: list[Equation] = field(default_factory=list)
     alternatives: Sequence[Mapping[sp.Symbol, sp.Expr]] = ()
-    rejected: Sequence[RejectedBranch] = ()
+    rejected: Sequence[tuple[RejectedBranch, Mapping[sp.Symbol, sp.Expr]]] = ()
     steps: list[Step] = field(default_factory=list)
     known: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     carried: dict[sp.Symbol, tuple[str, sp.Expr]] = field(default_factory=dict)
@@ -162,7 +162,15 @@ class Working:
             return
         equations = self._equations()
         sets = [self.open(each.residual) for each in equations]
-        for block in needed(blocks(sets), goal):
+
+        def left_in(index: int, known: Collection[sp.Symbol]) -> frozenset[sp.Symbol]:
+            put = {symbol: self.model.final[symbol] for symbol in known}
+            residual = self._known(sp.sympify(equations[index].residual)).xreplace(put)
+            if len(residual.free_symbols) and self.model.identically_zero(residual):
+                return frozenset()
+            return self.open(residual)
+
+        for block in needed(blocks(sets, left_in), goal):
             group = [equations[index] for index in block.equations]
             self._block(group, set(block.unknowns))
         left = sorted(goal - set(self.known), key=lambda s: s.name)
@@ -214,12 +222,25 @@ class Working:
     def _equations(self) -> list[Equation]:
         laws = [self._law(each) for each in self.model.laws]
         numbers = sorted({each.number for each in (*laws, *self.facts)})
-        ordered = self._carried() + [each for each in self.facts if each.number < 0]
+        ordered = [each for each in self.facts if each.number < 0]
         for number in numbers:
             if number >= 0:
                 ordered += [each for each in laws if each.number == number]
                 ordered += [each for each in self.facts if each.number == number]
-        return ordered
+        if not self.carried:
+            return ordered
+        # What led to the results of earlier parts says nothing new beside them.
+        put = {symbol: value for symbol, (_, value) in self.carried.items()}
+        return self._carried() + [
+            each for each in ordered if not self._spent(sp.sympify(each.residual), put)
+        ]
+
+    def _spent(self, residual: sp.Expr, put: Mapping[sp.Symbol, sp.Expr]) -> bool:
+        if not residual.free_symbols & set(put):
+            return False
+        for _ in range(3):
+            residual = residual.xreplace(dict(put))
+        return self.model.identically_zero(residual)
 
     def _law(self, law: Law) -> Equation:
         return Equation(
@@ -474,6 +495,9 @@ class Working:
 
     def _root(self, x: sp.Symbol, equation: Equation) -> None:
         """The lines from an equation to the value of its only unknown."""
+        if equation.number == -1 and self.is_angle(x):
+            self.determine(x)  # its sine and cosine have just been written
+            return
         others = self._other_roots(x, equation.residual)
         numerator = self.numerator(
             equation.residual, x, [*others, *self._refused(x, equation.residual)]
@@ -551,21 +575,19 @@ class Working:
 
     def _refused(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
         """Values that satisfy the equation and were rejected."""
-        key = self._hidden_key(x)
         found = []
-        for branch in self.rejected:
-            value = branch.values.get(key)
+        for _, values in self.rejected:
+            value = values.get(x)
             if value is not None and self._satisfies(x, value, residual):
                 found.append(sp.sympify(value))
         return found
 
     def _why_rejected(self, x: sp.Symbol, residual: Any) -> Words:
-        key = self._hidden_key(x)
         out: list[str | Layout] = []
         seen: list[Any] = []
         known = self.known.pop(x, None)
-        for branch in self.rejected:
-            value = branch.values.get(key)
+        for branch, values in self.rejected:
+            value = values.get(x)
             if value is None or any(self._equal(value, each) for each in seen):
                 continue
             role = self.model.unknowns.roles.get(x.name)
@@ -577,16 +599,24 @@ class Working:
             seen.append(value)
             shown_ = self.value_row(x, value=tidy(value))
             layout = lay.Relation(tuple(o for o in shown_.operands if o is not None)[:2], ("=",))
-            out += ["; " if out else "", layout, f" is rejected: {branch.reason}"]
+            out += ["; " if out else "", layout, " is rejected: "]
+            blamed = self._blamed(x, branch)
+            if blamed is not None:
+                out += ["it leads to ", blamed, ", and "]
+            out.append(branch.reason)
         if known is not None:
             self.known[x] = known
         return tuple(each for each in out if each != "")
 
-    def _hidden_key(self, x: sp.Symbol) -> str:
-        for key, name in self.model.unknowns.names.items():
-            if name == x.name:
-                return f"_{key}"
-        return str(x.name)
+    def _blamed(self, x: sp.Symbol, branch: RejectedBranch) -> Layout | None:
+        """The impossible coefficient to which a rejected value of something else leads."""
+        if branch.kind != "coefficient":
+            return None
+        for name, value in branch.values.items():
+            role = self.model.unknowns.roles.get(name)
+            if role is not None and role.kind == "restitution" and name != x.name:
+                return lay.equation(self.model.unknowns.letter(name), tidy(sp.sympify(value)))
+        return None
 
     def _polynomial_rows(
         self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr, others: Sequence[sp.Expr]

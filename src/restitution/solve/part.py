@@ -295,6 +295,7 @@ def settle(
     named = [pair for name, pair in lets.items() if name in protected]
     lets = {name: pair for name, pair in lets.items() if name not in protected}
     asked: set[str] = set()
+    together: list[frozenset[str]] = []
     declared: set[str] = set()
     fixed: set[str] = set(data)
     for each in problem.parts[: problem.parts.index(part) + 1]:
@@ -304,13 +305,19 @@ def settle(
             if isinstance(step, Find) and each is part:
                 for item in step.items:
                     if isinstance(item, ValueItem):
-                        if not has_quantity(item.expression):
-                            asked |= letters(item.expression)
+                        if isinstance(item.expression, Letter):
+                            asked.add(item.expression.name)
+                        elif not has_quantity(item.expression):
+                            together.append(letters(item.expression))
                     elif isinstance(item, Range):
                         if isinstance(item.expression, Letter):
                             fixed.add(item.expression.name)
                     elif isinstance(item, Extremum):
                         fixed |= letters(item.over)
+    for group in together:
+        # Of the letters in M/m one is sought; what else the facts fix is found as they are used.
+        if group and not group & asked:
+            asked.add(min(group))
     asked -= set(lets)
     extra = declared - set(lets)
     if in_terms_of is not None:

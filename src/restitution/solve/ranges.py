@@ -23,7 +23,7 @@ from restitution.errors import (
     RestitutionError,
     UnsupportedError,
 )
-from restitution.expression.evaluate import Evaluator
+from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
 from restitution.problem import Compare, Given, Part, Problem, Range, Unknown
 from restitution.render.layout import display_set, from_tree
@@ -485,6 +485,34 @@ def find_range(
     return ItemResult(item, line, item.text, "range", (answer,))
 
 
+def _range_of_ratio(
+    problem: Problem,
+    part: Part,
+    tree: Expression,
+    in_terms_of: tuple[str, ...] | None,
+    carried: frozenset[str],
+) -> sp.Set | None:
+    """The range of q/p from that of q, where it does not depend on p but through q/p."""
+    roles = settle(problem, part, in_terms_of, carried=carried).roles
+    value = Evaluator(Symbolic(), Letters(roles).letter).scalar(tree)
+    for name in sorted(letters(tree)):
+        symbol = roles[name].symbol(name)
+        slope = sp.diff(value, symbol)
+        if not slope.is_positive:
+            continue  # rising with this letter, whatever the others are
+        try:
+            values = _range_of_letter(problem, part, name, None, carried)
+        except RestitutionError:
+            continue
+        if not isinstance(values, sp.Interval):
+            continue
+        ends = [limit(value, symbol, end, end == sp.oo) for end in (values.start, values.end)]
+        if any(end is None or (end.free_symbols & value.free_symbols) for end in ends):
+            continue
+        return sp.Interval(ends[0], ends[1], values.left_open, values.right_open)
+    return None
+
+
 def _declared(problem: Problem, part: Part) -> set[str]:
     return {
         letter
@@ -531,6 +559,10 @@ def _range_of_quantity(
     carried: frozenset[str],
 ) -> tuple[sp.Set, bool]:
     setting = settle(problem, part, in_terms_of, carried=carried)
+    if not has_quantity(tree) and len(letters(tree)) > 1 and not letters(tree) & set(setting.lets):
+        found = _range_of_ratio(problem, part, tree, in_terms_of, carried)
+        if found is not None:
+            return found, False
     walls = frozenset(wall.name for wall in problem.walls)
     angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(tree, angles, walls)

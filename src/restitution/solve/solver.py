@@ -362,14 +362,11 @@ class _Worker:
         if hidden:
             phrases = list(dict.fromkeys(_phrase(branch, name) for name in hidden))
             raise MissingError(f"{_called(item)} needs {' and '.join(phrases)}")
-        asked = present & outcome.setting.asked
-        if asked and not has_quantity(item.expression):
-            name = min(asked & letters(item.expression) or asked)
-            raise MissingError(f"{name} is not fixed by what is given")
-        if asked:
-            name = min(asked)
-            if not any(True for _ in outcome.equations):
-                return
+        own = letters(item.expression)
+        if not has_quantity(item.expression) and own & outcome.setting.asked:
+            unsolved = own - set(branch.values) - set(outcome.setting.lets)
+            if unsolved == own:
+                raise MissingError(f"{min(own)} is not fixed by what is given")
         if in_terms_of is not None:
             extra = sorted(present - set(in_terms_of))
             if extra:
