@@ -112,9 +112,7 @@ def _same(a: Any, b: Any, roles: dict[str, Role], kind: str) -> bool:
             size = abs(x[0]) + abs(x[1])
             close = abs(x[0] * y[1] - x[1] * y[0]) < 1e-20 * size * (abs(y[0]) + abs(y[1]))
         else:
-            close = all(
-                abs(p - q) <= 1e-18 * (1 + abs(p)) for p, q in zip(x, y, strict=True)
-            )
+            close = all(abs(p - q) <= 1e-18 * (1 + abs(p)) for p, q in zip(x, y, strict=True))
         if not close:
             return False
         agreed += 1

@@ -207,7 +207,7 @@ def _same(work: Working, a: Any, b: Any) -> bool:
             and isinstance(b, tuple)
             and all(_same(work, x, y) for x, y in zip(a, b, strict=True))
         )
-    return work.model.sign(sp.sympify(a) - sp.sympify(b)) == 0
+    return work.model.sign(sp.sympify(a, strict=True) - sp.sympify(b, strict=True)) == 0
 
 
 def _ending(
@@ -477,7 +477,11 @@ def _show_ordered(
         rows.append(chain(Side(last, b), side(b, look(b, angle=angle))))
     words: Words = ()
     if not angle:
-        gap = tidy(sp.sympify(b - a)) if op.startswith("<") else tidy(sp.sympify(a - b))
+        gap = (
+            tidy(sp.sympify(b - a, strict=True))
+            if op.startswith("<")
+            else tidy(sp.sympify(a - b, strict=True))
+        )
         big, small = (last, first) if op.startswith("<") else (first, last)
         if gap.free_symbols:
             rows.append(

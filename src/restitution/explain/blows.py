@@ -30,7 +30,7 @@ def kick(work: Working, number: int) -> None:
     final = work.model.branch.story
     u, v = (final.velocity(body, number - k) for k in (1, 0))
     u, v = Vector(tidy(u.x), tidy(u.y)), Vector(tidy(v.x), tidy(v.y))
-    mass = tidy(sp.sympify(work._known(sp.sympify(final.mass(body)))))
+    mass = tidy(sp.sympify(work._known(sp.sympify(final.mass(body), strict=True)), strict=True))
     assert event.impulse is not None
     sought = work.open(tuple(event.impulse))
     given = final.happenings[number - 1].impulse

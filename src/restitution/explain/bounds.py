@@ -60,7 +60,7 @@ def draws(work: Working, names: Sequence[str], count: int = _DRAWS) -> Iterator[
 
 
 def _letters(x: Any) -> list[str]:
-    return sorted(s.name for s in sp.sympify(x).free_symbols)
+    return sorted(s.name for s in sp.sympify(x, strict=True).free_symbols)
 
 
 def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
@@ -143,11 +143,20 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
                 lay.relation(lay.from_tree(left), sign, lay.from_tree(right)),
                 ":",
             )
-            found.append(Bound(words, a, sign, b, sp.sympify(a.value) - sp.sympify(b.value), sign))
+            found.append(
+                Bound(
+                    words,
+                    a,
+                    sign,
+                    b,
+                    sp.sympify(a.value, strict=True) - sp.sympify(b.value, strict=True),
+                    sign,
+                )
+            )
     elif isinstance(relation, Aligned):
         for need in solve_facts.requirements(relation, story, now):
             if isinstance(need, Condition):
-                value = _smaller(work, sp.sympify(need.value))
+                value = _smaller(work, sp.sympify(need.value, strict=True))
                 words = (
                     "It is given that ",
                     lay.from_tree(relation.left),
@@ -191,8 +200,10 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
             (f"{one} and {other} {again} {first} {gains} {second} along the line of centres:"),
         )
         sign = ">" if relation.happens else "≤"
-        return Bound(words, a, sign, b, sp.sympify(a) - sp.sympify(b), sign)
-    value = sp.sympify(need.value)
+        return Bound(
+            words, a, sign, b, sp.sympify(a, strict=True) - sp.sympify(b, strict=True), sign
+        )
+    value = sp.sympify(need.value, strict=True)
     work.reach(work.open(value))
     moves = "moves" if relation.happens else "does not move"
     happens = "hits" if relation.happens else "does not hit"
@@ -207,7 +218,7 @@ def _from_story(work: Working) -> list[Bound]:
     for need in work.model.story.conditions:
         if isinstance(need, AnyOf) or need.kind in ("coefficient", "sign"):
             continue
-        value = sp.sympify(need.value)
+        value = sp.sympify(need.value, strict=True)
         sign = _SIGNS[need.relation]
         if sign == "≠":
             # The sense of approach is told by the story: it is that of the sample.
@@ -381,7 +392,7 @@ def _range_working(work: Working, tree: Expression, now: int) -> None:
 
 def _final(work: Working, value: Any) -> sp.Expr:
     """An expression in the data alone."""
-    x = sp.sympify(value)
+    x = sp.sympify(value, strict=True)
     for _ in range(6):
         inside = {s: work.model.final[s] for s in x.free_symbols if s in work.model.final}
         if not inside:
@@ -395,7 +406,7 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
     value = evaluated(work, tree, now)
     if isinstance(value, tuple):
         return
-    value = sp.sympify(value)
+    value = sp.sympify(value, strict=True)
     rows: list[Row] = []
     for symbol in sorted(value.free_symbols, key=lambda s: str(s.name)):
         role = work.model.unknowns.roles.get(symbol.name)
@@ -468,7 +479,7 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
         )
     elif isinstance(subject, Extremum):
         target = evaluated(work, relation.operands[-1], 0)
-        _extremum(work, subject, sp.sympify(target), now)
+        _extremum(work, subject, sp.sympify(target, strict=True), now)
         operands = tuple(lay.from_tree(each) for each in relation.operands)
         name: Layout = lay.Phrase((lay.Words(f"{subject.kind} of"), operands[0]))
         work.write(
@@ -490,7 +501,7 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
 
 def explain_extremum(work: Working, item: Extremum, answer_: Answer, now: int) -> None:
     """The quantity as a function, its derivative, where it is zero or which end counts."""
-    _extremum(work, item, sp.sympify(answer_.value), now)
+    _extremum(work, item, sp.sympify(answer_.value, strict=True), now)
     name: Layout = lay.Phrase((lay.Words(f"{item.kind} of"), lay.from_tree(item.expression)))
     sides = answer(answer_.value, angle=answer_.angle, percentage=item.percentage)
     work.write(
@@ -521,7 +532,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             work.write("result", rows, derived.principle, derived.words)
         else:
             sub_result(work, asked)
-    value = sp.sympify(evaluated(work, tree, now))
+    value = sp.sympify(evaluated(work, tree, now), strict=True)
     function, target_, name = _as_function(value, target, lay.from_tree(tree))
     if not isinstance(tree, Quantity) and function == value:
         work.write("result", [chain(Side(lay.from_tree(tree), value), side(value))])
@@ -680,7 +691,7 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
     left, right = _final_side(work, bound.left), _final_side(work, bound.right)
     rows = []
     if bound.right != 0:
-        gap = tidy(sp.sympify(left.value) - sp.sympify(right.value))
+        gap = tidy(sp.sympify(left.value, strict=True) - sp.sympify(right.value, strict=True))
         rows.append(
             Row(
                 (_difference(left, right), look(gap), lay.Number("0")),

@@ -40,7 +40,7 @@ def _related(left: Any, sign: str, right: Any, sample: Mapping[str, Any]) -> boo
         return False
     pairs = zip(left, right, strict=True) if isinstance(left, tuple) else [(left, right)]
     for one, other in pairs:
-        a, b = at(sp.sympify(one), sample), at(sp.sympify(other), sample)
+        a, b = at(sp.sympify(one, strict=True), sample), at(sp.sympify(other, strict=True), sample)
         close = abs(a - b) <= _TOLERANCE * (1 + abs(a) + abs(b))
         if sign == "=" and not close:
             return False

@@ -105,10 +105,10 @@ class _Named:
         value = self.branch.values.get(f"_{key}")
         known = self.sample.get(f"_{key}")
         if value is not None:
-            self.final[symbol] = tidy(sp.sympify(value))
+            self.final[symbol] = tidy(sp.sympify(value, strict=True))
             if known is None:
                 try:
-                    known = at(sp.sympify(value), self.sample)
+                    known = at(sp.sympify(value, strict=True), self.sample)
                 except (UndefinedError, KeyError, ArithmeticError):
                     known = None
         # What the answers do not depend on may be anything.
@@ -125,7 +125,7 @@ class _Named:
         return key
 
     def sign(self, x: sp.Expr) -> int | None:
-        x = sp.sympify(x)
+        x = sp.sympify(x, strict=True)
         if x.is_positive:
             return 1
         if x.is_negative:
@@ -218,7 +218,7 @@ class Model:
 
     def number(self, x: Any) -> Any:
         """A numerical value by the sample; raises UndefinedError where there is none."""
-        return at(sp.sympify(x), self.sample)
+        return at(sp.sympify(x, strict=True), self.sample)
 
     def sign(self, x: Any) -> int:
         """The sign of an expression at the sample (0 where it has no value)."""
@@ -332,7 +332,7 @@ def _letter_values(told: Model) -> None:
     """What the solution says of the letters."""
     for name, value in told.branch.values.items():
         if not name.startswith("_"):
-            told.final[told.unknowns.letter(name)] = tidy(sp.sympify(value))
+            told.final[told.unknowns.letter(name)] = tidy(sp.sympify(value, strict=True))
 
 
 def _in_letters(
@@ -364,7 +364,7 @@ def _in_letters(
         after[body] = Vector(
             frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
         )
-    e = sp.sympify(happening.e)
+    e = sp.sympify(happening.e, strict=True)
     u1 = told.before(number, step.first)[0]
     v = told.components[number, step.first].symbol
     if frame.by_values and frame.wall in story._normals:
@@ -406,12 +406,15 @@ def _frame(
     letters = {told.unknowns.letter(name) for name in told.unknowns.roles}
     by_values = False
     final = told.branch.story.happenings[number - 1]
-    if not (sp.sympify(c.x).free_symbols | sp.sympify(c.y).free_symbols) <= letters:
+    if (
+        not (sp.sympify(c.x, strict=True).free_symbols | sp.sympify(c.y, strict=True).free_symbols)
+        <= letters
+    ):
         assert final.centres is not None
         c, by_values = final.centres, True
-    if sp.sympify(c.y).is_zero or sp.sympify(tidy(c.y)) == 0:
+    if sp.sympify(c.y, strict=True).is_zero or sp.sympify(tidy(c.y), strict=True) == 0:
         axis: Literal["i", "j"] | None = "i"
-    elif sp.sympify(c.x).is_zero or sp.sympify(tidy(c.x)) == 0:
+    elif sp.sympify(c.x, strict=True).is_zero or sp.sympify(tidy(c.x), strict=True) == 0:
         axis = "j"
     else:
         axis = None
@@ -519,12 +522,12 @@ def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbo
     found: dict[sp.Symbol, sp.Expr] = {}
     for name, value in values.items():
         if not name.startswith("_"):
-            found[told.unknowns.letter(name)] = sp.sympify(value)
+            found[told.unknowns.letter(name)] = sp.sympify(value, strict=True)
     for key, name in told.unknowns.names.items():
         if f"_{key}" in values:
             for symbol in told.final:
                 if symbol.name == name:
-                    found[symbol] = sp.sympify(values[f"_{key}"])
+                    found[symbol] = sp.sympify(values[f"_{key}"], strict=True)
     for number in sorted(told.frames):
         if told.frames[number].by_values:
             break

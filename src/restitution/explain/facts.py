@@ -86,7 +86,11 @@ def _of_story(work: Working) -> list[Equation]:
         def step(each: StoryEquation = each) -> Step | None:
             return meeting_step(work, each)
 
-        found.append(Equation(sp.sympify(each.value), "fact", 900 + index, step, ("story", index)))
+        found.append(
+            Equation(
+                sp.sympify(each.value, strict=True), "fact", 900 + index, step, ("story", index)
+            )
+        )
     return found
 
 
@@ -102,7 +106,7 @@ def _of_relation(
                 needs = solve_facts.requirements(relation, work.model.story, now, place)
                 return [
                     Equation(
-                        sp.sympify(need.value),
+                        sp.sympify(need.value, strict=True),
                         "fact",
                         now,
                         _directions_step(work, relation, now, need),
@@ -138,7 +142,7 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
         return []
     a = a.measure() if isinstance(a, Angle) else a
     b = b.measure() if isinstance(b, Angle) else b
-    residual = sp.sympify(a - b)
+    residual = sp.sympify(a - b, strict=True)
     named = letters(left) | letters(right)
     lone = isinstance(left, Letter) or isinstance(right, Letter)
 
@@ -157,7 +161,7 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
                     for f in (sp.sin, sp.cos)
                     if not isinstance(a, f) and tidy(f(value)).is_algebraic
                 ]
-        return Step("fact", tuple(rows), words=("From",) if len(rows) == 1 else ("From the data:",))
+        return Step("setting", tuple(rows), words=("From the data:",))
 
     return [Equation(residual, "fact", -1, step, ("letters", str(residual)))]
 
@@ -193,14 +197,14 @@ def _equality(work: Working, left: Expression, right: Expression, now: int) -> l
         assert isinstance(residual, StoryEquation)
         return [
             Equation(
-                sp.sympify(residual.value),
+                sp.sympify(residual.value, strict=True),
                 "fact",
                 now,
                 lambda: _angle_step(work, left, right, now),
                 key,
             )
         ]
-    residual = sp.sympify(a - b)
+    residual = sp.sympify(a - b, strict=True)
     return [Equation(residual, "fact", now, lambda: _scalar_step(work, left, right, now), key)]
 
 
@@ -217,13 +221,13 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
     assert body is not None
     stage = stage_of(work, tree, now, body)
     v = work.model.story.velocity(body, stage)
-    residual = sp.sympify(v.dot(v) - sp.sympify(value) ** 2)
+    residual = sp.sympify(v.dot(v) - sp.sympify(value, strict=True) ** 2, strict=True)
 
     def step() -> Step:
         parts = [x for x in components(work, body, stage) if x != 0]
         total = sum((x**2 for x in parts), sp.Integer(0))
         right = put_in(work, other, now)
-        result = sp.sympify(right.value) ** 2
+        result = sp.sympify(right.value, strict=True) ** 2
         row = chain(
             side(total, lay.total([square(x) for x in parts])),
             side(
@@ -268,7 +272,7 @@ def _vectors(
 
         def step(one: Any = one, other: Any = other, index: int = index) -> Step:
             p, q = work.put(one), work.put(other)
-            if sp.sympify(p).is_number and not sp.sympify(q).is_number:
+            if sp.sympify(p, strict=True).is_number and not sp.sympify(q, strict=True).is_number:
                 p, q = q, p
             return Step(
                 "fact",
@@ -276,7 +280,11 @@ def _vectors(
                 words=_words(left, right),
             )
 
-        found.append(Equation(sp.sympify(residual), "fact", now, step, (left, right, now, index)))
+        found.append(
+            Equation(
+                sp.sympify(residual, strict=True), "fact", now, step, (left, right, now, index)
+            )
+        )
     return found
 
 
@@ -303,7 +311,9 @@ def _after_a_blow(
                 "fact", (chain(side(p), side(q), mark="A1"),), words=("Comparing components:",)
             )
 
-        found.append(Equation(sp.sympify(push - gained), "fact", number, step, (*key, index)))
+        found.append(
+            Equation(sp.sympify(push - gained, strict=True), "fact", number, step, (*key, index))
+        )
     return found
 
 
@@ -318,7 +328,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         sharp = quantity.kind == "angle" and any(
             is_line(work.model.story, each) for each in quantity.arguments
         )
-        if work.model.sign(dot) == 0 or sp.sympify(target) == sp.pi / 2:
+        if work.model.sign(dot) == 0 or sp.sympify(target, strict=True) == sp.pi / 2:
             row = _zero_dot(work, a, b)
             return Step("fact", (row,), words=words)
         cross = tidy(-cross) if work.model.sign(cross) < 0 else cross

@@ -98,7 +98,7 @@ def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, L
         return None
     if frame.axis is not None and _surd(size):
         return None
-    plain = frame.axis is None and all(sp.sympify(x).is_Rational for x in u)
+    plain = frame.axis is None and all(sp.sympify(x, strict=True).is_Rational for x in u)
     if not plain and not first.free_symbols and not second.free_symbols:
         degrees = sp.N(sp.atan2(abs(second), abs(first)) * 180 / sp.pi, 20)
         nearest = round(float(degrees) / 15) * 15
@@ -125,7 +125,7 @@ def _surd(value: sp.Expr) -> bool:
 
 def _scalar(u: Vector, n: Vector) -> Layout:
     """``(6**i** − 5**j**)·(3**i** + 4**j**)/5``."""
-    x, y = sp.sympify(n.x), sp.sympify(n.y)
+    x, y = sp.sympify(n.x, strict=True), sp.sympify(n.y, strict=True)
     ratio = tidy(sp.radsimp(y / x)) if x != 0 else None
     first = look((u.x, u.y))
     if isinstance(first, lay.Sum) and len(first.terms) > 1:
@@ -202,9 +202,10 @@ def _better(work: Working, step: Impact, number: int) -> str:
     """The sphere whose velocities are given: its change is the simpler to write."""
     final = work.model.branch.story
 
-    def cost(name: str) -> int:
+    def cost(name: str) -> tuple[bool, int]:
         v, u = final.velocity(name, number), final.velocity(name, number - 1)
-        return int(sum(sp.count_ops(x) for x in (*v, *u)))
+        still = (u.x, u.y) == (0, 0)
+        return not still, int(sum(sp.count_ops(x) for x in (*v, *u)))
 
     return min((step.first, step.second), key=cost)
 
@@ -227,6 +228,18 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
         side((change.x, change.y)),
         mark="M1",
     )
+    if (u.x, u.y) == (0, 0):
+        work.write(
+            "principle",
+            words=(
+                f"{body} was at rest, and the impulse on it acts {what}: it moves off along it. ",
+                "The line of centres is parallel to ",
+                direction_words(*(frame.n if work.sign(v.dot(frame.n)) > 0 else -frame.n)),
+                ".",
+            ),
+            mark="M1",
+        )
+        return
     words: tuple[Any, ...] = (
         f"The impulse on {body} acts {what}, and so does the change of its velocity:",
     )

@@ -177,7 +177,7 @@ def _shortest(
     for pick, axis in (("x", "i"), ("y", "j")):
         d, s = getattr(way, pick), getattr(v, pick)
         other = getattr(way, "y" if pick == "x" else "x")
-        if s != 0 and d != 0 and (other == 0 or not sp.sympify(s).has(sp.sqrt)):
+        if s != 0 and d != 0 and (other == 0 or not sp.sympify(s, strict=True).has(sp.sqrt)):
             d = tidy(work.resolved(sp.Abs(d)))
             s = tidy(work.resolved(sp.Abs(s)))
             return d, s, () if other == 0 else (" parallel to ", Bold(axis))
@@ -370,7 +370,13 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
             continue
         point = story.evaluator(event.number - 1).vector(event.step.target)
         v = story.velocity(body, event.number - 1)
-        if sp.simplify(sp.sympify((point - known[0]).cross(v)) - sp.sympify(equation.value)) != 0:
+        if (
+            sp.simplify(
+                sp.sympify((point - known[0]).cross(v), strict=True)
+                - sp.sympify(equation.value, strict=True)
+            )
+            != 0
+        ):
             continue
         closed = _triangle_of_chords(work, event, body, point)
         if closed is not None:

@@ -21,7 +21,7 @@ def look(value: Any, *, angle: bool = False) -> Layout:
         return value
     if isinstance(value, tuple):
         return lay.vector(value[0], value[1])
-    return lay.from_sympy(sp.sympify(value), degrees=angle)
+    return lay.from_sympy(sp.sympify(value, strict=True), degrees=angle)
 
 
 def answer(value: Any, *, angle: bool = False, percentage: bool = False) -> list[Side]:
@@ -196,14 +196,14 @@ def minus(first: Layout, second: Layout) -> Layout:
 
 def direction_words(x: Any, y: Any) -> Layout:
     """The direction of a vector as a vector without fractions: ``3**i** + 4**j**``."""
-    a, b = sp.sympify(x), sp.sympify(y)
+    a, b = sp.sympify(x, strict=True), sp.sympify(y, strict=True)
     if a == 0:
         return lay.vector(0, sp.sign(b))
     if b == 0:
         return lay.vector(sp.sign(a), 0)
     ratio = tidy(sp.radsimp(b / a))
     if isinstance(ratio, sp.Rational):
-        sign = 1 if sp.sympify(a).is_positive or sp.N(a) > 0 else -1
+        sign = 1 if sp.sympify(a, strict=True).is_positive or sp.N(a) > 0 else -1
         return lay.vector(sign * ratio.q, sign * ratio.p)
     return lay.vector(tidy(a), tidy(b))
 

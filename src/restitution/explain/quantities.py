@@ -562,10 +562,10 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
 def _scaled(v: Vector) -> Vector:
     """A vector without the letters common to its components."""
     x, y = v
-    letters = sp.sympify(x).free_symbols | sp.sympify(y).free_symbols
+    letters = sp.sympify(x, strict=True).free_symbols | sp.sympify(y, strict=True).free_symbols
     if not letters:
         return v
-    common = sp.sympify(x if x != 0 else y)
+    common = sp.sympify(x if x != 0 else y, strict=True)
     number, rest = common.as_independent(*letters, as_Add=False)
     del number
     return Vector(tidy(x / rest), tidy(y / rest))
@@ -636,7 +636,7 @@ def _deflection_by_tangents(
             words = (f"{body} moves off perpendicular to the line of centres:",)
         return Derived((final,), value, words)
     words, laid = _spread(work, number, body, tangent)
-    if sp.sympify(tangent).has(sp.zoo, sp.nan):
+    if sp.sympify(tangent, strict=True).has(sp.zoo, sp.nan):
         return Derived((final,), value)
     rows = [
         chain(
@@ -646,7 +646,9 @@ def _deflection_by_tangents(
             mark="M1 A1",
         )
     ]
-    if sp.sympify(value).is_number or not sp.sympify(value).has(sp.atan, sp.atan2):
+    if sp.sympify(value, strict=True).is_number or not sp.sympify(value, strict=True).has(
+        sp.atan, sp.atan2
+    ):
         rows.append(final)
     return Derived(tuple(rows), value, words)
 
@@ -695,7 +697,7 @@ def tangent_of_difference(work: Working, tree: Quantity, now: int) -> tuple[Word
     if 0 in (work.sign(un), work.sign(ut), work.sign(v)):
         return None
     tangent = tidy(work.resolved(sp.Abs(ut * (un - v)) / (un * v + ut**2)))
-    if sp.sympify(tangent).has(sp.zoo, sp.nan):
+    if sp.sympify(tangent, strict=True).has(sp.zoo, sp.nan):
         return None
     return _spread(work, event.number, body, tangent)
 

@@ -164,7 +164,7 @@ def _silent_letters(work: Working) -> None:
             each
             for each in work.facts
             if each.number == -1
-            and sp.sympify(each.residual).free_symbols >= {symbol}
+            and sp.sympify(each.residual, strict=True).free_symbols >= {symbol}
             and each.step() is None
         ]
         if lone and symbol.name in work.model.unknowns.roles:
@@ -205,8 +205,9 @@ def _carry(part: Part, workings: Sequence[Working], carried: Carried) -> None:
     if len(workings) != 1:
         return
     (work,) = workings
+    given = {s for each in work.facts if each.number == -1 for s in each.residual.free_symbols}
     for symbol in list(work.known):
-        if symbol in work.silent or symbol.name not in work.model.sample:
+        if symbol in given or symbol in work.silent or symbol.name not in work.model.sample:
             continue
         value = work.put(symbol)
         if not work.open(value) and symbol.name not in carried:

@@ -77,7 +77,7 @@ class Working:
         """An expression with everything put in that is known so far."""
         if isinstance(x, Vector):
             return Vector(self.put(x.x), self.put(x.y))
-        x = self._known(sp.sympify(x))
+        x = self._known(sp.sympify(x, strict=True))
         return tidy(self.resolved(x))
 
     def _known(self, x: sp.Expr) -> sp.Expr:
@@ -97,11 +97,11 @@ class Working:
         if isinstance(x, tuple):
             return self.open(x[0]) | self.open(x[1])
         return frozenset(
-            s for s in self._known(sp.sympify(x)).free_symbols if s in self.model.final
+            s for s in self._known(sp.sympify(x, strict=True)).free_symbols if s in self.model.final
         )
 
     def sign(self, x: Any) -> int:
-        return self.model.sign(self._known(sp.sympify(x)))
+        return self.model.sign(self._known(sp.sympify(x, strict=True)))
 
     # --- writing down ---------------------------------------------------------------------
 
@@ -165,7 +165,7 @@ class Working:
 
         def left_in(index: int, known: Collection[sp.Symbol]) -> frozenset[sp.Symbol]:
             put = {symbol: self.model.final[symbol] for symbol in known}
-            residual = self._known(sp.sympify(equations[index].residual)).xreplace(put)
+            residual = self._known(sp.sympify(equations[index].residual, strict=True)).xreplace(put)
             if len(residual.free_symbols) and self.model.identically_zero(residual):
                 return frozenset()
             return self.open(residual)
@@ -232,7 +232,7 @@ class Working:
         # What led to the results of earlier parts says nothing new beside them.
         put = {symbol: value for symbol, (_, value) in self.carried.items()}
         return self._carried() + [
-            each for each in ordered if not self._spent(sp.sympify(each.residual), put)
+            each for each in ordered if not self._spent(sp.sympify(each.residual, strict=True), put)
         ]
 
     def _spent(self, residual: sp.Expr, put: Mapping[sp.Symbol, sp.Expr]) -> bool:
@@ -268,10 +268,18 @@ class Working:
 
     def _speaks_of(self, group: Sequence[Equation]) -> list[int]:
         """The impacts whose components stand in these equations."""
-        symbols = {s for each in group for s in sp.sympify(each.residual).free_symbols}
+        symbols = {s for each in group for s in sp.sympify(each.residual, strict=True).free_symbols}
+        hidden = {n for key, n in self.model.unknowns.names.items() if key.startswith("u_")}
+        of_before = {
+            each.number
+            for each in group
+            if each.number in self.model.frames
+            and any(s.name in hidden for s in sp.sympify(each.residual, strict=True).free_symbols)
+        }
         return sorted(
             {each.number for each in group if each.kind in ("momentum", "restitution")}
             | {c.number for c in self.model.components.values() if c.symbol in symbols}
+            | of_before
         )
 
     def _use(self, equation: Equation) -> None:
@@ -339,7 +347,7 @@ class Working:
                 self.known[symbol] = found[symbol]
                 local.append(symbol)
             needed_later = {
-                s for e in left for s in sp.sympify(e.residual).free_symbols
+                s for e in left for s in sp.sympify(e.residual, strict=True).free_symbols
             } | self.wanted
             chosen = [x for x in parts if x in needed_later] or parts
             if len(pair) > 1:
@@ -348,7 +356,7 @@ class Working:
         self._finish(left, unknowns - set(local), local)
         rows = []
         for symbol in [x for x in self._ordered(local) if x in self.wanted]:
-            before = tidy(sp.sympify(self.known[symbol]))
+            before = tidy(sp.sympify(self.known[symbol], strict=True))
             final = self.model.final[symbol]
             if look(before) != look(final):
                 rows.append(chain(side(symbol), side(final)))
@@ -379,7 +387,9 @@ class Working:
         self, pair: Sequence[Equation], parts: Sequence[sp.Symbol]
     ) -> dict[sp.Symbol, sp.Expr] | None:
         try:
-            found = sp.linsolve([self._known(sp.sympify(e.residual)) for e in pair], *parts)
+            found = sp.linsolve(
+                [self._known(sp.sympify(e.residual, strict=True)) for e in pair], *parts
+            )
         except (ValueError, NotImplementedError):
             return None
         solutions = list(found)
@@ -468,7 +478,7 @@ class Working:
         With other roots for ``x``, those that are zero there are kept as well.
         """
         own = x
-        x = self.resolved(self._known(sp.sympify(residual)))
+        x = self.resolved(self._known(sp.sympify(residual, strict=True)))
         above = sp.fraction(sp.together(x))[0]
         try:
             _, factors = sp.factor_list(sp.expand(above))
@@ -562,12 +572,12 @@ class Working:
         return found
 
     def _equal(self, a: Any, b: Any) -> bool:
-        return self.model.sign(sp.sympify(a) - sp.sympify(b)) == 0
+        return self.model.sign(sp.sympify(a, strict=True) - sp.sympify(b, strict=True)) == 0
 
     def _satisfies(self, x: sp.Symbol, value: Any, residual: Any) -> bool:
         try:
             number = self.model.number(value)
-            here = self._known(sp.sympify(residual))
+            here = self._known(sp.sympify(residual, strict=True))
             found = at(here, {**self.model.sample, x.name: number})
         except (UndefinedError, KeyError, ArithmeticError):
             return False
@@ -579,7 +589,7 @@ class Working:
         for _, values in self.rejected:
             value = values.get(x)
             if value is not None and self._satisfies(x, value, residual):
-                found.append(sp.sympify(value))
+                found.append(sp.sympify(value, strict=True))
         return found
 
     def _why_rejected(self, x: sp.Symbol, residual: Any) -> Words:
@@ -593,7 +603,7 @@ class Working:
             role = self.model.unknowns.roles.get(x.name)
             if branch.kind == "range" and role is not None and role.kind == "angle":
                 continue  # an acute angle was meant from the start
-            value = sp.sympify(value)
+            value = sp.sympify(value, strict=True)
             if self._equal(value, self.model.final[x]) or not self._satisfies(x, value, residual):
                 continue
             seen.append(value)
@@ -615,7 +625,9 @@ class Working:
         for name, value in branch.values.items():
             role = self.model.unknowns.roles.get(name)
             if role is not None and role.kind == "restitution" and name != x.name:
-                return lay.equation(self.model.unknowns.letter(name), tidy(sp.sympify(value)))
+                return lay.equation(
+                    self.model.unknowns.letter(name), tidy(sp.sympify(value, strict=True))
+                )
         return None
 
     def _polynomial_rows(
@@ -706,6 +718,7 @@ class Working:
         self._before(number)
         self._heading(number)
         unknown = [c for (n, _), c in self.model.components.items() if n == number]
+        self._named_before(number)
         if frame.wall is None:
             self._setting_of_spheres(frame, unknown)
         else:
@@ -721,7 +734,7 @@ class Working:
                 inside |= {
                     s
                     for part in happening.before[body]
-                    for s in sp.sympify(part).free_symbols
+                    for s in sp.sympify(part, strict=True).free_symbols
                     if any(s == c.symbol for c in self.model.components.values())
                 }
         self.reach({s for s in inside if s not in self.known and self._reachable(s, number)})
@@ -750,6 +763,23 @@ class Working:
         name = f"{ORDINALS[order]} impact" if order < len(ORDINALS) else f"impact {order}"
         first, second = happening.bodies
         self.write("heading", words=(f"{name[0].upper()}{name[1:]}: {first} hits {second}",))
+
+    def _named_before(self, number: int) -> None:
+        """Letters for velocities before that are not given."""
+        story = self.model.story
+        hidden = self.model.unknowns.names
+        for body in self.model.spheres(number):
+            if story.latest(body, number - 1) is not None or f"u_{body}x" not in hidden:
+                continue
+            u = story.velocity(body, 0)
+            self.write(
+                "setting",
+                words=(
+                    "Let ",
+                    look((u.x, u.y)),
+                    f" be the velocity of {body} before the impact.",
+                ),
+            )
 
     def _setting_of_spheres(self, frame: Frame, unknown: Sequence[Component]) -> None:
         n = frame.n
