@@ -565,6 +565,16 @@ def _show_rest(work: Working, relation: AtRest, now: int) -> None:
     work.write("result", words=(f"So {relation.body.name} is at rest, as required.",))
 
 
+def _written(text: str) -> Layout:
+    """A number of a counter-example, given as text: ``9/10``, ``pi/18``."""
+    plain = text.replace("*pi", "").replace("pi", "1")
+    try:
+        number = sp.Rational(plain)
+    except (TypeError, ValueError):
+        return lay.Words(text)
+    return look(number * sp.pi, angle=True) if "pi" in text else look(number)
+
+
 def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
     """A false statement: what is true instead, and numbers that show it."""
     relation: Relation = item.relation
@@ -580,7 +590,7 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
         for index, (name, value) in enumerate(given.items()):
             if index:
                 words.append(", ")
-            words += [lay.letter(name), f" = {value}"]
+            words += [lay.letter(name), " = ", _written(value)]
         words.append(" it does not hold")
     words.append(".")
     work.write("note", words=tuple(words))

@@ -125,9 +125,12 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
     story = work.model.story
     found: list[Bound] = []
     if isinstance(relation, Meets):
-        need = solve_facts.requirements(relation, story, now)[0]
-        if isinstance(need, Condition):
-            found.append(_meeting(work, relation, need, now))
+        needs = solve_facts.requirements(relation, story, now)
+        single = [each for each in needs if isinstance(each, Condition)]
+        if len(needs) == 1 and single:
+            found.append(_meeting(work, relation, single[0], now))
+        else:
+            found += _passing(work, relation, needs, now)
     elif isinstance(relation, Compare):
         for left, op, right in zip(
             relation.operands, relation.operators, relation.operands[1:], strict=False
@@ -180,6 +183,41 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
 def _smaller(work: Working, value: sp.Expr) -> sp.Expr:
     """A condition on a product with the positive parts left out."""
     return value
+
+
+def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> list[Bound]:
+    """Whether a sphere comes to a wall with ends: where it crosses the line of the wall."""
+    options = [
+        option
+        for need in needs
+        for option in (need.options if isinstance(need, AnyOf) else (need,))
+        if isinstance(option, Condition)
+    ]
+    one, other = relation.first.name, relation.second.name
+    story = work.model.story
+    wall = story.walls[other]
+    known = story.place(one, now)
+    if wall.start is not None and known is not None:
+        through = story.read_vector(wall.start, "the end of a wall")
+        normal = story.wall_direction(relation.second).turned_left()
+        v = story.velocity(one, now)
+        work.reach(work.open(tuple(v)))
+        flight = normal.dot(through - known[0]) / normal.dot(v)
+        point = work.put(known[0] + v * flight)
+        laid = lay.Coordinates((look(point.x), look(point.y)))
+        work.write(
+            "result",
+            words=(f"{one} comes to the line of {other} at the point ", laid, "."),
+            mark="M1 A1",
+        )
+    sides = "both of these hold" if relation.happens else "either of these holds"
+    words: Words = (f"{one} {'hits' if relation.happens else 'does not hit'} {other} if {sides}:",)
+    found = []
+    for option in options:
+        value = sp.sympify(option.value)
+        sign = _SIGNS[option.relation]
+        found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+    return found
 
 
 def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound:
@@ -282,16 +320,25 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     work.reach(work.open(bound.value))
     left = _final_side(work, bound.left)
     right = _final_side(work, bound.right)
-    rows = [Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), "M1")]
+    among = bound.words[-1] if bound.words else ""
+    several = isinstance(among, str) and " of these hold" in among
+    checked = () if several else (left.value, right.value)
+    rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), "M1")]
     value = work.put(bound.value)
     simple, sign = _reduced(work, value, bound.asks)
-    if simple.free_symbols:
+    if simple.free_symbols and several:
+        # Only one of them need hold, so none can be checked by itself.
+        rows = [
+            Row(each.operands, each.signs, (None,) * len(each.operands), "M1 A1")
+            for each in _solved(work, simple, sign, x, rows[0])
+        ]
+    elif simple.free_symbols:
         rows += [
             each
             for each in _solved(work, simple, sign, x, rows[0])
             if (each.operands, each.signs) != (rows[0].operands, rows[0].signs)
         ]
-    if rows[-1].operands != rows[0].operands:
+    if not several and rows[-1].operands != rows[0].operands:
         last = rows[-1]
         rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
     work.write("fact", rows, words=bound.words)

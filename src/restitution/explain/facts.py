@@ -336,6 +336,19 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
             dot = tidy(-dot)
         ratio = tidy(cross / dot)
         made: Layout = _ratio(cross, dot)
+        ours = {c.symbol for c in work.model.components.values()}
+        if sharp and sp.sympify(ratio).free_symbols & ours:
+            # The angle does not say on which side: the sign of the component is still open.
+            above, below = sp.fraction(sp.together(tidy(work.resolved(ratio))))
+            if above.could_extract_minus_sign():
+                above = -above
+            if below.could_extract_minus_sign():
+                below = -below
+            both = [
+                lay.Brackets(look(x), "||") if x.free_symbols & ours else look(x)
+                for x in (above, below)
+            ]
+            made = lay.fraction(*both)
         if quantity.kind == "deflection":
             spread = tangent_of_difference(work, quantity, now)
             if spread is not None:

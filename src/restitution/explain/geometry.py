@@ -166,6 +166,19 @@ def line_of_centres(work: Working, frame: Frame) -> None:
         _by_offset(work, frame, step)
         return
     if step.along is not None:
+        angle = story.evaluator(frame.number - 1).value(step.along)
+        if not isinstance(angle, Vector) and isinstance(angle, sp.Expr):
+            work.write(
+                "setting",
+                words=(
+                    "The line of centres makes the angle ",
+                    look(work.put(angle), angle=True),
+                    " with ",
+                    Bold("i"),
+                    ".",
+                ),
+            )
+            return
         x, y = work.put(frame.n)
         laid = direction_words(x, y)
         work.write("setting", words=("The line of centres is in the direction of ", laid, "."))

@@ -304,6 +304,10 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
         sides += [Side(each, None) for each in operands[1:]]
         return Derived((chain(*sides, mark="M1 A1"),), value)
     one, other = tree.arguments
+    for each in (one, other):
+        if isinstance(each, Quantity) and each.kind == "position" and each.stage != 0:
+            derived = derive_place(work, each, now)
+            work.write("result", derived.rows)
     points = [_point(work, each, tree, now) for each in (one, other)]
     for each, point in zip((one, other), points, strict=True):
         if isinstance(each, Name) and each.name in story.spheres:

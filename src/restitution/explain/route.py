@@ -10,6 +10,7 @@ from restitution.errors import RestitutionError
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.components import Model, model, rejected_values
 from restitution.explain.facts import fact_equations
+from restitution.explain.phrases import look
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
@@ -229,16 +230,22 @@ def _merged(workings: Sequence[Working]) -> list[Step]:
         rest = steps[len(common) :]
         if not rest:
             continue
-        out.append(Step("heading", words=_case(work, workings)))
+        out.append(Step("heading", words=_case(work, workings, common)))
         out += rest
     return out
 
 
-def _case(work: Working, workings: Sequence[Working]) -> tuple[str | Layout, ...]:
-    """``If α = 45°:``: the letters in which the solutions differ."""
+def _case(
+    work: Working, workings: Sequence[Working], common: Sequence[Step]
+) -> tuple[str | Layout, ...]:
+    """``If α = 45°:``: what has just been found to have several values, or the letters."""
     words: list[str | Layout] = []
+    parting = {row.operands[0] for step in common[-1:] for row in step.rows[-1:]}
+    just_found = [s for s in work.model.final if look(s) in parting]
     for symbol, value in work.model.final.items():
-        if symbol.name not in work.model.unknowns.roles:
+        if just_found and symbol not in just_found:
+            continue
+        if not just_found and symbol.name not in work.model.unknowns.roles:
             continue
         if all(other.model.final.get(symbol) == value for other in workings):
             continue

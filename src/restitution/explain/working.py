@@ -871,7 +871,7 @@ class Working:
         for body in self.model.spheres(number):
             _, t = self.model.before(number, body)
             value = self.put(t)
-            if self.open(value) - self._letters():
+            if self.open(value) & {c.symbol for c in self.model.components.values()}:
                 continue
             parts.append((look(value), f" for {body}"))
         if not parts:
