@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -16,7 +17,8 @@ from restitution.explain.phrases import answer, chain, listed, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
 from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -139,8 +141,11 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
                 continue
             prepare(work, left, now)
             prepare(work, right, now)
-            a, b = put_in(work, left, now), put_in(work, right, now)
             sign = lay.SIGNS.get(op, op)
+            if any(isinstance(story.evaluator(now).value(t), Angle) for t in (left, right)):
+                found += _of_angles(work, left, op, right, now)
+                continue
+            a, b = put_in(work, left, now), put_in(work, right, now)
             words: Words = (
                 "It is given that ",
                 lay.relation(lay.from_tree(left), sign, lay.from_tree(right)),
@@ -183,6 +188,27 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
 def _smaller(work: Working, value: sp.Expr) -> sp.Expr:
     """A condition on a product with the positive parts left out."""
     return value
+
+
+def _of_angles(
+    work: Working, left: Expression, op: Any, right: Expression, now: int
+) -> list[Bound]:
+    """Angles are compared by the sine of their difference; with 90°, by the scalar product."""
+    (need,) = solve_facts.requirements(Compare((left, right), (op,)), work.model.story, now)
+    if not isinstance(need, Condition):
+        return []
+    sign = lay.SIGNS.get(op, op)
+    said = lay.relation(lay.from_tree(left), sign, lay.from_tree(right))
+    words: Words = ("It is given that ", said, ":")
+    if right == Degrees(Fraction(90)):
+        which = "negative" if op.startswith(">") else "positive"
+        words = ("It is given that ", said, f", so the scalar product is {which}:")
+    value = sp.sympify(need.value)
+    asks = _SIGNS[need.relation]
+    if op.startswith(">") and right == Degrees(Fraction(90)):
+        shown = -value
+        return [Bound(words, shown, "<" if asks == ">" else "≤", sp.Integer(0), value, asks)]
+    return [Bound(words, value, asks, sp.Integer(0), value, asks)]
 
 
 def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> list[Bound]:

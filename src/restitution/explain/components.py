@@ -228,6 +228,17 @@ class Model:
             return 0
         return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
 
+    def presentable(self, x: sp.Expr) -> sp.Expr:
+        """An expression of the solution with the names of hidden unknowns that people see."""
+        put = {}
+        for symbol in x.free_symbols:
+            key = symbol.name[1:]
+            if symbol.name.startswith("_") and key in self.unknowns.names:
+                put[symbol] = self.unknowns.hidden(
+                    key, "", "positive" if symbol.is_positive else "real"
+                )
+        return x.xreplace(put) if put else x
+
     def identically_zero(self, x: sp.Expr) -> bool:
         """Whether an expression vanishes whatever its letters are (tried at a few points)."""
         rng = random.Random(41)
@@ -355,7 +366,7 @@ def _in_letters(
         symbol = sp.Symbol(names[number, body], real=True)
         final = told.branch.story.velocity(body, number)
         direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
-        value = tidy(final.dot(direction))
+        value = told.presentable(tidy(final.dot(direction)))
         told.components[number, body] = Component(symbol, body, number, value)
         told.final[symbol] = value
         with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
@@ -532,7 +543,8 @@ def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbo
         if told.frames[number].by_values:
             break
         symbols = [c.symbol for (n, _), c in told.components.items() if n == number]
-        laws = [law.residual.xreplace(found) for law in told.laws if law.number == number]
+        # In letters first: the rejected values may be unwieldy.
+        laws = [law.residual for law in told.laws if law.number == number]
         try:
             solved = list(sp.linsolve(laws, *symbols))
         except (ValueError, NotImplementedError):
@@ -540,6 +552,10 @@ def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbo
         if len(solved) != 1:
             break
         found.update(
-            {s: tidy(v) for s, v in zip(symbols, solved[0], strict=True) if s not in v.free_symbols}
+            {
+                s: v.xreplace(found)
+                for s, v in zip(symbols, solved[0], strict=True)
+                if s not in v.free_symbols
+            }
         )
     return found
