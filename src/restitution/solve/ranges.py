@@ -501,7 +501,7 @@ def _range_of_ratio(
         if not slope.is_positive:
             continue  # rising with this letter, whatever the others are
         try:
-            values = _range_of_letter(problem, part, name, None, carried)
+            values = _range_of_letter(problem, part, name, None, carried, letters(tree))
         except RestitutionError:
             continue
         if not isinstance(values, sp.Interval):
@@ -530,8 +530,10 @@ def _range_of_letter(
     name: str,
     in_terms_of: tuple[str, ...] | None,
     carried: frozenset[str],
+    data: frozenset[str] = frozenset(),
 ) -> sp.Set:
-    setting = settle(problem, part, in_terms_of, frozenset({name}), carried)
+    """``data`` are letters, beside this one, that the facts are not taken to fix."""
+    setting = settle(problem, part, in_terms_of, data | {name}, carried)
     outcome = work_out(setting)
     free = _free(problem, part, outcome, in_terms_of) - {name}
     region = Region(outcome, name, tuple(sorted(free)))
