@@ -203,7 +203,7 @@ def _of_angles(
     if right == Degrees(Fraction(90)):
         which = "negative" if op.startswith(">") else "positive"
         words = ("It is given that ", said, f", so the scalar product is {which}:")
-    value = sp.sympify(need.value)
+    value = sp.sympify(need.value, strict=True)
     asks = _SIGNS[need.relation]
     if op.startswith(">") and right == Degrees(Fraction(90)):
         shown = -value
@@ -240,7 +240,7 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
     words: Words = (f"{one} {'hits' if relation.happens else 'does not hit'} {other} if {sides}:",)
     found = []
     for option in options:
-        value = sp.sympify(option.value)
+        value = sp.sympify(option.value, strict=True)
         sign = _SIGNS[option.relation]
         found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
     return found

@@ -337,7 +337,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         ratio = tidy(cross / dot)
         made: Layout = _ratio(cross, dot)
         ours = {c.symbol for c in work.model.components.values()}
-        if sharp and sp.sympify(ratio).free_symbols & ours:
+        if sharp and sp.sympify(ratio, strict=True).free_symbols & ours:
             # The angle does not say on which side: the sign of the component is still open.
             above, below = sp.fraction(sp.together(tidy(work.resolved(ratio))))
             if above.could_extract_minus_sign():

@@ -130,6 +130,14 @@ def solve_system(
                     found_angles[symbol.name] = (c, s)
             elif symbol in assignment:
                 values[symbol.name] = assignment[symbol]
+        # What stays free is spoken of as the angle, not as its tangent.
+        names = {t: sp.tan(symbol) for symbol, t in tangents.items()}
+        for symbol, (c, s) in pairs.items():
+            names |= {c: sp.cos(symbol / scale[symbol]), s: sp.sin(symbol / scale[symbol])}
+        values = {name: value.xreplace(names) for name, value in values.items()}
+        found_angles = {
+            name: (c.xreplace(names), s.xreplace(names)) for name, (c, s) in found_angles.items()
+        }
         solutions.append(Found(values, found_angles, tuple(rest)))
     return solutions
 

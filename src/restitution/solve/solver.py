@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
+from sympy.polys.polyerrors import BasePolynomialError
 
 from restitution import exact
 from restitution.errors import (
@@ -93,6 +94,26 @@ def solve(problem: Problem) -> Solution:
     return Solution(problem, parts, tuple(warnings))
 
 
+# What a defect here, or an expression that the algebra cannot take, would raise: it costs one
+# item its answer, and no other.
+UNFORESEEN = (
+    ArithmeticError,
+    AttributeError,
+    LookupError,
+    NotImplementedError,
+    RecursionError,
+    TypeError,
+    ValueError,
+    BasePolynomialError,
+)
+
+
+def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
+    """A defect, as an answer to the one who asked."""
+    said = f"{type(error).__name__}: {error}".rstrip(": ")
+    return UnsupportedError(f"this could not be solved ({said}); please report the question", line)
+
+
 @dataclass
 class _Worker:
     problem: Problem
@@ -166,8 +187,8 @@ class _Worker:
                 self.branches[key] = self._branches(outcome)
             except RestitutionError as error:
                 self.outcomes[key] = error
-            except ArithmeticError as error:
-                self.outcomes[key] = UnsupportedError(f"a value could not be computed: {error}")
+            except UNFORESEEN as error:
+                self.outcomes[key] = unforeseen(error)
         return self.outcomes[key]
 
     def _branches(self, outcome: Outcome) -> list[Branch]:
@@ -249,6 +270,9 @@ class _Worker:
             if error.line is None:
                 error = type(error)(error.message, line, column)
             return ItemResult(item, line, item.text, kind, error=error)
+        except UNFORESEEN as error:
+            line = None if item.place is None else item.place.line
+            return ItemResult(item, line, item.text, kind, error=unforeseen(error, line))
 
     def _kind(self, tree: Expression) -> ItemKind:
         if isinstance(tree, Negate):
@@ -365,8 +389,10 @@ class _Worker:
         own = letters(item.expression)
         if not has_quantity(item.expression) and own & outcome.setting.asked:
             unsolved = own - set(branch.values) - set(outcome.setting.lets)
-            if unsolved == own:
-                raise MissingError(f"{min(own)} is not fixed by what is given")
+            loose = present & outcome.setting.asked
+            if unsolved == own or loose:
+                name = min(loose or own)
+                raise MissingError(f"{name} is not fixed by what is given")
         if in_terms_of is not None:
             extra = sorted(present - set(in_terms_of))
             if extra:
@@ -424,6 +450,8 @@ class _Worker:
             if error.line is None:
                 error = type(error)(error.message, line, column)
             return ItemResult(step, line, step.text, "show", error=error)
+        except UNFORESEEN as error:
+            return ItemResult(step, line, step.text, "show", error=unforeseen(error, line))
 
 
 def _phrase(branch: Branch, name: str) -> str:
