@@ -712,54 +712,6 @@ def test_answers_change_with_the_axes_and_the_units(change: Change, tale: Tale) 
         assert close(x, y), item
 
 
-@changes
-@examples(8)
-@given(tale=strategies.tales(most=2, exact=True), data=st.data())
-def test_what_is_found_does_not_depend_on_the_axes_or_the_units(
-    change: Change, tale: Tale, data: st.DataObject
-) -> None:
-    """As many answers, and the same, in every frame: here for e, or for one of the masses."""
-    told = can_happen(tale)
-    possible = [each for each in of_results(told) if not each.startswith(("along", "direction"))]
-    stated = data.draw(st.sampled_from(sorted(possible)))
-    forward = solved(told.tale.statement(f"find {stated}"))
-    fact = symbolic(forward[stated].answers[0].exact)
-    power = {"speed": 1, "impulse": 1, "energy_lost": 2, "deflection": 0}[stated.partition("(")[0]]
-    masses = 1 if stated in ("impulse", "energy_lost") else 0
-    factor = change.factor**power * change.mass**masses
-    there = fact * sp.Rational(factor.numerator, factor.denominator)
-    hide = data.draw(st.sampled_from([*told.tale.masses, "e"]))
-
-    def hidden(tale: Tale) -> Tale:
-        if hide == "e":
-            return with_blow(tale, e=Said("", None))
-        return dataclasses.replace(tale, masses=tale.masses | {hide: Said("k", None)})
-
-    ask = "e" if hide == "e" else "k"
-    here = solve_either(
-        hidden(told.tale).statement(f"given {stated} = {as_typed(str(fact))}", f"find {ask}"), ask
-    )
-    moved = solve_either(
-        hidden(change.tale(told.tale)).statement(
-            f"given {stated} = {as_typed(str(there))}", f"find {ask}"
-        ),
-        ask,
-    )
-    unit = float(change.mass) if ask == "k" else 1.0
-    assert isinstance(here, str) == isinstance(moved, str), (here, moved)
-    if isinstance(here, str) or isinstance(moved, str):
-        assert here == moved
-    else:
-        assert len(here) == len(moved)
-        assert all(close(x * unit, y, 1e-7) for x, y in zip(sorted(here), sorted(moved)))
-
-
-def solve_either(text: str, ask: str) -> list[float] | str:
-    """The answers, or the kind of error: the datum asked for may not matter at all."""
-    item = solved(text)[ask]
-    return item.error.kind if item.error is not None else values(item)
-
-
 @examples(25)
 @given(
     strategies.tales(most=1, exact=True).filter(lambda tale: not tale.blows[0].wall),
