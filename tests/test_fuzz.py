@@ -157,8 +157,13 @@ def test_statements_with_slips(text) -> None:
     ids=lambda text: repr(text[:20]),
 )
 def test_extremes_are_answered_within_two_seconds(text) -> None:
+    # Two seconds on a machine that sorts a million numbers as text in 0.2 s: a ratio, as
+    # machines differ and are busy.
+    began = time.perf_counter()
+    sorted(range(10**6), key=str)
+    floor = time.perf_counter() - began
     began = time.perf_counter()
     with contextlib.suppress(StatementError):
         parse(text)
-    assert time.perf_counter() - began < 2
+    assert time.perf_counter() - began < 10 * floor
     outcome(text)
