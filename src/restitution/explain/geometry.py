@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from restitution.components import Frame
 from restitution.exact import tidy
-from restitution.explain.components import Frame
 from restitution.explain.phrases import (
     chain,
     difference,

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from restitution.components import Model, model, rejected_values
 from restitution.errors import RestitutionError
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
-from restitution.explain.components import Model, model, rejected_values
 from restitution.explain.facts import fact_equations
 from restitution.explain.phrases import look
 from restitution.explain.quantities import inside

@@ -14,9 +14,9 @@ from typing import Any, Literal
 
 import sympy as sp
 
+from restitution.components import Component, Frame, Law, Model
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.checking import holds
-from restitution.explain.components import Component, Frame, Law, Model
 from restitution.explain.order import blocks, needed
 from restitution.explain.phrases import (
     ORDINALS,
