@@ -109,9 +109,13 @@ def _rows(rows: Sequence[Row]) -> list[str]:
         if not row.signs:
             out.append(f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>')
             continue
-        lines = _lines(row)
-        for index, (sign, right) in enumerate(lines):
-            last = index == len(lines) - 1
+        broken = lines(row)
+        for index, (sign, operands) in enumerate(broken):
+            last = index == len(broken) - 1
+            right = "".join(
+                (f"<math><mo>{escape(s)}</mo></math>" if s else "") + _cell(operand)
+                for s, operand in operands
+            )
             out.append(
                 f'<tr><td class="l">{left if index == 0 else ""}</td>'
                 f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
@@ -120,19 +124,19 @@ def _rows(rows: Sequence[Row]) -> list[str]:
     return out
 
 
-def _lines(row: Row) -> list[tuple[str, str]]:
-    """A chain in lines: short ones in one, long ones with each sign on its own."""
+def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
+    """A chain in lines: short ones in one, long ones with each sign on its own.
+
+    A line is its first sign, and the operands with the signs between them (none for the first).
+    """
     from restitution.render.text import to_text, width
 
     pieces = list(zip(row.signs, row.operands[1:], strict=True))
     room = sum(width(to_text(each)) + 3 for each in row.operands if each is not None)
     if room <= 80 or len(pieces) == 1:
-        first, *rest = pieces
-        body = _cell(first[1]) + "".join(
-            f"<math><mo>{escape(sign)}</mo></math>{_cell(operand)}" for sign, operand in rest
-        )
-        return [(first[0], body)]
-    return [(sign, _cell(operand)) for sign, operand in pieces]
+        (first, operand), *rest = pieces
+        return [(first, [("", operand), *rest])]
+    return [(sign, [("", operand)]) for sign, operand in pieces]
 
 
 def _cell(layout: Layout | None) -> str:
