@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -10,13 +11,13 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import ContradictionError, UnsupportedError
 from restitution.expression.tree import Letter
-from restitution.problem import Extremum, Part, Problem
+from restitution.problem import Extremum
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
 from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
-from restitution.solve.part import Outcome, settle, work_out
+from restitution.solve.part import Desk, Outcome
 from restitution.solve.ranges import (
     DRAWS,
     DRAWS_TRIED,
@@ -34,37 +35,24 @@ from restitution.solve.solution import Answer, ItemResult
 
 
 def find_extremum(
-    problem: Problem,
-    part: Part,
-    item: Extremum,
-    now: int,
-    in_terms_of: tuple[str, ...] | None,
-    carried: frozenset[str],
+    desk: Desk, item: Extremum, now: int, in_terms_of: tuple[str, ...] | None
 ) -> ItemResult:
     """The greatest or least value of a quantity as one letter varies, and where it is reached."""
     line = None if item.place is None else item.place.line
     if not isinstance(item.over, Letter):
         raise UnsupportedError("an extremum is sought over a letter")
     name = item.over.name
-    setting = settle(problem, part, in_terms_of, frozenset({name}), carried)
+    setting = desk.settle(in_terms_of, item)
     if name not in setting.roles:
         raise UnsupportedError(f"nothing depends on {name}")
-    outcome = work_out(setting)
-    walls = frozenset(wall.name for wall in problem.walls)
+    outcome = desk.outcome(setting)
+    walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
     found: list[tuple[Candidate, bool, Any, Sample]] = []
     for trial, value in _images(outcome, item.expression, now):
-        own = Outcome(
-            setting,
-            (trial,),
-            outcome.letters,
-            outcome.open_story,
-            outcome.equations,
-            outcome.conditions,
-        )
-        best = _best(own, value, name, sign)
+        best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:
             found.append(best)
     if not found:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -36,7 +36,14 @@ from restitution.problem import Value as ValueItem
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
-from restitution.solve.letters import POSITIVE, REAL, Role, narrowed_by, roles
+from restitution.solve.letters import (
+    POSITIVE,
+    REAL,
+    Role,
+    narrowed_by,
+    parts_until,
+    roles,
+)
 from restitution.solve.numbers import FIELD, TINY, Sample, UndefinedError, at, sample, sign_at
 from restitution.solve.story import Sign, Story, lets_of
 
@@ -126,19 +133,29 @@ class Trial:
 
 @dataclass
 class Setting:
-    """One part with everything that its items share."""
+    """One part as one of its items sees it: what is data, what is unknown, what is in force.
+
+    ``protected`` letters are data; ``spared`` ones too, unless nothing else is left that the facts
+    could fix. ``shows`` are the claims that tell which letter a fact is taken to fix.
+    """
 
     problem: Problem
     part: Part
     protected: frozenset[str]
+    spared: frozenset[str]
     extra_unknown: frozenset[str]
-    data: frozenset[str]
     roles: dict[str, Role]
     lets: dict[str, tuple[Let, int]]
     named: list[tuple[Let, int]]
     facts: list[tuple[Given, int]]
     asked: frozenset[str]
-    carried: frozenset[str] = frozenset()
+    carried: frozenset[str]
+    shows: tuple[Show, ...]
+
+    @property
+    def unknown(self) -> frozenset[str]:
+        """The letters that are solved for wherever the equations hold them."""
+        return self.extra_unknown | self.asked | self.carried
 
     # --- telling ---------------------------------------------------------------------------
 
@@ -281,59 +298,99 @@ def settle(
     problem: Problem,
     part: Part,
     in_terms_of: tuple[str, ...] | None,
+    item: Range | Extremum | Show | None = None,
     data: frozenset[str] = frozenset(),
     carried: frozenset[str] = frozenset(),
 ) -> Setting:
-    """What is known, asked and unknown in a part, for lines that end with ``in terms of …``."""
+    """What is known, asked and unknown in a part, for one item.
+
+    The values that a part asks for share their unknowns and so their solutions: for them ``item``
+    is None. A range, an extremum or a claim is settled by itself, beside those values alone: no
+    other item changes its answer. ``data`` are further letters to be held as data.
+    """
     known = roles(problem)
     facts = givens(problem, part)
     for given, _ in facts:
         for name, role in known.items():
             known[name] = narrowed_by(role, name, given)
     lets = lets_of(problem, part)
-    protected = frozenset(in_terms_of or ())
-    named = [pair for name, pair in lets.items() if name in protected]
-    lets = {name: pair for name, pair in lets.items() if name not in protected}
-    asked: set[str] = set()
-    together: list[frozenset[str]] = []
-    declared: set[str] = set()
-    fixed: set[str] = set(data)
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Unknown) and (each.label is None or each is part):
-                declared |= set(step.letters)
-            if isinstance(step, Find) and each is part:
-                for item in step.items:
-                    if isinstance(item, ValueItem):
-                        if isinstance(item.expression, Letter):
-                            asked.add(item.expression.name)
-                        elif not has_quantity(item.expression):
-                            together.append(letters(item.expression))
-                    elif isinstance(item, Range):
-                        if isinstance(item.expression, Letter):
-                            fixed.add(item.expression.name)
-                    elif isinstance(item, Extremum):
-                        fixed |= letters(item.over)
-    for group in together:
-        # Of the letters in M/m one is sought; what else the facts fix is found as they are used.
-        if group and not group & asked:
-            asked.add(min(group))
-    asked -= set(lets)
-    extra = declared - set(lets)
+    listed = frozenset(in_terms_of or ())
+    named = [pair for name, pair in lets.items() if name in listed]
+    lets = {name: pair for name, pair in lets.items() if name not in listed}
+    asked, spared = _asked(part)
+    fixed = data
+    if isinstance(item, Range) and isinstance(item.expression, Letter):
+        fixed |= {item.expression.name}
+    elif isinstance(item, Extremum):
+        fixed |= letters(item.over)
+        if not has_quantity(item.expression):
+            asked |= letters(item.expression)
+    protected = listed | fixed
+    asked -= set(lets) | protected
+    extra = declared(problem, part) - set(lets)
     if in_terms_of is not None:
-        extra |= set(known) - protected - set(lets) - fixed
+        extra |= set(known) - listed - set(lets)
     return Setting(
         problem,
         part,
-        protected | frozenset(fixed),
-        frozenset(extra - fixed),
-        frozenset(fixed),
+        protected,
+        frozenset() if item is not None else spared - protected - asked - extra,
+        extra - fixed,
         known,
         lets,
         named,
         facts,
-        frozenset(asked - protected - fixed),
+        asked,
         carried,
+        _claims(part, item),
+    )
+
+
+def _asked(part: Part) -> tuple[frozenset[str], frozenset[str]]:
+    """Letters asked for in a part, and those over which it has ranges and extrema."""
+    asked: set[str] = set()
+    together: list[frozenset[str]] = []
+    over: set[str] = set()
+    for step in part.steps:
+        items: tuple[object, ...] = ()
+        if isinstance(step, Find):
+            items = step.items
+        elif isinstance(step, Show):
+            items = (step.subject,)
+        for item in items:
+            match item:
+                case ValueItem(Letter(name)):
+                    asked.add(name)
+                case ValueItem(tree) if not has_quantity(tree):
+                    together.append(letters(tree))
+                case Range(Letter(name)):
+                    over.add(name)
+                case Extremum():
+                    over |= letters(item.over)
+    for group in together:
+        # Of the letters in M/m one is sought; what else the facts fix is found as they are used.
+        if group and not group & asked:
+            asked.add(min(group))
+    return frozenset(asked), frozenset(over)
+
+
+def _claims(part: Part, item: Range | Extremum | Show | None) -> tuple[Show, ...]:
+    if isinstance(item, Show):
+        return (item,)
+    if item is not None:
+        return ()
+    return tuple(step for step in part.steps if isinstance(step, Show))
+
+
+def declared(problem: Problem, part: Part) -> frozenset[str]:
+    """The letters that lines in force in a part declare unknown."""
+    return frozenset(
+        letter
+        for each in parts_until(problem, part)
+        if each.label is None or each is part
+        for step in each.steps
+        if isinstance(step, Unknown)
+        for letter in step.letters
     )
 
 
@@ -341,15 +398,27 @@ def settle(
 
 
 @dataclass(frozen=True)
+class Decision:
+    """Of the letters present in what was left over, one not yet chosen was taken to be fixed."""
+
+    present: frozenset[str]
+    chosen: frozenset[str]
+    letter: str | None
+
+
+@dataclass(frozen=True)
 class Outcome:
-    """All that solving the unknowns of a part gave."""
+    """All that solving the unknowns of a part gave.
+
+    ``deciding`` are the letters in its equations, ``decisions`` what was decided on the way.
+    """
 
     setting: Setting
     trials: tuple[Trial, ...]
     letters: Letters
     open_story: Story
-    equations: tuple[Equation, ...]
-    conditions: tuple[Condition | AnyOf, ...]
+    deciding: frozenset[str]
+    decisions: tuple[Decision, ...]
 
     @property
     def accepted(self) -> list[Trial]:
@@ -359,6 +428,57 @@ class Outcome:
     def refused(self) -> list[Trial]:
         return [trial for trial in self.trials if not trial.samples and trial.kind != "equation"]
 
+    def serves(self, setting: Setting) -> bool:
+        """Whether solving in another setting of the same part would give just this."""
+        own = self.setting
+        among = {name for pair in _equations_of_letters(setting) for name in _named(pair)}
+        return (
+            own.lets.keys() == setting.lets.keys()
+            and own.asked & self.deciding == setting.asked & self.deciding
+            and own.unknown & self.deciding == setting.unknown & self.deciding
+            and (own.protected | own.spared) & among == (setting.protected | setting.spared) & among
+            and all(
+                _to_fix(setting, each.present, each.chosen) == each.letter
+                for each in self.decisions
+            )
+        )
+
+
+@dataclass
+class Desk:
+    """The work on one part: every setting is solved once, and shared where it makes no odds."""
+
+    problem: Problem
+    part: Part
+    carried: frozenset[str] = frozenset()
+    outcomes: list[Outcome] = field(default_factory=list)
+    failures: list[tuple[Setting, RestitutionError]] = field(default_factory=list)
+
+    def settle(
+        self,
+        in_terms_of: tuple[str, ...] | None,
+        item: Range | Extremum | Show | None = None,
+        data: frozenset[str] = frozenset(),
+    ) -> Setting:
+        """What is known and unknown for one item: see the function of that name."""
+        return settle(self.problem, self.part, in_terms_of, item, data, self.carried)
+
+    def outcome(self, setting: Setting) -> Outcome:
+        """All that solving gives. Raises RestitutionError, again for what failed before."""
+        for known in self.outcomes:
+            if known.serves(setting):
+                return replace(known, setting=setting)
+        for failed, error in self.failures:
+            if failed == setting:
+                raise error
+        try:
+            found = work_out(setting)
+        except RestitutionError as error:
+            self.failures.append((setting, error))
+            raise
+        self.outcomes.append(found)
+        return found
+
 
 def work_out(setting: Setting) -> Outcome:
     """Every set of values for the unknowns that satisfies the equations, examined.
@@ -366,30 +486,27 @@ def work_out(setting: Setting) -> Outcome:
     Raises ContradictionError where there is none.
     """
     trials: list[Trial] = []
-    last: tuple[Letters, Story, list[Equation], list[Condition | AnyOf]] | None = None
+    last: tuple[Letters, Story] | None = None
+    deciding = {name for pair in _equations_of_letters(setting) for name in _named(pair)}
+    decisions: list[Decision] = []
     for values, angles in _letter_branches(setting):
         letters_ = Letters(setting.roles, values, angles)
         story = setting.tell(letters_)
         wanted = setting.requirements(story)
         equations = [
-            *story.equations,
-            *(each for each in wanted if isinstance(each, Equation)),
+            sp.sympify(each.value, strict=True)
+            for each in (*story.equations, *wanted)
+            if isinstance(each, Equation)
         ]
-        conditions = [
-            *story.conditions,
-            *(each for each in wanted if not isinstance(each, Equation)),
-        ]
-        for found in _solve_equations(setting, letters_, equations, story):
+        deciding |= {s.name for each in equations for s in each.free_symbols}
+        for found in _solve_equations(setting, letters_, equations, decisions):
             # Letters replaced by what the facts between letters say are back-substituted.
             combined = _combine(values, angles, found)
             trials.append(setting.try_out(combined, letters_))
-        last = letters_, story, equations, conditions
+        last = letters_, story
     if last is None or not trials:
         raise _clash(setting)
-    letters_, story, equations, conditions = last
-    return Outcome(
-        setting, tuple(_distinct(trials)), letters_, story, tuple(equations), tuple(conditions)
-    )
+    return Outcome(setting, tuple(_distinct(trials)), *last, frozenset(deciding), tuple(decisions))
 
 
 def _distinct(trials: list[Trial]) -> list[Trial]:
@@ -434,24 +551,33 @@ def _combine(
     return Found(combined, pairs, found.leftover)
 
 
+def _equations_of_letters(setting: Setting) -> list[tuple[Expression, Expression]]:
+    """The sides of what the facts say of letters alone."""
+    return [
+        (left, right)
+        for given, _ in setting.facts
+        for relation in given.relations
+        if isinstance(relation, Compare)
+        for left, op, right in zip(
+            relation.operands, relation.operators, relation.operands[1:], strict=False
+        )
+        if op == "="
+        and not has_quantity(left)
+        and not has_quantity(right)
+        and not _named((left, right)) & set(setting.lets)
+    ]
+
+
+def _named(pair: tuple[Expression, Expression]) -> frozenset[str]:
+    return letters(pair[0]) | letters(pair[1])
+
+
 def _letter_branches(
     setting: Setting,
 ) -> list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]]:
     """Values of letters that facts between letters alone give, before the story is told."""
     symbols = Letters(setting.roles)
-    equations: list[tuple[Expression, Expression]] = []
-    for given, _ in setting.facts:
-        for relation in given.relations:
-            if not isinstance(relation, Compare):
-                continue
-            for left, op, right in zip(
-                relation.operands, relation.operators, relation.operands[1:], strict=False
-            ):
-                if op != "=" or has_quantity(left) or has_quantity(right):
-                    continue
-                if (letters(left) | letters(right)) & set(setting.lets):
-                    continue
-                equations.append((left, right))
+    equations = _equations_of_letters(setting)
     branches: list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]] = [({}, {})]
     if not equations:
         return branches
@@ -474,7 +600,7 @@ def _letter_branches(
     substitutions: dict[sp.Symbol, sp.Expr] = {}
     for left, right in equations:
         for lone, other in ((left, right), (right, left)):
-            if not isinstance(lone, Letter) or lone.name in setting.protected:
+            if not isinstance(lone, Letter) or lone.name in setting.protected | setting.spared:
                 continue
             if lone.name in letters(other) or lone.name in taken or not letters(other):
                 continue
@@ -532,7 +658,7 @@ def _substitute_linear(
         rest = sp.expand(current - coefficient * symbol)
         if (
             setting.roles[symbol.name].kind != "angle"
-            or symbol.name in setting.protected
+            or symbol.name in setting.protected | setting.spared
             or not coefficient.is_Rational
             or coefficient == 0
             or rest.has(symbol)
@@ -577,13 +703,15 @@ def _acute(role: Role) -> bool:
 
 
 def _solve_equations(
-    setting: Setting, letters_: Letters, equations: Sequence[Equation], story: Story
+    setting: Setting,
+    letters_: Letters,
+    equations: Sequence[sp.Expr],
+    decisions: list[Decision],
 ) -> list[Found]:
     """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
-    values = [sp.sympify(each.value, strict=True) for each in equations]
-    values = [each for each in values if each != 0]
+    values = [each for each in equations if each != 0]
     known = letters_.all_roles()
-    chosen = (setting.extra_unknown | setting.asked | setting.carried) - set(letters_.values)
+    chosen = setting.unknown - set(letters_.values)
     for _ in range(8):
         unknowns = _ranked(setting, letters_, values, chosen)
         angles = frozenset(s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle")
@@ -592,7 +720,9 @@ def _solve_equations(
         leftover = [each for one in found for each in one.leftover]
         if not leftover:
             return found
-        letter = _to_fix(setting, leftover, chosen)
+        present = frozenset(s.name for each in leftover for s in each.free_symbols)
+        letter = _to_fix(setting, present, chosen)
+        decisions.append(Decision(present, chosen, letter))
         if letter is None:
             kept = [one for one in found if not one.leftover]
             return kept
@@ -604,7 +734,7 @@ def _ranked(
     setting: Setting,
     letters_: Letters,
     equations: Sequence[sp.Expr],
-    chosen: frozenset[str] | set[str],
+    chosen: frozenset[str],
 ) -> list[sp.Symbol]:
     """The unknowns in these equations, in the order in which to eliminate them."""
     present = {s for each in equations for s in each.free_symbols}
@@ -620,12 +750,10 @@ def _ranked(
     return sorted((s for s in present if s.name.startswith("_") or s.name in chosen), key=rank)
 
 
-def _to_fix(
-    setting: Setting, leftover: Sequence[sp.Expr], chosen: frozenset[str] | set[str]
-) -> str | None:
-    """Which letter a left-over fact is taken to fix."""
-    present = {s.name for each in leftover for s in each.free_symbols}
-    candidates = [name for name in present if name not in chosen and name not in setting.protected]
+def _to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -> str | None:
+    """Which of the letters in left-over facts they are taken to fix."""
+    candidates = present - chosen - setting.protected
+    candidates = candidates - setting.spared or candidates
     if not candidates:
         return None
     left_out = any(
@@ -633,8 +761,8 @@ def _to_fix(
     )
     shown = {
         each.name
-        for step in setting.part.steps
-        if isinstance(step, Show) and isinstance(step.relation, Compare)
+        for step in setting.shows
+        if isinstance(step.relation, Compare)
         for each in step.relation.operands
         if isinstance(each, Letter)
     }
@@ -648,8 +776,8 @@ def _to_fix(
     }
     in_shows = {
         name
-        for step in setting.part.steps
-        if isinstance(step, Show) and isinstance(step.relation, Compare)
+        for step in setting.shows
+        if isinstance(step.relation, Compare)
         for tree in step.relation.operands
         if not has_quantity(tree)
         for name in letters(tree)

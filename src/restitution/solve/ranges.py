@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -25,7 +25,7 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
-from restitution.problem import Compare, Given, Part, Problem, Range, Unknown
+from restitution.problem import Compare, Range
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
@@ -42,7 +42,7 @@ from restitution.solve.numbers import (
     sample,
     sign_at,
 )
-from restitution.solve.part import Letters, Outcome, Setting, Trial, settle, work_out
+from restitution.solve.part import Desk, Letters, Outcome, Setting, Trial, declared
 from restitution.solve.solution import Answer, ItemResult
 
 DRAWS = 4
@@ -462,22 +462,17 @@ def to_set(pieces: Sequence[Piece]) -> sp.Set:
 
 
 def find_range(
-    problem: Problem,
-    part: Part,
-    item: Range,
-    now: int,
-    in_terms_of: tuple[str, ...] | None,
-    carried: frozenset[str],
+    desk: Desk, item: Range, now: int, in_terms_of: tuple[str, ...] | None
 ) -> ItemResult:
     """All values of a letter, or of a quantity, that the facts allow."""
     line = None if item.place is None else item.place.line
     tree = item.expression
-    base = settle(problem, part, in_terms_of, carried=carried)
+    base = desk.settle(in_terms_of, item)
     if isinstance(tree, Letter) and tree.name not in base.lets:
-        values = _range_of_letter(problem, part, tree.name, in_terms_of, carried)
+        values = _range_of_letter(desk, tree.name, in_terms_of, base)
         angle = base.roles[tree.name].kind == "angle"
     else:
-        values, angle = _range_of_quantity(problem, part, tree, now, in_terms_of, carried)
+        values, angle = _range_of_quantity(desk, item, now, in_terms_of)
     if values is sp.S.EmptySet:
         raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
     shown = to_text(display_set(values, from_tree(tree), angle=angle))
@@ -485,15 +480,10 @@ def find_range(
     return ItemResult(item, line, item.text, "range", (answer,))
 
 
-def _range_of_ratio(
-    problem: Problem,
-    part: Part,
-    tree: Expression,
-    in_terms_of: tuple[str, ...] | None,
-    carried: frozenset[str],
-) -> sp.Set | None:
+def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
     """The range of q/p from that of q, where it does not depend on p but through q/p."""
-    roles = settle(problem, part, in_terms_of, carried=carried).roles
+    tree = item.expression
+    roles = desk.settle(None, item).roles
     value = Evaluator(Symbolic(), Letters(roles).letter).scalar(tree)
     for name in sorted(letters(tree)):
         symbol = roles[name].symbol(name)
@@ -501,7 +491,7 @@ def _range_of_ratio(
         if not slope.is_positive:
             continue  # rising with this letter, whatever the others are
         try:
-            values = _range_of_letter(problem, part, name, None, carried, letters(tree))
+            values = _range_of_letter(desk, name, None, desk.settle(None, item, letters(tree)))
         except RestitutionError:
             continue
         if not isinstance(values, sp.Interval):
@@ -513,81 +503,46 @@ def _range_of_ratio(
     return None
 
 
-def _declared(problem: Problem, part: Part) -> set[str]:
-    return {
-        letter
-        for each in problem.parts[: problem.parts.index(part) + 1]
-        if each.label is None or each is part
-        for step in each.steps
-        if isinstance(step, Unknown)
-        for letter in step.letters
-    }
-
-
 def _range_of_letter(
-    problem: Problem,
-    part: Part,
-    name: str,
-    in_terms_of: tuple[str, ...] | None,
-    carried: frozenset[str],
-    data: frozenset[str] = frozenset(),
+    desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, setting: Setting
 ) -> sp.Set:
-    """``data`` are letters, beside this one, that the facts are not taken to fix."""
-    setting = settle(problem, part, in_terms_of, data | {name}, carried)
-    outcome = work_out(setting)
-    free = _free(problem, part, outcome, in_terms_of) - {name}
+    outcome = desk.outcome(setting)
+    free = _free(outcome, in_terms_of) - {name}
     region = Region(outcome, name, tuple(sorted(free)))
     return to_set(region.pieces())
 
 
-def _free(
-    problem: Problem, part: Part, outcome: Outcome, in_terms_of: tuple[str, ...] | None
-) -> set[str]:
+def _free(outcome: Outcome, in_terms_of: tuple[str, ...] | None) -> set[str]:
     """Letters that vary freely: declared unknown, or not listed, and not fixed by the facts."""
     setting = outcome.setting
     solved = {name for trial in outcome.trials for name in trial.found.values}
-    free = _declared(problem, part)
+    free = set(declared(setting.problem, setting.part))
     if in_terms_of is not None:
         free |= set(setting.roles) - set(in_terms_of)
     return free - solved - set(setting.lets)
 
 
 def _range_of_quantity(
-    problem: Problem,
-    part: Part,
-    tree: Expression,
-    now: int,
-    in_terms_of: tuple[str, ...] | None,
-    carried: frozenset[str],
+    desk: Desk, item: Range, now: int, in_terms_of: tuple[str, ...] | None
 ) -> tuple[sp.Set, bool]:
-    setting = settle(problem, part, in_terms_of, carried=carried)
-    if not has_quantity(tree) and len(letters(tree)) > 1 and not letters(tree) & set(setting.lets):
-        found = _range_of_ratio(problem, part, tree, in_terms_of, carried)
+    tree = item.expression
+    setting = desk.settle(in_terms_of, item)
+    named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
+    if len(named) > 1 and not letters(tree) & set(setting.lets):
+        found = _range_of_ratio(desk, item)
         if found is not None:
             return found, False
-    walls = frozenset(wall.name for wall in problem.walls)
+    walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(tree, angles, walls)
-    declared = _declared(problem, part)
-    named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
-    data = frozenset(declared | named)
     # What varies freely must not be solved for: where the facts fix it, that is found out.
-    first = work_out(settle(problem, part, in_terms_of, carried=carried))
-    free = _free(problem, part, first, in_terms_of) | set(named)
+    first = desk.outcome(setting)
     fixed = {name for trial in first.trials for name in trial.found.values}
-    del data
-    outcome = (
-        first
-        if not named
-        else work_out(settle(problem, part, in_terms_of, frozenset(named), carried))
-    )
+    outcome = desk.outcome(desk.settle(in_terms_of, item, named)) if named else first
     values = _images(outcome, tree, now)
     present = {s.name for _, value in values for s in value.free_symbols}
-    free = (free & present) - (fixed - set(named))
-    if not free:
-        free = _restricted(problem, part, outcome) & present
-    if in_terms_of is None:
-        pass
+    free = ((_free(first, in_terms_of) | named) & present) - (fixed - named)
+    free = free or _restricted(outcome) & present
     if not free:
         return sp.FiniteSet(*[value for _, value in values]), angle
     if any(name.startswith("_") for name in present):
@@ -596,19 +551,14 @@ def _range_of_quantity(
     return _image(outcome, values, sorted(free)), angle
 
 
-def _restricted(problem: Problem, part: Part, outcome: Outcome) -> set[str]:
+def _restricted(outcome: Outcome) -> set[str]:
     """Letters that a fact keeps between bounds, and coefficients: what a range is asked over."""
-    found = {name for name, role in outcome.setting.roles.items() if role.kind == "restitution"}
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        if each.label is not None and each is not part:
-            continue
-        for step in each.steps:
-            if isinstance(step, Given):
-                for relation in step.relations:
-                    if isinstance(relation, Compare) and set(relation.operators) != {"="}:
-                        for operand in relation.operands:
-                            if isinstance(operand, Letter):
-                                found.add(operand.name)
+    setting = outcome.setting
+    found = {name for name, role in setting.roles.items() if role.kind == "restitution"}
+    for given, _ in setting.facts:
+        for relation in given.relations:
+            if isinstance(relation, Compare) and set(relation.operators) != {"="}:
+                found |= {each.name for each in relation.operands if isinstance(each, Letter)}
     return found
 
 
@@ -630,14 +580,7 @@ def _image(outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str
     """The values of expressions as letters vary freely within what is allowed."""
     sets = []
     for trial, value in values:
-        own = Outcome(
-            outcome.setting,
-            (trial,),
-            outcome.letters,
-            outcome.open_story,
-            outcome.equations,
-            outcome.conditions,
-        )
+        own = replace(outcome, trials=(trial,))
         used = [name for name in free if any(s.name == name for s in value.free_symbols)]
         if not used:
             sets.append(sp.FiniteSet(value))

@@ -29,10 +29,7 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
     line = None if step.place is None else step.place.line
     if step.subject is not None:
         return _show_found(worker, step, now, line)
-    outcome = worker._outcome(step.in_terms_of)
-    if isinstance(outcome, RestitutionError):
-        raise outcome
-    branches = worker.branches[step.in_terms_of, frozenset()]
+    outcome, branches = worker.solved(step.in_terms_of, step)
     for branch in branches:
         refuted = _refute(worker, outcome, branch, step, now)
         if refuted is not None:
@@ -235,8 +232,7 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
     found = worker._item(subject, now, step.in_terms_of)
     if found.error is not None:
         raise found.error
-    outcome = worker._outcome(step.in_terms_of)
-    roles = outcome.setting.roles if not isinstance(outcome, RestitutionError) else {}
+    roles = worker.desk.settle(step.in_terms_of, subject).roles
     letters_ = Letters(roles)
     from restitution.expression.evaluate import Evaluator, Symbolic
 

@@ -50,14 +50,13 @@ from restitution.solve.letters import is_angle
 from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.part import (
     SYMBOLIC,
+    Desk,
     Letters,
     Numbers,
     Outcome,
     Setting,
     Trial,
     impossible,
-    settle,
-    work_out,
 )
 from restitution.solve.solution import (
     Answer,
@@ -87,7 +86,7 @@ def solve(problem: Problem) -> Solution:
     for part in problem.parts:
         if not any(isinstance(step, Find | Show) for step in part.steps):
             continue
-        worker = _Worker(problem, part, carried)
+        worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
         warnings += [each for each in worker.warnings if each not in warnings]
         carried = carried | worker.asked_of_all()
@@ -116,12 +115,18 @@ def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedErro
 
 @dataclass
 class _Worker:
-    problem: Problem
-    part: Part
-    carried: frozenset[str]
+    desk: Desk
     warnings: list[str] = field(default_factory=list)
-    outcomes: dict[Any, Outcome | RestitutionError] = field(default_factory=dict)
-    branches: dict[Any, list[Branch]] = field(default_factory=dict)
+    # By the identity of the trials that they are made from, which settings may share.
+    branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
+
+    @property
+    def problem(self) -> Problem:
+        return self.desk.problem
+
+    @property
+    def part(self) -> Part:
+        return self.desk.part
 
     def solve(self) -> PartSolution:
         results: list[ItemResult] = []
@@ -138,27 +143,31 @@ class _Worker:
                     results.append(self._item(item, now, step.in_terms_of))
             elif isinstance(step, Show):
                 results.append(self._show(step, now))
-        outcome = self._outcome(None)
-        if isinstance(outcome, RestitutionError):
-            first = next((o for o in self.outcomes.values() if isinstance(o, Outcome)), None)
-            error: RestitutionError | None = outcome
-            outcome = first or outcome
-        else:
-            error = None
-        if isinstance(outcome, RestitutionError):
-            return PartSolution(self.part, tuple(results), (), (), {}, None, error)
-        key = next(k for k, v in self.outcomes.items() if v is outcome)
+        return self._whole(tuple(results))
+
+    def _whole(self, results: tuple[ItemResult, ...]) -> PartSolution:
+        """The part as it is explained: with what all the values asked for have in common."""
+        error: RestitutionError | None = None
+        try:
+            outcome, branches = self.solved(None)
+        except (RestitutionError, *UNFORESEEN) as failure:
+            error = failure if isinstance(failure, RestitutionError) else unforeseen(failure)
+            pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
+            found = next(((one, made) for one, made in pairs if isinstance(made, list)), None)
+            if found is None:
+                return PartSolution(self.part, results, (), (), {}, None, error)
+            outcome, branches = found
         return PartSolution(
             self.part,
-            tuple(results),
-            tuple(self.branches.get(key, ())),
+            results,
+            tuple(branches),
             tuple(
                 RejectedBranch(t.found.values, t.reason or "", t.kind or "")
                 for t in outcome.refused
             ),
             outcome.letters.all_roles(),
             outcome.open_story,
-            None,
+            error,
         )
 
     def asked_of_all(self) -> frozenset[str]:
@@ -173,23 +182,23 @@ class _Worker:
                         asked.add(item.expression.name)
         return frozenset(asked)
 
-    # --- solving once for each list of letters ------------------------------------------------
+    # --- solving once for each setting ---------------------------------------------------------
 
-    def _outcome(
-        self, in_terms_of: tuple[str, ...] | None, data: frozenset[str] = frozenset()
-    ) -> Outcome | RestitutionError:
-        key = (in_terms_of, data)
-        if key not in self.outcomes:
+    def solved(
+        self, in_terms_of: tuple[str, ...] | None, claim: Show | None = None
+    ) -> tuple[Outcome, list[Branch]]:
+        """What solving gives for the values asked for, or for a claim. Raises RestitutionError."""
+        outcome = self.desk.outcome(self.desk.settle(in_terms_of, claim))
+        key = id(outcome.trials)
+        if key not in self.branches:
             try:
-                setting = settle(self.problem, self.part, in_terms_of, data, self.carried)
-                outcome = work_out(setting)
-                self.outcomes[key] = outcome
                 self.branches[key] = self._branches(outcome)
             except RestitutionError as error:
-                self.outcomes[key] = error
-            except UNFORESEEN as error:
-                self.outcomes[key] = unforeseen(error)
-        return self.outcomes[key]
+                self.branches[key] = error
+        branches = self.branches[key]
+        if isinstance(branches, RestitutionError):
+            raise branches
+        return outcome, branches
 
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
@@ -256,12 +265,12 @@ class _Worker:
                 from restitution.solve.ranges import find_range
 
                 kind = "range"
-                return find_range(self.problem, self.part, item, now, in_terms_of, self.carried)
+                return find_range(self.desk, item, now, in_terms_of)
             if isinstance(item, Extremum):
                 from restitution.solve.extrema import find_extremum
 
                 kind = "extremum"
-                return find_extremum(self.problem, self.part, item, now, in_terms_of, self.carried)
+                return find_extremum(self.desk, item, now, in_terms_of)
             kind = self._kind(item.expression)
             return self._value(item, now, in_terms_of, kind)
         except RestitutionError as error:
@@ -295,10 +304,7 @@ class _Worker:
     def _value(
         self, item: Value, now: int, in_terms_of: tuple[str, ...] | None, kind: ItemKind
     ) -> ItemResult:
-        outcome = self._outcome(in_terms_of)
-        if isinstance(outcome, RestitutionError):
-            raise outcome
-        branches = self.branches[in_terms_of, frozenset()]
+        outcome, branches = self.solved(in_terms_of)
         line = None if item.place is None else item.place.line
         angle = self._is_angle(item.expression, outcome.setting)
         self._refuse_coefficient(item, outcome)
