@@ -28,7 +28,7 @@ from restitution.solve.ranges import (
     _limit_at,
     _near,
     derivative,
-    limit,
+    limits,
     zeros,
 )
 from restitution.solve.solution import Answer, ItemResult
@@ -96,9 +96,8 @@ def _best(
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
     candidates = []
     for point in dict.fromkeys(points):
-        at_point = limit(value, symbol, point, point == region.role.high)
-        if at_point is not None:
-            candidates.append(Candidate(at_point, {name: point}))
+        for at_point, sides in limits(value, symbol, point, region.role):
+            candidates.append(Candidate(at_point, {name: point}, sides))
     data = region.data()
     rng = random.Random(31)
     winners: list[tuple[Candidate, bool, Any, Sample]] = []

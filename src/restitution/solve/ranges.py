@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -591,10 +591,14 @@ def _image(outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str
 
 @dataclass(frozen=True)
 class Candidate:
-    """A value that may bound an image, with the letters' values there; reached or approached."""
+    """A value that may bound an image, with the letters' values there; reached or approached.
+
+    ``sides`` tells from which side (1 is from above) a letter has to come to its value.
+    """
 
     value: sp.Expr
     where: Mapping[str, sp.Expr]
+    sides: Mapping[str, int] = field(default_factory=dict)
 
 
 def _image_of(outcome: Outcome, value: sp.Expr, free: list[str]) -> sp.Set:
@@ -691,7 +695,6 @@ def _candidates(
             role = roles[name]
             points += [-sp.oo if role.low is None else role.low]
             points += [sp.oo if role.high is None else role.high]
-            from_below = role.high
             for atom in atoms:
                 put = {roles[n].symbol(n): v for n, v in candidate.where.items()}
                 try:
@@ -701,13 +704,14 @@ def _candidates(
                 if own.has(symbol):
                     points += zeros([own], [symbol], roles, name)
             for point in dict.fromkeys(points):
-                reduced = limit(expression, symbol, point, from_below == point)
-                if reduced is not None:
-                    where = {
-                        n: sp.sympify(v, strict=True).xreplace({symbol: point})
-                        for n, v in candidate.where.items()
-                    }
-                    after.append(Candidate(reduced, {**where, name: point}))
+                where = {
+                    n: sp.sympify(v, strict=True).xreplace({symbol: point})
+                    for n, v in candidate.where.items()
+                }
+                for reduced, sides in limits(expression, symbol, point, role):
+                    after.append(
+                        Candidate(reduced, {**where, name: point}, {**candidate.sides, **sides})
+                    )
         open_ = after[:80]
     return open_
 
@@ -735,6 +739,19 @@ def limit(
     if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
         return None
     return value
+
+
+def limits(
+    expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, role: Role
+) -> list[tuple[sp.Expr, dict[str, int]]]:
+    """The limit at a point, or one for each side of a pole, with the side that it belongs to."""
+    value = limit(expression, symbol, point, point == role.high)
+    if value is None:
+        return []
+    if value not in (sp.oo, -sp.oo) or point in (sp.oo, -sp.oo, role.low, role.high):
+        return [(value, {})]
+    both = ((limit(expression, symbol, point, side < 0), side) for side in (1, -1))
+    return [(each, {symbol.name: side}) for each, side in both if each is not None]
 
 
 def _in_sines(x: sp.Expr) -> sp.Expr:
@@ -821,6 +838,7 @@ def _near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
             for name in names:
                 shift = (code % 3) - 1
                 code //= 3
+                ok = ok and shift == candidate.sides.get(name, shift)
                 point = candidate.where[name]
                 if point == sp.oo:
                     trial[name] = at(sp.Integer(10**7), {}) * (1 + shift * step)
