@@ -1,7 +1,8 @@
 """Numbers of high precision for letters: to decide signs and zeros, and to verify.
 
-Symbols are compared by their values at random admissible points, with forty digits: two different
-expressions of the size met here do not agree there by chance.
+Symbols are compared by their values at random admissible points: two different expressions of the
+size met here do not agree there by chance. There are a hundred digits, so that even the root of
+something that ought to vanish is seen to vanish.
 """
 
 from __future__ import annotations
@@ -16,10 +17,11 @@ import sympy as sp
 from restitution.expression.evaluate import Numeric
 from restitution.solve.letters import REAL, Role
 
-DIGITS = 40
+DIGITS = 100
 TINY = mpmath.mpf(10) ** -25
 FIELD = Numeric(DIGITS)
 _CTX = FIELD.context
+ROUNDING = _CTX.mpf(10) ** (12 - DIGITS)
 
 Sample = dict[str, Any]
 
@@ -54,11 +56,11 @@ def _at(x: sp.Basic, values: Mapping[str, Any]) -> Any:
         base = _at(x.base, values)
         if x.exp.is_Integer:
             n = int(x.exp)
-            if n < 0 and base == 0:
+            if n < 0 and abs(base) < ROUNDING:
                 raise UndefinedError("division by zero")
             return base**n
         if base < 0:
-            if base > -(_CTX.mpf(10) ** (12 - DIGITS)):
+            if base > -ROUNDING:
                 return _CTX.mpf(0)
             raise UndefinedError("root of a negative number")
         if x.exp == sp.S.Half:
@@ -110,7 +112,7 @@ def _floats(x: sp.Basic, values: Mapping[str, Any]) -> dict[sp.Symbol, sp.Float]
 def _arc(name: str) -> Any:
     def function(x: Any) -> Any:
         if abs(x) > 1:
-            if abs(x) > 1 + _CTX.mpf(10) ** (12 - DIGITS):
+            if abs(x) > 1 + ROUNDING:
                 raise UndefinedError(f"{name} beyond 1")
             x = _CTX.sign(x)
         return getattr(_CTX, name)(x)

@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import Any
 
 import sympy as sp
+from mpmath.libmp import NoConvergence
 
 from restitution import exact
 from restitution.errors import (
@@ -33,6 +34,7 @@ from restitution.solve.algebra import solve_system
 from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import Role, is_angle
 from restitution.solve.numbers import (
+    DIGITS,
     FIELD,
     TINY,
     Sample,
@@ -48,6 +50,8 @@ from restitution.solve.solution import Answer, ItemResult
 DRAWS = 4
 DRAWS_TRIED = 60
 INFINITE = 10**30
+# So near that even a root of it is not seen, and far above rounding.
+ASIDE = TINY**2 / 10**6
 
 
 @dataclass(frozen=True)
@@ -193,12 +197,28 @@ class Region:
             chosen = extended[:200]
         return chosen
 
+    def _solved(self, trial: Trial, values: Sample) -> Sample:
+        """These values with all that was solved.
+
+        Where a formula has none (0/0 where a quadratic equation becomes a linear one), what it
+        comes near to is taken; whether that is a solution is for the facts to say.
+        """
+        try:
+            return _with_solved(trial, values)
+        except UndefinedError as error:
+            for name in (self.letter, *self.free):
+                for step in (ASIDE, -ASIDE):
+                    try:
+                        aside = _with_solved(trial, {**values, name: values[name] + step})
+                    except UndefinedError:
+                        continue
+                    return {**aside, **values}
+            raise error
+
     def _possible(self, values: Sample) -> bool:
         for trial in self.trials:
-            numbers = dict(values)
             try:
-                for name, value in trial.found.values.items():
-                    numbers[name] = at(value, numbers)
+                numbers = self._solved(trial, values)
                 solved = [n for n in trial.found.values if not n.startswith("_")]
                 known = self.outcome.letters.hidden_roles
                 if any(
@@ -343,7 +363,7 @@ def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, 
         if not atom.has(x):
             continue
         others = {
-            s: sp.Float(str(values[s.name]), 40)
+            s: sp.Float(str(values[s.name]), DIGITS)
             for s in atom.free_symbols
             if s != x and s.name in values
         }
@@ -366,7 +386,13 @@ def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, 
         try:
             poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
             roots_ = poly.nroots(n=35, maxsteps=200)
-        except (sp.PolynomialError, sp.GeneratorsNeeded, ValueError, NotImplementedError):
+        except (
+            sp.PolynomialError,
+            sp.GeneratorsNeeded,
+            ValueError,
+            NotImplementedError,
+            NoConvergence,
+        ):
             continue
         for root in roots_:
             if abs(sp.im(root)) < 1e-18:
@@ -660,17 +686,16 @@ def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> lis
         values = {**drawn, **point}
         if region._possible(values):
             try:
-                found.append(at(value, _with_solved(region, values)))
+                found.append(at(value, values))
             except (UndefinedError, KeyError):
                 continue
     return found
 
 
-def _with_solved(region: Region, values: Sample) -> Sample:
+def _with_solved(trial: Trial, values: Sample) -> Sample:
     numbers = dict(values)
-    for trial in region.trials:
-        for name, each in trial.found.values.items():
-            numbers[name] = at(each, numbers)
+    for name, each in trial.found.values.items():
+        numbers[name] = at(each, numbers)
     return numbers
 
 

@@ -17,7 +17,7 @@ from restitution.solve.solution import Branch
 from restitution.solve.story import Story
 from restitution.vector import Vector
 
-# Thirty digits, with room for what is lost on the way from forty.
+# Thirty digits, with room for what is lost on the way from a hundred, under a root too.
 CLOSE = FIELD.context.mpf(10) ** -30
 
 

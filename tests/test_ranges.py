@@ -1,0 +1,84 @@
+"""Whether the ends of a range belong to it: each case was worked by hand, as its comment says."""
+
+from __future__ import annotations
+
+import pytest
+from answers import disagreements, expected
+
+from restitution.language import parse
+from restitution.solve import solve
+
+WALL = "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
+REST = """sphere A: mass {}, velocity u at theta
+sphere B: mass {}, at rest
+A hits B: along i
+"""
+
+CASES = {
+    # theta comes to 0 as e comes to 1/√2, and does not reach it; e = 0 would need 90°.
+    "both ends at ends of the angle": WALL
+    + """given e^2 = cos(theta)^2/2
+find range of e
+#= range of e -> 0 < e < 1/√2""",
+    "the same of an angle to be eliminated": WALL
+    + """unknown theta
+given e^2 = cos(theta)^2/2
+find range of e
+#= range of e -> 0 < e < 1/√2""",
+    # cot(theta) > 0 keeps e below 1/√2; e = 0 is reached where cot^2(theta) = 1/2.
+    "one end at 90 degrees": WALL
+    + """given 1 - 2e^2 = 2 cot(theta)^2
+find range of e, range of theta
+#= range of e -> 0 <= e < 1/√2
+#= range of theta -> arctan(√2) <= theta < 90°""",
+    # e = 1/2 only where theta vanishes; e = 0 at 45°.
+    "one end at 0 degrees": REST.format("m", "m")
+    + """given tan(theta)^2 = 1 - 2e
+find range of e, range of theta
+#= range of e -> 0 <= e < 1/2
+#= range of theta -> 0 < theta <= 45°""",
+    # sin^2(theta) (1 - e^2) = 1/4: e^2 = 1 - 1/(4 sin^2(theta)) < 3/4.
+    "energy lost at a wall": WALL
+    + """given energy_lost = 1/4 energy(0)
+find range of e, range of theta
+#= range of e -> 0 <= e < √3/2
+#= range of theta -> 30° <= theta < 90°""",
+    # cos^2(theta) + e^2 sin^2(theta) = 1/4.
+    "speed at a wall": WALL
+    + """given speed(P) = u/2
+find range of e, range of theta
+#= range of e -> 0 <= e < 1/2
+#= range of theta -> 60° <= theta < 90°""",
+    # e = 1: 2 theta = 60°; e = 0: theta = 60°, P goes on along W. There the equation for
+    # tan(theta), √3 e t^2 + (1 + e)t - √3 = 0, is no longer quadratic.
+    "deflection at a wall": WALL
+    + """given deflection(P) = 60°
+find range of e, range of theta
+#= range of e -> 0 <= e <= 1
+#= range of theta -> 30° <= theta <= 60°""",
+    # A: (2 - e)/3 along, t across; B: 2(1 + e)/3: 9t^2 = 12e + 3e^2.
+    "equal speeds": REST.format("2m", "m")
+    + """given speed(A) = speed(B)
+find range of e, range of theta
+#= range of e -> 0 < e <= 1
+#= range of theta -> 0 < theta <= arctan(√15/3)""",
+    # 2t^2 - (1 + e)t + 1 - e = 0: e = (2t^2 - t + 1)/(1 + t) is least at t = √2 - 1, and 1 at t = 1
+    # and, not reached, at t = 0.
+    "a least value inside": REST.format("m", "m")
+    + """given deflection(A) = 45°
+find range of e, range of theta
+#= range of e -> 4√2 - 5 <= e <= 1
+#= range of theta -> 0 < theta <= 45°""",
+    # t^2 = (2k - 1)/(1 + k).
+    "a mass without an upper end": REST.format("m", "k m")
+    + """given e = 1/2
+given deflection(A) = theta
+find range of k, range of theta
+#= range of k -> k > 1/2
+#= range of theta -> 0 < theta < arctan(√2)""",
+}
+
+
+@pytest.mark.parametrize("text", CASES.values(), ids=CASES.keys())
+def test_ends(text: str) -> None:
+    assert disagreements(solve(parse(text)), expected(text)) == []
