@@ -288,7 +288,7 @@ def model(
     put = final
     for number, step in enumerate(_events(problem, part), 1):
         kept = _by_values(told, number, step)
-        story._tell(step)  # the same telling, with letters put in as it goes on
+        story.tell(step)  # the same telling, with letters put in as it goes on
         for body, velocity in kept.items():
             tracks = story.tracks[body].velocities
             tracks[tracks.index((velocity[0], story.happenings[-1].before[body]))] = velocity
@@ -378,8 +378,8 @@ def _in_letters(
     e = sp.sympify(happening.e, strict=True)
     u1 = told.before(number, step.first)[0]
     v = told.components[number, step.first].symbol
-    if frame.by_values and frame.wall in story._normals:
-        story._normals[frame.wall] = frame.n
+    if frame.by_values and frame.wall is not None and story.normal_found(frame.wall):
+        story.turn_wall(frame.wall, frame.n)
     if step.second in story.walls:
         told.laws.append(Law("restitution", number, v + e * u1))
         push = -(frame.n * (v - u1))

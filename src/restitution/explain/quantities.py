@@ -806,7 +806,7 @@ def quantities_in(work: Working, tree: Expression, now: int) -> Sequence[Asked]:
     if isinstance(tree, Quantity):
         return (Asked(tree, now),)
     if isinstance(tree, Letter):
-        let = work.model.story._lets.get(tree.name)
+        let = work.model.story.lets.get(tree.name)
         if let is None:
             return ()
         step, then = let

@@ -129,7 +129,7 @@ class Story:
         self.conditions: list[Condition | AnyOf] = []
         self.happenings: list[Happening] = []
         self.implied = False  # places are counted from the first impact, as the text gives none
-        self._lets = lets
+        self.lets = lets
         self._open_lets: list[str] = []
         self._let_values: dict[str, Value] = {}
         self._masses: dict[str, Scalar] = {}
@@ -144,7 +144,7 @@ class Story:
         for each in parts:
             for step in each.steps:
                 if isinstance(step, Impact | Kick | Arrival):
-                    self._tell(step)
+                    self.tell(step)
 
     # --- reading expressions ------------------------------------------------------------------
 
@@ -161,12 +161,12 @@ class Story:
         return self._evaluators[now]
 
     def _letter(self, name: str) -> Value:
-        if name not in self._lets:
+        if name not in self.lets:
             return self.unknowns.letter(name)
         if name not in self._let_values:
             if name in self._open_lets:
                 raise StatementError(f"{name} is defined by itself")
-            step, now = self._lets[name]
+            step, now = self.lets[name]
             if now > len(self.happenings):
                 raise StatementError(
                     f"{name} is used before the event that it speaks of",
@@ -329,9 +329,18 @@ class Story:
         known = [(p, t) for n, p, t in self.tracks[name].places if n <= stage]
         return known[-1] if known and known[-1][0] is not None else None
 
+    def normal_found(self, wall: str) -> bool:
+        """Whether the direction of a wall follows from the story and not from its own line."""
+        return wall in self._normals
+
+    def turn_wall(self, wall: str, normal: Vector) -> None:
+        """Puts another normal in the place of one that follows from the story."""
+        self._normals[wall] = normal
+
     # --- telling ------------------------------------------------------------------------------
 
-    def _tell(self, step: Event) -> None:
+    def tell(self, step: Event) -> None:
+        """Goes on with the next event, by the values that tracks and walls have now."""
         number = len(self.happenings) + 1
         match step:
             case Impact():
