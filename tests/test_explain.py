@@ -16,6 +16,7 @@ import sympy as sp
 
 from restitution.explain import (
     Explanation,
+    PartExplanation,
     Row,
     explain,
     to_html,
@@ -134,13 +135,13 @@ Conservation of momentum along the line of centres:
                    1 = 2v + 3w
 Newton's experimental law:
     v − w = (3/7)(3 − (−4)) = 3                                            M1 A1
-Solving simultaneously:
-    v = 2                                                                     A1
-    w = −1                                                                    A1
+Solving simultaneously:                                                      DM1
+    v = 2
+    w = −1
     𝐯_A = 3𝐢 + 2𝐣                                                             A1
     𝐯_B = 2𝐢 − 𝐣                                                              A1
 Impulse = change of momentum of A along the line of centres:
-    magnitude of the impulse = 2(2 − (−4)) = 12                            M1 A1"""
+    magnitude of the impulse = 2(2 − (−4)) = 12                          M1 A1ft"""
 
 
 def test_two_spheres_with_vectors() -> None:
@@ -163,7 +164,7 @@ Impulse = change of momentum of P perpendicular to W:
     magnitude of the impulse = m(eu sin α + u sin α) = (1 + e)mu sin α     M1 A1
 The components parallel to W do not change, and lose no kinetic energy:
     kinetic energy lost = ½m(u sin α)² − ½m(eu sin α)²
-                        = ½mu²(1 − e²) sin²α                               M1 A1"""
+                        = ½mu²(1 − e²) sin²α                              DM1 A1"""
 
 
 def test_a_wall_in_letters() -> None:
@@ -305,6 +306,95 @@ def test_extrema_are_found_by_differentiating() -> None:
     )
     assert "Differentiate" in text
     assert "k = 2" in text
+
+
+# --- marks ----------------------------------------------------------------------------------------
+
+
+def marks_of(part: PartExplanation) -> list[str]:
+    """Every mark of a part, in the order in which they stand on the page."""
+    return [
+        mark
+        for step in part.steps
+        for each in (step.mark, *(row.mark for row in step.rows))
+        for mark in each.split()
+    ]
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
+def test_marks_agree_with_each_other(path: Path) -> None:
+    solution = solve(read(path))
+    for part, told_ in zip(solution.parts.values(), explain(solution).parts, strict=True):
+        marks = marks_of(told_)
+        assert set(marks) <= {"M1", "DM1", "A1", "A1ft", "A1*", "B1"}
+        for index, mark in enumerate(marks):
+            before = set(marks[:index])
+            if mark.startswith("A1"):
+                assert before & {"M1", "DM1", "B1"}, marks
+            if mark == "DM1":
+                assert before & {"M1", "DM1"}, marks
+        shown = [item for item in part.items if item.kind == "show"]
+        assert shown or "A1*" not in marks
+        assert marks.count("A1*") <= len(shown)
+        answered = [item for item in part.items if item.error is None and item.holds is not False]
+        assert not answered or len(marks) >= 1
+        assert told_.marks == len(marks) == sum(told_.item_marks)
+
+
+def told_marks(text: str) -> list[str]:
+    (part,) = told(text).parts
+    return marks_of(part)
+
+
+def test_marks_of_two_spheres() -> None:
+    """Unchanged; momentum; restitution; solving; an answer each; the impulse follows from them."""
+    assert told_marks(SPHERES) == (["B1"] + ["M1", "A1"] * 2 + ["DM1", "A1", "A1"] + ["M1", "A1ft"])
+
+
+def test_marks_of_a_wall() -> None:
+    text = WALL.replace("find impulse, energy_lost", "find speed(P)")
+    assert told_marks(text) == ["B1", "M1", "A1", "DM1", "A1"]
+
+
+def test_marks_follow_through_at_a_second_impact() -> None:
+    marks = told_marks(
+        "wall V: along i\nwall W: along j\nsphere P: velocity 4i - 2j\n"
+        "P hits V: e = 1/2\nP hits W: e = 1/3\nfind velocity(P), velocity(P, 1)"
+    )
+    # The components that do not change, the law twice, an answer.
+    assert marks[:7] == ["B1", "M1", "A1", "B1", "M1", "A1", "A1"]
+    marks = told_marks(
+        "sphere A, B, C: mass m\nsphere A: velocity u i\nsphere B, C: at rest\n"
+        "A hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\nfind velocity(C)"
+    )
+    first = ["M1", "A1", "M1", "A1", "DM1"]
+    assert marks == [*first, "M1", "A1ft", "M1", "A1ft", "DM1", "A1"]
+
+
+def test_marks_of_a_result_that_is_printed() -> None:
+    text = WALL.replace(
+        "find impulse, energy_lost", "show energy_lost = m u^2 (1-e^2) sin^2(alpha)/2"
+    )
+    assert told_marks(text)[-2:] == ["DM1", "A1*"]
+
+
+def test_a_part_follows_through_from_another() -> None:
+    explanation = told(SPHERES + "part b\nfind energy_lost")
+    first, second = explanation.parts
+    assert (first.marks, second.marks) == (10, 2)
+    assert first.item_marks == (7, 1, 2)
+    assert marks_of(second) == ["M1", "A1ft"]
+    assert explanation.marks == 12
+
+
+def test_a_second_solution_adds_its_answer_only() -> None:
+    marks = told_marks(TWO_ROOTS.replace("find alpha", "find speed(A)"))
+    assert marks[-1] == "A1"
+    assert marks.count("DM1") == 3  # solving, the angle that is given, the speed: once each
+
+
+def test_what_needs_no_method_is_independent() -> None:
+    assert told_marks("sphere A: mass 3, velocity 2i\nfind mass(A)") == ["B1"]
 
 
 # --- the value ------------------------------------------------------------------------------------

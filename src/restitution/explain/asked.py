@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -21,8 +22,9 @@ from restitution.explain.quantities import (
     quantities_in,
     stage_of,
 )
-from restitution.explain.steps import Row, Side, Words, shown, side
-from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
+from restitution.explain.steps import Origin, Row, Side, Words, shown, side
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import AtTime, Expression, Letter, Name, Quantity, walk
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -193,11 +195,36 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
     if isinstance(tree, Quantity):
         derived = derive(work, tree, now, percentage=item.percentage)
         rows = _ending(work, derived.rows, lay.from_tree(tree), derived.value, answer_, item)
-        work.write("result", rows, derived.principle, derived.words)
+        rows = _once(work, tree, rows)
+        uses = _found_before(work, tree, now)
+        work.write("result", rows, derived.principle, derived.words, uses=uses)
         return
     for quantity in quantities_in(work, tree, now):
         sub_result(work, quantity)
     _final(work, tree, found, answer_, now, item.percentage)
+
+
+def _found_before(work: Working, tree: Expression, now: int) -> dict[str, Origin]:
+    """The values on which a tree rests that had to be found."""
+    body = name_of(tree) if isinstance(tree, Quantity) else None
+    event = None
+    timed = isinstance(tree, Quantity) and isinstance(tree.stage, AtTime)
+    if isinstance(tree, Quantity) and body in work.model.story.spheres and not timed:
+        latest = work.model.story.latest(body, stage_of(work, tree, now, body))
+        event = latest.number if latest is not None else None
+    value = work.model.story.evaluator(now).value(tree)
+    return work.uses((value.x, value.y) if isinstance(value, Angle) else value, event)
+
+
+def _once(work: Working, tree: Quantity, rows: list[Row]) -> list[Row]:
+    """The same method for another body earns no second M."""
+    key = ("method", tree.kind)
+    if tree.kind not in ("speed", "energy", "momentum") or not rows or "M1" not in rows[-1].mark:
+        return rows
+    if key in work.done:
+        rows = [*rows[:-1], replace(rows[-1], mark=rows[-1].mark.replace("M1 ", ""))]
+    work.done.add(key)
+    return rows
 
 
 def _same(work: Working, a: Any, b: Any) -> bool:
@@ -259,7 +286,8 @@ def sub_result(work: Working, asked: Asked) -> None:
     derived = derive(work, tree, now, name=asked.name if asked.letter is not None else None)
     if not derived.rows:
         return
-    work.write("result", derived.rows, derived.principle, derived.words)
+    uses = _found_before(work, tree, now)
+    work.write("result", derived.rows, derived.principle, derived.words, uses=uses)
 
 
 def _final(
@@ -275,13 +303,7 @@ def _final(
             return
         own = side(evaluated(work, tree, now), name)
         sides = [Side(name, own.value), *ending]
-        if isinstance(tree, Letter):
-            row = chain(*sides, mark="A1")
-        else:
-            row = chain(*sides, mark="A1")
-            if _stated(work, name, ending):
-                return
-        work.write("result", [row])
+        work.write("result", [chain(*sides, mark="A1")])
         return
     made = Side(_values_in(work, tree, now), value)
     work.write("result", [chain(Side(name, value), made, *ending, mark="A1")])
@@ -434,11 +456,12 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
     value = derived.value
     last = Side(lay.from_tree(right), evaluated(work, right, now))
     note: Words = ("as required",)
+    uses = _found_before(work, left, now)
     if rows:
         final = rows[-1]
         if final.operands[0] != lay.from_tree(left):
             rows.append(chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note))
-            work.write("result", rows, derived.principle, derived.words)
+            work.write("result", rows, derived.principle, derived.words, uses=uses)
             return
         sides = [
             Side(o, v)
@@ -449,7 +472,7 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
         rows[-1] = chain(*sides, last, mark=mark, note=note)
     else:
         rows = [chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note)]
-    work.write("result", rows, derived.principle, derived.words)
+    work.write("result", rows, derived.principle, derived.words, uses=uses)
 
 
 def _angle_tree(work: Working, tree: Expression) -> bool:

@@ -367,7 +367,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     if not several and rows[-1].operands != rows[0].operands:
         last = rows[-1]
         rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
-    work.write("fact", rows, words=bound.words)
+    work.write("fact", rows, words=bound.words, uses=work.uses(bound.value))
 
 
 def _final_side(work: Working, given: Any) -> Side:
@@ -647,7 +647,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             (look(factor.xreplace(put)), lay.Number("0")),
             ("=",),
             (None, None),
-            "M1",
+            "DM1",
             ("for a stationary value",),
         ),
         Row((look(letter), look(place)), ("=",), (None, None), "A1"),
@@ -752,7 +752,7 @@ def _at_an_end(
                 " = ",
                 look(end, angle=angle),
             ]
-        work.write("result", words=(*words, "."), mark="M1")
+        work.write("result", words=(*words, "."), mark="DM1")
 
 
 def explain_meets(work: Working, relation: Meets, now: int) -> None:

@@ -303,7 +303,8 @@ def derive(
                     place = f"parallel to {frame.wall}"
                 words = (f"The components {place} do not change, and lose no kinetic energy:",)
         made = formula(work, tree, now)
-        return Derived((_result(name, made, value, mark=f"M1 {mark}"),), value, words)
+        row = _result(name, made, value, mark=f"M1 {mark}", principle=bool(words))
+        return Derived((row,), value, words)
     if kind == "impulse":
         return _derive_impulse(work, tree, body, now, mark)
     if kind == "line_of_centres":
@@ -361,10 +362,13 @@ def _result(
     angle: bool = False,
     percentage: bool = False,
     mark: str = "A1",
+    principle: bool = False,
 ) -> Row:
     sides: list[Any] = [name if isinstance(name, Side) else Side(lay.as_layout(name), value)]
     if made is not None and made.layout != look(value, angle=angle):
         sides.append(made)
+    elif mark.startswith("M1 ") and not principle:
+        mark = mark.removeprefix("M1 ")  # the value alone shows no method
     sides += answer(value, angle=angle, percentage=percentage)
     return chain(*sides, mark=mark)
 
@@ -721,21 +725,22 @@ def _derive_impulse(
             gap = vector_difference(v, u)
             made = Side(product_of(mass, Brackets(gap)) if mass != 1 else gap, value)
             return Derived(
-                (_result(name, made, value, mark=f"M1 {mark}"),),
+                (_result(name, made, value, mark=f"M1 {mark}", principle=True),),
                 value,
-                ("Impulse = change of momentum:",),
+                principle="Impulse = change of momentum",
             )
         return Derived((_result(name, None, value, mark=mark),), value)
     made_ = formula(work, tree, now)
-    words: Words = ()
+    principle = None
     if event.number in work.model.frames:
         which = _impulse_body(work, event.number)
         along = "along the line of centres"
         frame = work.model.frames[event.number]
         if frame.wall is not None:
             along = f"perpendicular to {frame.wall}"
-        words = (f"Impulse = change of momentum of {which} {along}:",)
-    return Derived((_result(name, made_, value, mark=f"M1 {mark}"),), value, words)
+        principle = f"Impulse = change of momentum of {which} {along}"
+    rows = (_result(name, made_, value, mark=f"M1 {mark}", principle=True),)
+    return Derived(rows, value, principle=principle)
 
 
 def _derive_line(work: Working, tree: Quantity, now: int, value: Any) -> Derived:

@@ -10,15 +10,19 @@ from restitution.components import Model, model, rejected_values
 from restitution.errors import RestitutionError
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.facts import fact_equations
+from restitution.explain.marks import again, settled
 from restitution.explain.phrases import look
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
-from restitution.problem import Find, Part, Show
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import Quantity, has_quantity, letters
+from restitution.problem import Find, Part, Show, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.solve.story import lets_of
+from restitution.vector import Vector
 
 # What algebra may raise on an expression of a form that was not foreseen.
 _FAILURES = (
@@ -80,10 +84,10 @@ def _part(
     for work in made:
         dropped += [line for line in work.dropped if line not in dropped]
     steps = _merged(made)
-    fresh = [step for step in steps if step.kind not in _ONCE or step not in seen]
+    fresh = settled([step for step in steps if step.kind not in _ONCE or step not in seen])
     seen.update(steps)
     _carry(part.part, made, carried)
-    return PartExplanation(part.part.label, asked, tuple(fresh), answers), dropped
+    return PartExplanation(part.part.label, asked, fresh, answers), dropped
 
 
 def workings(
@@ -137,6 +141,7 @@ def _worked(
     rejected = [(each, rejected_values(told, each.values)) for each in part.rejected]
     work = Working(told, alternatives=others, rejected=rejected)
     work.across = speaks_across(problem, part.part)
+    work.asked = _asked(work, part)
     protected = frozenset(set(lets_of(problem, part.part)) & _protected(part.part))
     work.facts = fact_equations(work, problem, part.part, protected)
     _silent_letters(work)
@@ -148,14 +153,47 @@ def _worked(
                 work.wanted |= inside(work, tree, now)
             except (RestitutionError, ArithmeticError, TypeError, ValueError, AssertionError):
                 continue
-    for (_, now), result in zip(listed, part.items, strict=False):
+    for index, ((_, now), result) in enumerate(zip(listed, part.items, strict=False)):
+        work.item = index
         try:
             explain_item(work, result, now, told.branch.number)
         except _FAILURES as error:
             # No working is better than none of the answers.
             work.dropped.append(f"{result.text} ({type(error).__name__})")
             work.write("note", words=(f"{_answers(result)}.",))
+        work.answered |= _given_as_answer(work, result, now)
     return work
+
+
+def _asked(work: Working, part: PartSolution) -> set[sp.Symbol]:
+    """The letters that are asked for by themselves."""
+    return {
+        work.model.unknowns.letter(name)
+        for result in part.items
+        if isinstance(result.item, Value) and not has_quantity(result.item.expression)
+        for name in letters(result.item.expression)
+    }
+
+
+def _given_as_answer(work: Working, result: ItemResult, now: int) -> set[sp.Symbol]:
+    """The unknowns that an answer shows to whoever marks it."""
+    item = result.item
+    if not isinstance(item, Value) or result.error is not None:
+        return set()
+    tree = item.expression
+    if has_quantity(tree) and not (
+        isinstance(tree, Quantity) and tree.kind in ("velocity", "speed", "along", "across")
+    ):
+        return set()
+    value = work.model.story.evaluator(now).value(tree)
+    parts = tuple(value) if isinstance(value, Vector) else (value,)
+    return {
+        symbol
+        for each in parts
+        if not isinstance(each, Angle)
+        for symbol in sp.sympify(each, strict=True).free_symbols
+        if symbol in work.model.final
+    }
 
 
 def _silent_letters(work: Working) -> None:
@@ -231,7 +269,7 @@ def _merged(workings: Sequence[Working]) -> list[Step]:
         if not rest:
             continue
         out.append(Step("heading", words=_case(work, workings, common)))
-        out += rest
+        out += rest if work is workings[0] else again(rest)
     return out
 
 

@@ -16,6 +16,10 @@ StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "h
 
 Words = tuple[str | Layout, ...]
 
+Origin = Literal["method", "impact", "part", "item"]
+"""Where a value that is put in was found: at the same impact, an earlier one, in an earlier part,
+or as an earlier answer."""
+
 
 @dataclass(frozen=True)
 class Row:
@@ -39,7 +43,8 @@ class Step:
     """One step of the working.
 
     ``principle`` names the law used, ``words`` is a sentence before the equations, and
-    ``values`` what is known after the step and was not before, by letter.
+    ``values`` what is known after the step and was not before, by letter. ``uses`` are values put
+    in that had to be found first, by letter; ``item`` counts the items of the part from 0.
     """
 
     kind: StepKind
@@ -48,16 +53,40 @@ class Step:
     words: Words = ()
     mark: str = ""
     values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
+    uses: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
+    item: int | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def marks(self) -> int:
+        """How many marks the step is worth."""
+        return sum(len(each.split()) for each in (self.mark, *(row.mark for row in self.rows)))
 
 
 @dataclass(frozen=True)
 class PartExplanation:
-    """The working of one part; ``asked`` are its items as typed, ``answers`` as people see them."""
+    """The working of one part; ``asked`` are its items as typed, ``answers`` as people see them.
+
+    ``marks`` is what the part is worth, ``item_marks`` what each item adds to it: what several
+    items rest on counts with the first of them.
+    """
 
     label: str | None
     asked: tuple[str, ...]
     steps: tuple[Step, ...]
     answers: tuple[str, ...] = ()
+
+    @property
+    def marks(self) -> int:
+        """The marks of the part."""
+        return sum(step.marks for step in self.steps)
+
+    @property
+    def item_marks(self) -> tuple[int, ...]:
+        """The marks of each item, in the order of ``asked``."""
+        return tuple(
+            sum(step.marks for step in self.steps if step.item == index)
+            for index in range(len(self.asked))
+        )
 
 
 @dataclass(frozen=True)
@@ -67,6 +96,11 @@ class Explanation:
     title: str | None
     parts: tuple[PartExplanation, ...]
     warnings: tuple[str, ...] = ()
+
+    @property
+    def marks(self) -> int:
+        """The marks of the whole question."""
+        return sum(part.marks for part in self.parts)
 
     def rows(self) -> tuple[Row, ...]:
         """Every line of mathematics, in order."""

@@ -11,7 +11,6 @@ from restitution.render.text import width as columns
 
 _INDENT = 4
 _MARKS = 8
-_WHOLE = 28
 _NO_BREAK = "\u00a0"
 
 
@@ -49,7 +48,7 @@ def _step(step: Step, width: int) -> list[str]:
     if step.principle:
         intro = f"{step.principle}: {intro}" if intro else f"{step.principle}:"
     if intro:
-        wrapped = _wrapped(intro, width - (_MARKS if step.mark else 0))
+        wrapped = _wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0))
         if step.mark:
             wrapped[-1] = _marked(wrapped[-1], step.mark, width)
         lines += wrapped
@@ -81,19 +80,23 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 def _rows(rows: Sequence[Row], width: int) -> list[str]:
     lefts = [_operand(row.operands[0]) for row in rows]
-    limit = width - _MARKS
     fitting = [
         columns(left)
         for row, left in zip(rows, lefts, strict=True)
-        if _INDENT + columns(left) + _widest(row) <= limit
+        if _INDENT + columns(left) + _widest(row) <= width - _margin(row)
     ]
     room = max(fitting, default=_INDENT)
-    if any(_INDENT + room + _widest(row) > limit for row in rows):
+    if any(_INDENT + room + _widest(row) > width - _margin(row) for row in rows):
         room = min(room, _INDENT + 4)
     lines: list[str] = []
     for row, left in zip(rows, lefts, strict=True):
         lines += _row(row, left, room, width)
     return lines
+
+
+def _margin(row: Row) -> int:
+    """The columns kept for the marks."""
+    return max(_MARKS, columns(row.mark) + 2)
 
 
 def _widest(row: Row) -> int:
@@ -107,7 +110,7 @@ def _operand(layout: Layout | None) -> str:
 def _row(row: Row, left: str, room: int, width: int) -> list[str]:
     """One chain; what does not fit goes on below, under its own sign."""
     pad = " " * (_INDENT + max(0, room - columns(left)))
-    limit = width - _MARKS
+    limit = width - _margin(row)
     lines: list[str] = []
     current = pad + left
     start = " " * (_INDENT + room)

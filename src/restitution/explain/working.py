@@ -9,7 +9,7 @@ still in them, as a teacher would.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import sympy as sp
@@ -30,7 +30,7 @@ from restitution.explain.phrases import (
     relation,
     sum_of_products,
 )
-from restitution.explain.steps import Row, Side, Step, StepKind, Words, side
+from restitution.explain.steps import Origin, Row, Side, Step, StepKind, Words, side
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
@@ -70,6 +70,10 @@ class Working:
     done: set[Any] = field(default_factory=set)
     dropped: list[str] = field(default_factory=list)
     silent: set[sp.Symbol] = field(default_factory=set)
+    read_off: set[sp.Symbol] = field(default_factory=set)
+    asked: set[sp.Symbol] = field(default_factory=set)
+    answered: set[sp.Symbol] = field(default_factory=set)
+    item: int | None = None
 
     # --- values ---------------------------------------------------------------------------
 
@@ -100,6 +104,24 @@ class Working:
             s for s in self._known(sp.sympify(x, strict=True)).free_symbols if s in self.model.final
         )
 
+    def uses(self, x: Any, event: int | None = None) -> dict[str, Origin]:
+        """The values in an expression that had to be found, and where that was."""
+        if isinstance(x, tuple):
+            return {**self.uses(x[0], event), **self.uses(x[1], event)}
+        found: dict[str, Origin] = {}
+        numbers = {c.symbol: c.number for c in self.model.components.values()}
+        data = self.silent | self.read_off
+        for symbol in sp.sympify(x, strict=True).free_symbols & set(self.known) - data:
+            if ("carried", -2, symbol) in self.done:
+                found[symbol.name] = "part"
+            elif symbol in self.answered:
+                found[symbol.name] = "item"
+            elif event is not None and numbers.get(symbol, event) < event:
+                found[symbol.name] = "impact"
+            else:
+                found[symbol.name] = "method"
+        return found
+
     def sign(self, x: Any) -> int:
         return self.model.sign(self._known(sp.sympify(x, strict=True)))
 
@@ -113,6 +135,7 @@ class Working:
         words: Words = (),
         mark: str = "",
         values: Mapping[str, Any] | None = None,
+        uses: Mapping[str, Origin] | None = None,
     ) -> None:
         """Adds a step; lines that the values contradict are left out and noted."""
         checked = []
@@ -125,7 +148,16 @@ class Working:
                 self.dropped.append(_plain(row))
         if not checked and not words and not (principle and mark):
             return
-        step = Step(kind, tuple(checked), principle, words, mark, dict(values or {}))
+        step = Step(
+            kind,
+            tuple(checked),
+            principle,
+            words,
+            mark,
+            dict(values or {}),
+            dict(uses or {}),
+            self.item,
+        )
         if step in self.steps:
             return
         last = self.steps[-1] if self.steps else None
@@ -138,8 +170,11 @@ class Working:
             and ((last.kind, last.principle, last.mark) == (kind, principle, mark))
         ):
             rows_ = tuple(r for r in checked if r not in last.rows)
-            self.steps[-1] = Step(
-                kind, last.rows + rows_, principle, words, mark, {**last.values, **step.values}
+            self.steps[-1] = replace(
+                last,
+                rows=last.rows + rows_,
+                values={**last.values, **step.values},
+                uses={**last.uses, **step.uses},
             )
             return
         self.steps.append(step)
@@ -147,7 +182,9 @@ class Working:
     def add(self, step: Step | None) -> None:
         """Adds a step that is ready, after the same check."""
         if step is not None:
-            self.write(step.kind, step.rows, step.principle, step.words, step.mark, step.values)
+            self.write(
+                step.kind, step.rows, step.principle, step.words, step.mark, step.values, step.uses
+            )
 
     def determine(self, symbol: sp.Symbol, value: Any | None = None) -> None:
         """From here on an unknown has its value."""
@@ -203,7 +240,7 @@ class Working:
         if self.is_angle(symbol) and name is symbol:
             return self.value_row(symbol, value=value)
         if value.free_symbols & set(self.known):
-            return chain(side(name), side(value), side(self.put(value)))
+            return chain(side(name), side(value), side(self.put(value)), mark="M1")
         return chain(side(name), side(value))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
@@ -216,7 +253,7 @@ class Working:
         rows = []
         for symbol in symbols:
             self.determine(symbol)
-            rows.append(self.value_row(symbol))
+            rows.append(self.value_row(symbol, mark=self._mark_of(symbol)))
         self.write("solve", rows, words=("The equations together give",))
 
     def _equations(self) -> list[Equation]:
@@ -256,8 +293,10 @@ class Working:
 
     def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
         if len(group) == 1:
-            self._use(group[0])
+            method = self._use(group[0])
             (x,) = unknowns
+            if not method:
+                self.read_off.add(x)
             self._root(x, group[0])
             return
         kinds = {(each.kind, each.number) for each in group}
@@ -282,17 +321,23 @@ class Working:
             | of_before
         )
 
-    def _use(self, equation: Equation) -> None:
+    def _use(self, equation: Equation) -> bool:
+        """Writes an equation down; tells whether that was a method, and no datum read off."""
         key = (equation.kind, equation.number, equation.key)
         if key in self.done:
-            return
+            return True
         self.done.add(key)
         if equation.kind != "carried":
             for number in self._speaks_of([equation]):
                 self.setting(number)
         if equation.kind == "fact" and equation.number > 0:
             self.blows(equation.number)
-        self.add(equation.step())
+        step = equation.step()
+        if step is not None:
+            self.add(replace(step, uses=self.uses(equation.residual, equation.number)))
+        return equation.kind == "carried" or (
+            step is not None and any("M1" in row.mark for row in step.rows)
+        )
 
     def _pair(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
         for each in group:
@@ -301,8 +346,16 @@ class Working:
         chosen = [x for x in ordered if x in self.wanted] or ordered
         for x in ordered:
             self.determine(x)
-        rows = [self.value_row(x, mark="A1") for x in chosen]
-        self.write("solve", rows, words=("Solving simultaneously:",), mark="")
+        self._solved("Solving simultaneously:", chosen)
+
+    def _solved(self, words: str, symbols: Sequence[sp.Symbol]) -> None:
+        """What several equations give together."""
+        rows = [self.value_row(x, mark=self._mark_of(x)) for x in symbols]
+        self.write("solve", rows, words=(words,), mark="DM1")
+
+    def _mark_of(self, x: sp.Symbol) -> str:
+        """A value is worth a mark if it is asked for; on the way to another it is not."""
+        return "A1" if x in self.asked else ""
 
     def _ordered(self, symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
         order = [each.symbol for each in self.model.components.values()]
@@ -351,8 +404,7 @@ class Working:
             } | self.wanted
             chosen = [x for x in parts if x in needed_later] or parts
             if len(pair) > 1:
-                rows = [self.value_row(x, mark="A1") for x in chosen]
-                self.write("solve", rows, words=("Solving simultaneously:",))
+                self._solved("Solving simultaneously:", chosen)
         self._finish(left, unknowns - set(local), local)
         rows = []
         for symbol in [x for x in self._ordered(local) if x in self.wanted]:
@@ -436,8 +488,7 @@ class Working:
                 self._use(each)
             for x in rest:
                 self.determine(x)
-            rows = [self.value_row(x, mark="A1") for x in self._ordered(rest)]
-            self.write("solve", rows, words=("Solving these together:",))
+            self._solved("Solving these together:", self._ordered(rest))
 
     def _eliminable(
         self, opened: Sequence[tuple[Equation, frozenset[sp.Symbol]]], among: set[sp.Symbol]
@@ -526,12 +577,12 @@ class Working:
         note = self._why_rejected(x, equation.residual)
         if note:
             last = rows[-1]
-            rows[-1] = Row(last.operands, last.signs, last.values, last.mark, note)
+            rows[-1] = replace(last, note=note)
         if self._already(rows):
             return
         last = rows[-1]
         if not last.mark:
-            rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
+            rows[-1] = replace(last, mark=self._mark_of(x))
         self.write("solve", rows, values={x.name: value})
 
     def _already(self, rows: Sequence[Row]) -> bool:
