@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from restitution.errors import ImpossibleError, StatementError
+from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Name, Place
 from restitution.problem import (
@@ -20,8 +20,9 @@ from restitution.problem import (
     Problem,
     Relation,
 )
+from restitution.solve import places
 from restitution.solve.conditions import AnyOf, Condition, Equation
-from restitution.solve.story import Story
+from restitution.solve.story import Happening, Story
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf
@@ -157,17 +158,96 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
         )
         if event is None:
             raise StatementError(f"{one} and {other} have not collided before this line")
-        towards = event.oriented()
-        if event.bodies[0] == other:
-            towards = -towards
-        approach = (story.velocity(one, now) - story.velocity(other, now)).dot(towards)
         reason = f"{one} and {other} do not collide again"
-        conditions = [approach]
+        if _leave_their_line(story, event, one, other, now) and _placed(story, event, now):
+            return _met_by_places(relation, story, now, reason)
+        conditions = [_approach(story, event, one, other, now)]
     if relation.happens:
         return [Condition(each, ">", reason, "fact") for each in conditions]
-    refused = reason.replace("does not hit", "hits").replace("do not collide", "collide")
+    refused = _denied(reason)
     options = tuple(Condition(-each, ">=", refused, "fact") for each in conditions)
     return [options[0] if len(options) == 1 else AnyOf(options, refused, "fact")]
+
+
+def _approach(story: Story, event: Happening, one: str, other: str, stage: int) -> Scalar:
+    """The speed of approach after event ``stage``, along the line of centres of a given one."""
+    towards = event.oriented() if event.bodies[0] == one else -event.oriented()
+    return (story.velocity(one, stage) - story.velocity(other, stage)).dot(towards)
+
+
+def _leave_their_line(story: Story, event: Happening, one: str, other: str, now: int) -> bool:
+    """Whether two spheres that met may have left the line of centres by the time that matters.
+
+    If nothing has happened to either since, they are separating, and if both keep to the line,
+    their order decides. Raises MissingError, in numbers, where only their places can tell.
+    """
+    since = story.happenings[event.number : now]
+    if not any({one, other} & set(each.bodies) for each in since):
+        return False
+    stages = range(event.number, now + 1)
+    centres = event.oriented()
+    across = [
+        story.rational((story.velocity(one, n) - story.velocity(other, n)).cross(centres))
+        for n in stages
+    ]
+    if all(story.field.is_zero(each) for each in across):
+        return False
+    if story.field.exact or _placed(story, event, now):
+        return True
+    if any(story.unknowns.sign(_approach(story, event, one, other, n)) == 1 for n in stages):
+        raise MissingError(
+            f"whether {one} and {other} collide again depends on their places, as they move "
+            "across their line of centres, one relative to the other"
+        )
+    return True
+
+
+def _placed(story: Story, event: Happening, now: int) -> bool:
+    """Whether the places of the two spheres of an event are known from it on."""
+    if story.implied or any(story.place(name, now) is None for name in event.bodies):
+        return False
+    for each in story.happenings[event.number : now]:
+        if not set(each.bodies) & set(event.bodies):
+            continue
+        if isinstance(each.step, Kick):
+            return False
+        for name in each.bodies:
+            wall, sphere = story.walls.get(name), story.spheres.get(name)
+            if wall is not None and wall.through is wall.start is wall.centre is None:
+                return False
+            if sphere is not None and sphere.position is None:
+                return False
+    return True
+
+
+def _met_by_places(relation: Meets, story: Story, now: int, reason: str) -> list[Requirement]:
+    one, other = relation.first.name, relation.second.name
+    first, second = story.place(one, now), story.place(other, now)
+    assert first is not None
+    assert second is not None
+    v, w = story.velocity(one, now), story.velocity(other, now)
+    # At the same time, whichever it is: they are as if they had always moved so.
+    gap = (second[0] - w * second[1]) - (first[0] - v * first[1])
+    later = places.later(story, first[1], second[1])
+    gap, approach = gap + (w - v) * later, v - w
+    radius = story.radius(one)
+    closing = story.rational(gap.dot(approach))
+    aside = story.rational(gap.cross(approach))
+    if radius is None:
+        if relation.happens:
+            return [Equation(aside, reason, fact=True), Condition(closing, ">", reason, "fact")]
+        touch = Condition(aside, "!=", reason, "fact")
+    else:
+        # The distance at which they pass is |gap × approach|/|approach|.
+        room = story.rational(4 * radius * radius * approach.dot(approach) - aside * aside)
+        if relation.happens:
+            return [Condition(each, ">", reason, "fact") for each in (room, closing)]
+        touch = Condition(-room, ">=", reason, "fact")
+    return [AnyOf((touch, Condition(-closing, ">=", reason, "fact")), _denied(reason), "fact")]
+
+
+def _denied(reason: str) -> str:
+    return reason.replace("does not hit", "hits").replace("do not collide", "collide")
 
 
 def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[list[Scalar], str]:
@@ -189,7 +269,8 @@ def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[l
     origin = body.through if body.through is not None else body.start
     normal = story.wall_direction(relation.second).turned_left()
     known = story.place(name, now)
-    if origin is not None and known is not None and (own is None or not relation.again):
+    bounded = body.start is not None and not story.implied
+    if origin is not None and known is not None and (own is None or bounded):
         through = story.evaluator(0).vector(origin)
         gap, speed = normal.dot(through - known[0]), normal.dot(v)
         conditions = [gap * speed]

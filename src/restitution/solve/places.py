@@ -210,7 +210,7 @@ def meeting(
         return None, None
     if one is None or other is None:
         return _meeting_half_known(story, number, step, one, other), None
-    start = _later(story, one[1], other[1])
+    start = later(story, one[1], other[1])
     v1, v2 = (story.velocity(name, number - 1) for name in (step.first, step.second))
     p1, p2 = one[0] + v1 * (start - one[1]), other[0] + v2 * (start - other[1])
     gap = p2 - p1
@@ -269,7 +269,8 @@ def meeting(
     return time, c
 
 
-def _later(story: Story, a: Scalar, b: Scalar) -> Scalar:
+def later(story: Story, a: Scalar, b: Scalar) -> Scalar:
+    """The later of two times; the first where the letters decide."""
     sign = story.unknowns.sign(a - b)
     return a if sign is None or sign >= 0 else b
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import RestitutionError, UnsupportedError
+from restitution.errors import MissingError, RestitutionError, UnsupportedError
 from restitution.problem import Compare, Extremum, Range, Show
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import requirements
@@ -82,6 +82,8 @@ def _refute(
                         shown[name] = exact.sympy_text(exact.tidy(_with(value, shown, roles)))
                 used = _used(worker, outcome)
                 return {k: v for k, v in shown.items() if k in used}
+        except MissingError:
+            raise
         except (UndefinedError, ArithmeticError, KeyError, RestitutionError):
             continue
         checked += 1
