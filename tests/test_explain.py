@@ -415,7 +415,7 @@ def test_an_explanation_is_immutable_and_shows_itself() -> None:
     assert str(explanation) == repr(explanation) == to_text(explanation)
     assert "<math" in explanation._repr_html_()
     assert "$$" in explanation._repr_markdown_()
-    assert r"\begin{aligned}" in explanation._repr_latex_()
+    assert r"\begin{align*}" in explanation._repr_latex_()
     assert explanation == told(SPHERES)
 
 
@@ -467,3 +467,62 @@ def test_lines_that_the_numbers_contradict_do_not_pass() -> None:
     assert holds(chain(side(3 * x), side(sp.Integer(1))), sample)
     assert not holds(chain(side(3 * x), side(sp.Integer(2))), sample)
     assert math.isclose(float(sample["x"]), 1 / 3)
+
+
+# --- LaTeX and HTML -------------------------------------------------------------------------------
+
+# What LaTeX itself, amsmath and the few packages of the preamble define, among what is used.
+COMMANDS = frozenset(
+    [r"documentclass", r"usepackage", r"begin", r"end", r"setlength", r"mathindent", r"parindent", r"parskip", r"allowdisplaybreaks", r"AtBeginDocument", r"abovedisplayskip", r"belowdisplayskip", r"ifPDFTeX", r"fi", r"textbf", r"emph", r"text", r"mathbf", r"hspace", r"fill", r"tag", r"quad", r"qquad", r"left", r"right", r"frac", r"tfrac", r"sqrt", r"surd", r"times", r"cdot", r"circ", r"infty", r"leq", r"geq", r"neq", r"approx", r"lvert", r"rvert", r"sin", r"cos", r"tan", r"sec", r"csc", r"cot", r"arcsin", r"arccos", r"arctan", r"alpha", r"beta", r"gamma", r"delta", r"epsilon", r"varepsilon", r"zeta", r"eta", r"theta", r"iota", r"kappa", r"lambda", r"mu", r"nu", r"xi", r"pi", r"rho", r"sigma", r"tau", r"upsilon", r"phi", r"varphi", r"chi", r"psi", r"omega", r"textbackslash", r"textasciicircum", r"textasciitilde"]
+)
+
+
+def unescaped(source: str) -> str:
+    return re.sub(r"\\[\\{}$&%#_]", " ", source)
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
+def test_latex_is_well_formed(path: Path) -> None:
+    source = to_latex(explain(solve(read(path))))
+    plain = unescaped(source)
+    depth = 0
+    for c in plain:
+        depth += {"{": 1, "}": -1}.get(c, 0)
+        assert depth >= 0
+    assert depth == 0
+    assert plain.count("$") % 2 == 0
+    open_: list[str] = []
+    for way, name in re.findall(r"\\(begin|end)\{([^}]*)\}", plain):
+        if way == "begin":
+            open_.append(name)
+        else:
+            assert open_.pop() == name
+    assert not open_
+    assert plain.count(r"\left") == plain.count(r"\right")
+    assert set(re.findall(r"\\([A-Za-z]+)", plain)) <= COMMANDS
+    title = solve(read(path)).problem.title or ""
+    assert all(c.isascii() for c in source.replace(title, "")), path
+    # No display is empty or holds a blank line, and each line of it aligns at one place.
+    for display in re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", source, re.DOTALL):
+        assert display.strip()
+        assert "\n\n" not in display
+        for line in display.split(" \\\\\n"):
+            assert unescaped(line).count("&") == 1, line
+
+
+def test_formulas_among_words_are_mathematics_in_latex() -> None:
+    explanation = told(
+        "wall W: along i\nsphere P: velocity 10 at 30° to W\nP hits W\n"
+        "given angle(velocity(P), W) = 45°\nfind e"
+    )
+    source = to_latex(explanation)
+    assert r"e = $\surd$3" in source
+    assert "√" not in source
+
+
+def test_long_sums_of_a_page_can_be_broken() -> None:
+    """So that a narrow screen shows the whole line; short ones stay in one piece."""
+    page = to_html(told(SPHERES.replace("find", "find energy_lost,")))
+    assert "<wbr>" in page
+    assert page.count("<math") == page.count("</math>")
+    assert "<wbr>" not in to_html(told(WALL.replace("find impulse, energy_lost", "find impulse")))

@@ -22,7 +22,6 @@ from restitution.expression.tree import Degrees, Expression, Letter, Quantity, h
 from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.render.text import to_text
 from restitution.solve import algebra
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
@@ -625,7 +624,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         letter = _parameter(work)
         words = ("With ", look(letter), " = ", look(shown_x), ":")
     put = {variable: letter}
-    rate = lay.Fraction(lay.Words("d"), lay.Words(f"d{to_text(look(letter))}"))
+    rate = lay.Fraction(lay.Words("d"), lay.Product((lay.Words("d"), look(letter))))
     own_slope = slope.xreplace(back)
     row = Row(
         (lay.product(rate, lay.Brackets(name)), look(slope.xreplace(put))),

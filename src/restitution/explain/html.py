@@ -6,9 +6,13 @@ from collections.abc import Sequence
 from html import escape
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
-from restitution.render.layout import Layout, Phrase
+from restitution.render.layout import Layout, Phrase, Sum
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
+from restitution.render.text import to_text, width
+
+# Columns of plain text below which a sum is never broken.
+_WHOLE = 24
 
 _STYLE = """
 .restitution { --ink: #1b1b1f; --paper: #fff; --soft: #5f6368; --line: #d9dbe0; --mark: #8a1c1c;
@@ -30,11 +34,23 @@ _STYLE = """
 .restitution td.s { width: 1%; white-space: nowrap; }
 .restitution td.m, .restitution .mark { color: var(--mark); font: 600 .8rem/1 system-ui, sans-serif;
   text-align: right; white-space: nowrap; }
-.restitution td.m { width: 4.5rem; }
-.restitution .mark { float: right; padding-top: .4rem; }
+.restitution td.m { width: 6rem; padding-right: 0; }
+.restitution .mark { float: right; padding: .4rem 0 0 .6rem; }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
   font-size: 1.05em; }
+@media (max-width: 34rem) {
+  .restitution { padding: .7rem; }
+  .restitution table, .restitution tbody { display: block; width: auto; margin-left: .6rem;
+    overflow-x: auto; }
+  .restitution tr { display: flex; flex-wrap: wrap; align-items: baseline; column-gap: .2rem; }
+  .restitution td { padding: .1rem 0; }
+  .restitution td.l { width: auto; text-align: left; white-space: normal; }
+  .restitution td.l:empty { width: 1rem; }
+  .restitution td.s { width: auto; }
+  .restitution td.m { width: auto; margin-left: auto; }
+  .restitution td.m:empty { display: none; }
+}
 @media print { .restitution { --ink: #000; --paper: #fff; --soft: #333; --line: #999;
   --mark: #000; max-width: none; padding: 0; font-size: 11pt; }
   .restitution table, .restitution p { break-inside: avoid; }
@@ -129,8 +145,6 @@ def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
 
     A line is its first sign, and the operands with the signs between them (none for the first).
     """
-    from restitution.render.text import to_text, width
-
     pieces = list(zip(row.signs, row.operands[1:], strict=True))
     room = sum(width(to_text(each)) + 3 for each in row.operands if each is not None)
     if room <= 80 or len(pieces) == 1:
@@ -140,9 +154,16 @@ def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
 
 
 def _cell(layout: Layout | None) -> str:
-    """Mathematics; words among it may be broken over lines, so they stay text."""
+    """Mathematics; words among it and long sums may be broken over lines."""
     if layout is None:
         return ""
+    if isinstance(layout, Sum) and len(layout.terms) > 1 and width(to_text(layout)) > _WHOLE:
+        first, *rest = layout.terms
+        pieces = [to_mathml(Sum((first,)))]
+        for sign, term in rest:
+            pieces.append(f'<math><mo form="infix">{"−" if sign == "-" else "+"}</mo>')
+            pieces.append(to_mathml(term).removeprefix("<math>"))
+        return "".join(pieces).replace("</math><math>", "</math><wbr><math>")
     if isinstance(layout, Said):
         return escape(layout.text)
     if isinstance(layout, Phrase):

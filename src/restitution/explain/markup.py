@@ -1,16 +1,21 @@
 r"""A worked solution as Markdown with LaTeX, and as LaTeX.
 
-Both use ``aligned`` equations from amsmath and nothing else. Text is escaped; it never comes
-through as markup.
+Both use equations of amsmath and nothing else: ``aligned`` in Markdown, as every renderer knows
+it, and in LaTeX ``align*``, whose tags put the marks at the right margin. Text is escaped; it
+never comes through as markup.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
+from unicodedata import decomposition
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.latex import to_latex as laid_latex
-from restitution.render.layout import Layout
+from restitution.render.layout import Layout, Sum
+from restitution.render.text import GREEK, width
+from restitution.render.text import to_text as one_line
 
 _SIGNS = {"=": "=", "<": "<", ">": ">", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx"}
 _LATEX = {
@@ -25,13 +30,33 @@ _LATEX = {
     "^": r"\textasciicircum{}",
     "~": r"\textasciitilde{}",
 }
-_MARKDOWN = "\\`*_{}[]()#+-.!|<>$~"
+# Characters of a line as plain text that fit between the margins, marks beside them.
+_LINE = 64
 
-_PREAMBLE = r"""\documentclass[11pt]{article}
+_BEGIN = "\n\\begin{align*}\n"
+_END = "\n\\end{align*}"
+
+_BY_SIGN = {
+    "−": "-",
+    "√": r"\surd",
+    "×": r"\times",
+    "·": r"\cdot",
+    "°": r"^{\circ}",
+    "≤": r"\leq",
+    "≥": r"\geq",
+    "≠": r"\neq",
+    "∞": r"\infty",
+    **{sign: f"\\{name}" for name, sign in GREEK.items()},
+}
+
+_PREAMBLE = r"""\documentclass[11pt,fleqn]{article}
 \usepackage[a4paper,margin=25mm]{geometry}
 \usepackage{amsmath,amssymb}
 \usepackage{iftex}
 \ifPDFTeX\usepackage[utf8]{inputenc}\usepackage[T1]{fontenc}\fi
+\setlength{\mathindent}{2em}
+\allowdisplaybreaks
+\AtBeginDocument{\abovedisplayskip=3pt \belowdisplayskip=3pt}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 \begin{document}
@@ -104,39 +129,99 @@ def _latex_part(part: PartExplanation) -> list[str]:
             named = rf"\emph{{{_text(step.principle)}}}:"
             said = f"{named} {said}" if said else named
         if step.mark:
-            said = rf"{said} \hfill\textbf{{{_text(step.mark)}}}"
+            said = rf"{said} \hspace*{{\fill}}\textbf{{{_text(step.mark)}}}"
+        if said:
+            blocks.append(said)
         if step.rows:
-            said = f"{said}\n\\[\n{aligned(step.rows)}\n\\]"
-        if said.strip():
-            blocks.append(said.strip())
+            _displayed(step.rows, blocks, fresh=bool(said))
     return blocks
 
 
+def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
+    """Adds lines to the equations that end the blocks, or sets new ones below the words."""
+    for row in rows:
+        wide = columns(row.operands[0]) > _LINE / 2
+        said = _aside(row)
+        plain = replace(row, note=()) if said else row
+        body = " \\\\\n".join(_lines(plain, _tag(plain)))
+        last = blocks[-1] if blocks else ""
+        if last.endswith(_END) and not wide and not fresh:
+            blocks[-1] = f"{last.removesuffix(_END)} \\\\\n{body}{_END}"
+        elif last and fresh:
+            blocks[-1] = f"{last}{_BEGIN}{body}{_END}"
+        else:
+            blocks.append(f"{_BEGIN.lstrip()}{body}{_END}")
+        if said:
+            blocks[-1] += f"\n{said}"
+        fresh = False
+        if wide:
+            blocks.append("")
+    blocks[:] = [each for each in blocks if each]
+
+
+def _aside(row: Row) -> str:
+    """A long note, as words below its line."""
+    note = _note(row.note)
+    return f"({note})" if len(note) > _LINE / 2 else ""
+
+
+def _tag(row: Row) -> str:
+    return rf" \tag*{{\textbf{{{_text(row.mark)}}}}}" if row.mark else ""
+
+
 def aligned(rows: Sequence[Row]) -> str:
-    """Lines aligned at their signs, marks at the right."""
+    """Lines aligned at their signs, marks in a column of their own."""
     lines: list[str] = []
     for row in rows:
-        lines += _aligned_row(row)
+        lines += _lines(row, rf" &&\quad\text{{{_text(row.mark)}}}" if row.mark else "")
     body = " \\\\\n".join(lines)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
-def _aligned_row(row: Row) -> list[str]:
-    mark = rf" &&\quad\text{{{_text(row.mark)}}}" if row.mark else ""
+def _lines(row: Row, mark: str) -> list[str]:
+    """A chain in one line, or with each sign on its own if it is long; ``mark`` ends it."""
     note = rf"\quad\text{{({_note(row.note)})}}" if row.note else ""
     left = _operand(row.operands[0])
     if not row.signs:
         return [f"&{left}{note}{mark}"]
-    parts = [
-        f"{_SIGNS.get(sign, sign)} {_operand(operand)}"
-        for sign, operand in zip(row.signs, row.operands[1:], strict=True)
-    ]
-    long = len(parts) > 1 and sum(len(each) for each in parts) > 90
-    if not long:
-        return [f"{left} &{' '.join(parts)}{note}{mark}"]
-    lines = [f"{left} &{parts[0]}", *(f"&{each}" for each in parts[1:])]
+    parts = list(zip(row.signs, row.operands[1:], strict=True))
+    room = sum(columns(operand) + 3 for operand in row.operands if operand is not None)
+    pieces = [f"{_SIGNS.get(sign, sign)} {_operand(operand)}" for sign, operand in parts]
+    lines = [" ".join(pieces)]
+    if room > _LINE:
+        lines = [
+            part
+            for (sign, operand), piece in zip(parts, pieces, strict=True)
+            for part in _broken(sign, operand, piece, max(_LINE - columns(row.operands[0]), 40))
+        ]
+    if note and room > _LINE * 0.6:
+        lines.append(rf"\quad\text{{({_note(row.note)})}}")
+        note = ""
     lines[-1] += note + mark
-    return lines
+    if columns(row.operands[0]) > _LINE / 2 and (len(lines) > 1 or room > _LINE):
+        return [f"&{left}", *(rf"&\qquad {each}" for each in lines)]
+    return [f"{left} &{lines[0]}", *(f"&{each}" for each in lines[1:])]
+
+
+def _broken(sign: str, operand: Layout | None, piece: str, room: int) -> list[str]:
+    """A long sum in two lines, broken before a sign."""
+    if not isinstance(operand, Sum) or len(operand.terms) < 2 or columns(operand) <= room:
+        return [piece]
+    half = columns(operand) / 2
+    for cut in range(1, len(operand.terms)):
+        if columns(Sum(operand.terms[:cut])) >= half or cut == len(operand.terms) - 1:
+            way, middle = operand.terms[cut]
+            rest = Sum((("+", middle), *operand.terms[cut + 1 :]))
+            return [
+                f"{_SIGNS.get(sign, sign)} {_operand(Sum(operand.terms[:cut]))}",
+                rf"\qquad {{}}{way} {_operand(rest)}",
+            ]
+    return [piece]
+
+
+def columns(layout: Layout | None) -> int:
+    """About how long a formula is, by its plain text."""
+    return 0 if layout is None else width(one_line(layout))
 
 
 def _operand(layout: Layout | None) -> str:
@@ -157,9 +242,18 @@ def _inline(words: Words, escape: object) -> str:
 
 
 def _text(text: str) -> str:
-    return "".join(_LATEX.get(c, c) for c in text)
+    return "".join(_LATEX.get(c) or _sign(c) for c in text)
 
 
-def joined(blocks: Iterable[str]) -> str:
-    """Blocks with a blank line between them."""
-    return "\n\n".join(blocks)
+def _sign(c: str) -> str:
+    """A character of a formula among words, as mathematics; other characters as they are."""
+    if c in _BY_SIGN:
+        return f"${_BY_SIGN[c]}$"
+    kind, _, parts = decomposition(c).partition(" ")
+    if kind == "<fraction>":
+        above, _, below = (chr(int(each, 16)) for each in parts.replace(" 2044 ", " 2f ").split())
+        return rf"$\tfrac{{{above}}}{{{below}}}$"
+    if kind in ("<super>", "<sub>") and len(parts) == 4:
+        way = "^" if kind == "<super>" else "_"
+        return f"${way}{{{chr(int(parts, 16))}}}$"
+    return c

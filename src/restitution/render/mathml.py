@@ -93,8 +93,10 @@ def _postfix(sign: str) -> str:
 
 
 def _fenced(body: str, kind: str) -> str:
-    left = f'<mo form="prefix" stretchy="true">{kind[0]}</mo>'
-    right = f'<mo form="postfix" stretchy="true">{kind[1]}</mo>'
+    # Brackets grow only around what is tall: a grown one stands off, and lifts its exponent.
+    grows = "true" if "<mfrac" in body or "<msqrt" in body or "<mroot" in body else "false"
+    left = f'<mo form="prefix" stretchy="{grows}" lspace="0" rspace="0">{kind[0]}</mo>'
+    right = f'<mo form="postfix" stretchy="{grows}" lspace="0" rspace="0">{kind[1]}</mo>'
     return _row(left + body + right)
 
 
@@ -119,6 +121,7 @@ def _product(factors: tuple[Layout, ...]) -> str:
     out = [_node(factors[0])]
     for before, factor in pairwise(factors):
         spaced = isinstance(before, Function | Words) or isinstance(factor, Function | Words)
+        spaced = spaced or (isinstance(before, Fraction) and isinstance(factor, Fraction))
         out.append(_TIMES + (_THIN if spaced else "") + _node(factor))
     return "".join(out)
 

@@ -92,6 +92,8 @@ def to_text(layout: Layout) -> str:
             return _sum(terms)
         case Product():
             return _product(layout)
+        case Fraction(Words("d"), Product((Words("d"), Letter() as by))):
+            return f"d/d{to_text(by)}"  # a rate of change
         case Fraction(Number(a), Number(b)) if (a, b) in VULGAR:
             return VULGAR[a, b]
         case Fraction():
