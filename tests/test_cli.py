@@ -285,6 +285,39 @@ def test_progress_on_a_terminal(folder):
     assert b"/2" in seen
 
 
+def on_a_terminal(folder, arguments, term="xterm"):
+    """Standard output as it goes to a terminal."""
+    primary, secondary = pty.openpty()
+    done = subprocess.Popen(
+        [*COMMAND, *arguments],
+        cwd=folder,
+        stdout=secondary,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "TERM": term},
+    )
+    os.close(secondary)
+    seen = b""
+    try:
+        while chunk := os.read(primary, 4096):
+            seen += chunk
+    except OSError:
+        pass
+    done.communicate(timeout=60)
+    os.close(primary)
+    return seen.decode()
+
+
+def test_bold_type_on_a_terminal_and_nowhere_else(folder):
+    (folder / "titled.impact").write_text("title A wall\n" + GOOD, encoding="utf-8")
+    assert "\x1b[1mA wall\x1b[0m" in on_a_terminal(folder, ["solve", "titled.impact"])
+    assert "\x1b" not in on_a_terminal(folder, ["solve", "titled.impact"], term="dumb")
+    assert "\x1b" not in on_a_terminal(folder, ["solve", "titled.impact", "-f", "latex"])
+    _, out, _ = run("solve", "titled.impact", cwd=folder)
+    assert "\x1b" not in out
+    run("solve", "titled.impact", "-o", "out.txt", cwd=folder)
+    assert "\x1b" not in (folder / "out.txt").read_text(encoding="utf-8")
+
+
 # --- the other commands -----------------------------------------------------------------------
 
 

@@ -473,7 +473,18 @@ def test_lines_that_the_numbers_contradict_do_not_pass() -> None:
 
 # What LaTeX itself, amsmath and the few packages of the preamble define, among what is used.
 COMMANDS = frozenset(
-    [r"documentclass", r"usepackage", r"begin", r"end", r"setlength", r"mathindent", r"parindent", r"parskip", r"allowdisplaybreaks", r"AtBeginDocument", r"abovedisplayskip", r"belowdisplayskip", r"ifPDFTeX", r"fi", r"textbf", r"emph", r"text", r"mathbf", r"hspace", r"fill", r"tag", r"quad", r"qquad", r"left", r"right", r"frac", r"tfrac", r"sqrt", r"surd", r"times", r"cdot", r"circ", r"infty", r"leq", r"geq", r"neq", r"approx", r"lvert", r"rvert", r"sin", r"cos", r"tan", r"sec", r"csc", r"cot", r"arcsin", r"arccos", r"arctan", r"alpha", r"beta", r"gamma", r"delta", r"epsilon", r"varepsilon", r"zeta", r"eta", r"theta", r"iota", r"kappa", r"lambda", r"mu", r"nu", r"xi", r"pi", r"rho", r"sigma", r"tau", r"upsilon", r"phi", r"varphi", r"chi", r"psi", r"omega", r"textbackslash", r"textasciicircum", r"textasciitilde"]
+    re.findall(
+        r"\w+",
+        """
+    documentclass usepackage begin end setlength mathindent parindent parskip allowdisplaybreaks
+    AtBeginDocument abovedisplayskip belowdisplayskip ifPDFTeX fi
+    textbf emph text mathbf hspace fill tag quad qquad left right
+    frac tfrac sqrt surd times cdot circ infty leq geq neq approx lvert rvert
+    sin cos tan sec csc cot arcsin arccos arctan
+    alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho
+    sigma tau upsilon phi varphi chi psi omega textbackslash textasciicircum textasciitilde
+    """,
+    )
 )
 
 
@@ -526,3 +537,14 @@ def test_long_sums_of_a_page_can_be_broken() -> None:
     assert "<wbr>" in page
     assert page.count("<math") == page.count("</math>")
     assert "<wbr>" not in to_html(told(WALL.replace("find impulse, energy_lost", "find impulse")))
+
+
+def test_styled_text_differs_from_plain_text_in_type_only() -> None:
+    explanation = told("title A **j** of a question\n" + SPHERES.strip() + "\npart b\nfind impulse")
+    plain, styled = to_text(explanation), to_text(explanation, styled=True)
+    assert "\x1b" not in plain
+    assert "\x1b[1mj\x1b[0m" in styled
+    assert "\x1b[1m(b)\x1b[0m" in styled
+    assert "𝐣" not in styled
+    without = re.sub(r"\x1b\[\d*m", "", styled)
+    assert without == plain.replace("𝐢", "i").replace("𝐣", "j").replace("𝐯", "v")

@@ -154,7 +154,8 @@ def solve(
     if not 0 <= time_limit < 1e6:
         raise typer.BadParameter("a number of seconds, 0 for no limit", param_hint="--time-limit")
     target = _target(output, files, form)
-    wanted = _Wanted(form, part, answers_only, time_limit or None, _width())
+    styled = target.to_terminal and os.environ.get("TERM") != "dumb"
+    wanted = _Wanted(form, part, answers_only, time_limit or None, _width(), styled)
     worst = 0
     with _interruptible(), _worker(context.obj) as worker, target.written():
         progress = _progress(files) if len(files) > 1 else _silent
@@ -183,6 +184,7 @@ class _Wanted:
     answers_only: bool
     limit: float | None
     width: int
+    styled: bool
 
 
 @dataclass(frozen=True)
@@ -215,6 +217,7 @@ def _solve_file(worker: Worker, file: str, wanted: _Wanted) -> _Written:
         wanted.answers_only,
         wanted.width,
         wanted.limit,
+        wanted.styled,
     )
     try:
         reply = _ask(worker, job)

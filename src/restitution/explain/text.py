@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from string import ascii_letters, digits
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.layout import Layout, Relation, Sum
+from restitution.render.text import bold
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
 
@@ -13,45 +16,84 @@ _INDENT = 4
 _MARKS = 8
 _NO_BREAK = "\u00a0"
 
+_BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
+_LETTERS = {bold(c): c for c in ascii_letters + digits}
 
-def to_text(explanation: Explanation, width: int = 80) -> str:
-    """The whole working as Unicode text, at most ``width`` columns wide where that can be."""
-    lines: list[str] = []
+
+@dataclass(frozen=True)
+class _Line:
+    """A line of text, the mark at its end, and whether it is a heading."""
+
+    text: str = ""
+    mark: str = ""
+    strong: bool = False
+
+
+def to_text(explanation: Explanation, width: int = 80, styled: bool = False) -> str:
+    """The whole working as Unicode text, at most ``width`` columns wide where that can be.
+
+    With ``styled``, for a terminal: headings and vectors in bold type, by ANSI sequences, where
+    plain text has the bold letters of Unicode, which not every terminal shows.
+    """
+    lines: list[_Line] = []
     if explanation.title:
-        lines += [*_wrapped(explanation.title, width), ""]
+        lines += [*_strong(_wrapped(explanation.title, width)), _Line()]
     for part in explanation.parts:
         lines += _part(part, width)
     for warning in explanation.warnings:
-        lines += _wrapped(f"Note: {warning}", width)
-    while lines and not lines[-1]:
+        lines += _plain(_wrapped(f"Note: {warning}", width))
+    while lines and lines[-1] == _Line():
         lines.pop()
-    return "\n".join(lines)
+    return "\n".join(_finished(line, width, styled) for line in lines)
 
 
-def _part(part: PartExplanation, width: int) -> list[str]:
-    lines: list[str] = []
+def _plain(texts: Sequence[str]) -> list[_Line]:
+    return [_Line(text) for text in texts]
+
+
+def _strong(texts: Sequence[str]) -> list[_Line]:
+    return [_Line(text, strong=True) for text in texts]
+
+
+def _finished(line: _Line, width: int, styled: bool) -> str:
+    gap = " " * max(2, width - columns(line.text) - columns(line.mark)) if line.mark else ""
+    if not styled:
+        return f"{line.text}{gap}{line.mark}"
+    text, mark = line.text, line.mark
+    text = "".join(_LETTERS.get(c, c) for c in text) if line.strong else _with_bold(text)
+    if line.strong and text:
+        text = f"{_BOLD}{text}{_NORMAL}"
+    return f"{text}{gap}{_FAINT}{mark}{_NORMAL}" if mark else text
+
+
+def _with_bold(text: str) -> str:
+    """Bold type for the bold letters of Unicode."""
+    return "".join(f"{_BOLD}{_LETTERS[c]}{_NORMAL}" if c in _LETTERS else c for c in text)
+
+
+def _part(part: PartExplanation, width: int) -> list[_Line]:
+    lines: list[_Line] = []
     if part.label:
-        lines += [f"({part.label})", ""]
+        lines += [_Line(f"({part.label})", strong=True), _Line()]
     for step in part.steps:
         made = _step(step, width)
-        lines += made[1:] if made and not made[0] and not (lines and lines[-1]) else made
-    if lines and lines[-1]:
-        lines.append("")
+        idle = made and made[0] == _Line() and not (lines and lines[-1] != _Line())
+        lines += made[1:] if idle else made
+    if lines and lines[-1] != _Line():
+        lines.append(_Line())
     return lines
 
 
-def _step(step: Step, width: int) -> list[str]:
-    lines: list[str] = []
+def _step(step: Step, width: int) -> list[_Line]:
+    lines: list[_Line] = []
     if step.kind == "heading":
-        return ["", *_wrapped(said(step.words), width)]
+        return [_Line(), *_strong(_wrapped(said(step.words), width))]
     intro = said(step.words)
     if step.principle:
         intro = f"{step.principle}: {intro}" if intro else f"{step.principle}:"
     if intro:
-        wrapped = _wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0))
-        if step.mark:
-            wrapped[-1] = _marked(wrapped[-1], step.mark, width)
-        lines += wrapped
+        lines += _plain(_wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
+        lines[-1] = replace(lines[-1], mark=step.mark)
     lines += _rows(step.rows, width)
     return lines
 
@@ -78,7 +120,7 @@ def _wrapped(text: str, width: int) -> list[str]:
     return [line.replace(_NO_BREAK, " ") for line in lines]
 
 
-def _rows(rows: Sequence[Row], width: int) -> list[str]:
+def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
     lefts = [_operand(row.operands[0]) for row in rows]
     fitting = [
         columns(left)
@@ -88,7 +130,7 @@ def _rows(rows: Sequence[Row], width: int) -> list[str]:
     room = max(fitting, default=_INDENT)
     if any(_INDENT + room + _widest(row) > width - _margin(row) for row in rows):
         room = min(room, _INDENT + 4)
-    lines: list[str] = []
+    lines: list[_Line] = []
     for row, left in zip(rows, lefts, strict=True):
         lines += _row(row, left, room, width)
     return lines
@@ -107,7 +149,7 @@ def _operand(layout: Layout | None) -> str:
     return "" if layout is None else one_line(layout)
 
 
-def _row(row: Row, left: str, room: int, width: int) -> list[str]:
+def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     """One chain; what does not fit goes on below, under its own sign."""
     pad = " " * (_INDENT + max(0, room - columns(left)))
     limit = width - _margin(row)
@@ -132,12 +174,15 @@ def _row(row: Row, left: str, room: int, width: int) -> list[str]:
             continue
         current += piece
     lines.append(current)
-    if row.mark:
-        lines[-1] = _marked(lines[-1], row.mark, width)
-    if row.note:
-        note = said(row.note)
-        lines += [" " * (_INDENT + 2) + each for each in _wrapped(f"({note})", width - _INDENT - 2)]
-    return lines
+    note = f"({said(row.note)})" if row.note else ""
+    if note and columns(lines[-1]) + columns(note) + 3 <= limit:
+        lines[-1] = f"{lines[-1]}   {note}"
+        note = ""
+    made = _plain(lines)
+    made[-1] = replace(made[-1], mark=row.mark)
+    if note:
+        made += _plain([" " * (_INDENT + 2) + each for each in _wrapped(note, width - _INDENT - 2)])
+    return made
 
 
 def _broken(layout: Layout, room: int) -> list[str]:
@@ -158,8 +203,3 @@ def _broken(layout: Layout, room: int) -> list[str]:
     if isinstance(layout, Relation):
         return [one_line(layout)]
     return [one_line(layout)]
-
-
-def _marked(line: str, mark: str, width: int) -> str:
-    gap = width - columns(line) - columns(mark)
-    return f"{line}{' ' * max(2, gap)}{mark}"

@@ -29,7 +29,8 @@ _WRITING = 0.3
 class Job:
     """A problem, what is wanted of it, and how: ``limit`` in seconds, ``width`` in characters.
 
-    ``part`` is the label of the one part wanted, or None for all.
+    ``part`` is the label of the one part wanted, or None for all; ``styled`` is text with bold type
+    for a terminal.
     """
 
     file: str
@@ -39,6 +40,7 @@ class Job:
     answers_only: bool = False
     width: int = 80
     limit: float | None = None
+    styled: bool = False
 
 
 @dataclass(frozen=True)
@@ -140,4 +142,4 @@ def _working(solution: Solution, job: Job) -> str:
         case "html":
             return to_html(explanation)
         case _:
-            return to_text(explanation, job.width)
+            return to_text(explanation, job.width, job.styled)
