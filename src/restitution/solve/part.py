@@ -687,7 +687,8 @@ def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found
             value = at(found.values[x.name], {})
         except (UndefinedError, KeyError):
             continue
-        if _outside(x.name, value, role) is None:
+        wrong = _outside(x.name, value, role)
+        if wrong is None or wrong[1] == "coefficient":  # which is refused with its reason, later
             kept.append(found)
     return kept
 

@@ -204,10 +204,10 @@ class _Worker:
         accepted = outcome.accepted
         if not accepted:
             blamed = outcome.refused
-            if blamed and all(t.kind == "coefficient" for t in blamed):
+            implied = blamed and all(t.kind == "coefficient" for t in blamed)
+            if implied and self._warn_of_coefficient(outcome, blamed):
                 # The data imply an impossible coefficient: said, and the rest answered.
                 accepted = self._with_impossible_coefficient(outcome)
-                self._warn_of_coefficient(outcome, blamed)
             if not accepted:
                 raise impossible(outcome.trials, self.part.place)
         made = []
@@ -243,7 +243,8 @@ class _Worker:
             kept.append(replace(trial, samples=(values,)))
         return kept
 
-    def _warn_of_coefficient(self, outcome: Outcome, trials: list[Trial]) -> None:
+    def _warn_of_coefficient(self, outcome: Outcome, trials: list[Trial]) -> bool:
+        """Whether it is a letter that came out impossible, and not a number in the text."""
         implied = []
         for trial in trials:
             for name, value in trial.found.values.items():
@@ -255,6 +256,7 @@ class _Worker:
         text = f"the data imply {' or '.join(implied)}, and {trials[0].reason}"
         if implied and text not in self.warnings:
             self.warnings.append(text)
+        return bool(implied)
 
     # --- items --------------------------------------------------------------------------------
 
