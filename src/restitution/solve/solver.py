@@ -334,7 +334,9 @@ class _Worker:
         else:
             value = branch.story.evaluator(now).value(tree)
         if isinstance(tree, Letter) and isinstance(value, Angle):
-            return exact.tidy_angle(value.measure())
+            measured = value.measure()
+            if not measured.has(sp.atan2, sp.Abs):
+                return exact.tidy_angle(measured)
         if kind == "direction" and isinstance(value, Vector):
             return forms.direction(value, samples)
         result = forms.plain(value, samples)
