@@ -37,6 +37,7 @@ TERMS = 20
 EXPANDED = 200
 
 _TRIGONOMETRIC = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
+_MASKED = ("sin", "cos", "tan")
 _HALF = Rational(1, 2)
 
 
@@ -252,7 +253,8 @@ def cost(expression: Expr) -> float:
     if expression.is_Rational:
         return cost(Integer(expression.p)) + cost(Integer(expression.q)) + 0.5
     if expression.is_Atom:
-        return 1.0
+        # A letter that stands for the sine of an angle is read as two.
+        return 2.0 if isinstance(expression, sympy.Dummy) and expression.name in _MASKED else 1.0
     if isinstance(expression, Add):
         # A minus in the middle of a sum is as easy to read as a plus.
         total = 1.0 * (len(expression.args) - 1)
@@ -440,7 +442,65 @@ def _tidy(expression: Expr) -> Expr:
         if expanded != expression and _size(expanded, SEARCHED) < SEARCHED:
             starts.append(expanded)
     found = [_tidy_letters(each) for each in starts]
-    return min(found, key=cost)
+    if isinstance(expression, Mul) and expression.has(sympy.Abs):
+        found.append(_with_bars(expression))
+    return _oriented(min(found, key=cost))
+
+
+def _with_bars(value: Mul) -> Expr:
+    """A product with one |x| in it, tidied as one thing, and the bars put where they matter."""
+    bars = [each for each in value.args if isinstance(each.as_base_exp()[0], sympy.Abs)]
+    if len(bars) != 1:
+        return value
+    base, power = bars[0].as_base_exp()
+    rest = value / bars[0]
+    if rest.has(sympy.Abs) or _sign(rest) != 1:
+        return value
+    factors = []
+    for factor in Mul.make_args(_tidy_letters(rest * base.args[0] ** power)):
+        below, exponent = factor.as_base_exp()
+        sign = 1 if exponent.is_even else _sign(below)
+        factors.append(factor if sign == 1 else sympy.Abs(below) ** exponent)
+    return Mul(*factors)
+
+
+def _sign(value: Expr) -> int | None:
+    """The sign of an expression if it is the same at random admissible points."""
+    signs = set()
+    for point in _points(value, random.Random(11), 12):
+        number = value.evalf(15, subs=point)
+        if not number.is_Float:
+            return None
+        signs.add(1 if number > 0 else -1)
+    return signs.pop() if len(signs) == 1 else None
+
+
+def _oriented(value: Expr) -> Expr:
+    """(1 − e)² for (e − 1)² throughout."""
+    if value.is_Atom or not value.has(Add):
+        return value
+    arguments = [_oriented(each) for each in value.args]
+    if isinstance(value, Pow) and value.exp.is_even and isinstance(arguments[0], Add):
+        arguments[0] = forward(arguments[0])
+    return value if tuple(arguments) == value.args else _rebuilt(value, arguments)
+
+
+def forward(total: Expr) -> Expr:
+    """A sum or the same with the other sign: few minuses, and the term with the least e first."""
+    minuses = sum(term.could_extract_minus_sign() for term in total.args)
+    if 2 * minuses != len(total.args):
+        return -total if 2 * minuses > len(total.args) else total
+    coefficients = {x for x in total.free_symbols if x.is_nonnegative and not x.is_positive}
+    if not coefficients and not total.has(*_TRIGONOMETRIC):
+        return total
+
+    def order(term: Expr) -> tuple[Any, ...]:
+        powers = term.as_powers_dict()
+        return sum(powers[x] for x in coefficients if x in powers), sympy.default_sort_key(
+            -term if term.could_extract_minus_sign() else term
+        )
+
+    return -total if min(total.args, key=order).could_extract_minus_sign() else total
 
 
 def _tidy_letters(expression: Expr) -> Expr:
@@ -602,11 +662,49 @@ def _tidy_roots(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
     if isinstance(value, Pow) and isinstance(value.exp, Rational) and value.exp.q != 1:
         inside = _core(value.base, angles)
         if value.exp.q == 2:
+            inside = _over_a_square(inside)
             root = _root(inside)
             return root if value.exp.p == 1 else Pow(root, value.exp.p)
         return Pow(inside, value.exp)
     arguments = [_tidy_roots(each, angles) for each in value.args]
+    if isinstance(value, Mul):
+        arguments = _joined_roots(arguments)
     return value.func(*arguments) if tuple(arguments) != value.args else value
+
+
+def _joined_roots(factors: list[Expr]) -> list[Expr]:
+    """√(a − b) √(a + b), which SymPy keeps apart, as √(a² − b²)."""
+    roots = [
+        each
+        for each in factors
+        if isinstance(each, Pow) and abs(each.exp) == _HALF and isinstance(each.base, Add)
+    ]
+    for first, second in combinations(roots, 2):
+        if first.exp == second.exp:
+            inside = _conjugates(first.base, second.base)
+            if inside is not None:
+                rest = [each for each in factors if each not in (first, second)]
+                return [*rest, Pow(inside, first.exp)]
+    return factors
+
+
+def _over_a_square(inside: Expr) -> Expr:
+    """A²/c² + b as (A² + b c²)/c², whose root is simpler; the terms are kept as they are."""
+    if not isinstance(inside, Add):
+        return inside
+    parts = [sympy.fraction(term) for term in inside.args]
+    number = sympy.ilcm(*[below.as_coeff_Mul()[0] for _, below in parts])
+    powers: dict[Expr, Expr] = {}
+    for _, below in parts:
+        for base, power in below.as_coeff_Mul()[1].as_powers_dict().items():
+            powers[base] = max(powers.get(base, S.Zero), power)
+    powers.pop(S.One, None)
+    if not (powers or number > 1) or any(not each.is_even for each in powers.values()):
+        return inside
+    if not sympy.sqrt(number).is_Integer:
+        return inside
+    whole = number * Mul(*[base**power for base, power in powers.items()])
+    return Mul(Add(*[above * (whole / below) for above, below in parts]), 1 / whole, evaluate=False)
 
 
 def _root(inside: Expr) -> Expr:
@@ -706,7 +804,9 @@ def _with_angles(value: Expr, angles: list[_Angle]) -> Expr:
     if len(angles) > 3:
         return best
     for angle in angles:
-        best = _with_angle(best, angle)
+        found = _with_angle(best, angle)
+        # A square of squares has become one square: 1 − sin²α in it is seen now.
+        best = found if found == best else _with_angle(found, angle)
     return best
 
 
@@ -824,12 +924,32 @@ def _factored(value: Expr, *, deep: bool = True) -> Expr:
             powers.append((base, exponent))
     powers = _merged(powers)
     coefficient = _tidy_number(coefficient)
+    if deep:
+        coefficient, powers = _surds_inside(coefficient, powers)
     sign, powers = _signed(coefficient, powers)
     if sign < 0:
         coefficient = -coefficient if not isinstance(coefficient, Add) else coefficient * -1
     if deep:
         powers = [(_collected(base), power) for base, power in powers]
     return _product(coefficient, powers)
+
+
+def _surds_inside(
+    coefficient: Expr, powers: list[tuple[Expr, Expr]]
+) -> tuple[Expr, list[tuple[Expr, Expr]]]:
+    """(2 + √3)(e + 3√3 − 5) as √3 − 1 + (2 + √3)e, where that is shorter."""
+    rational, surd = coefficient.as_coeff_Mul()
+    if not isinstance(surd, Add):
+        return coefficient, powers
+    for index, (base, power) in enumerate(powers):
+        if power != 1 or not isinstance(base, Add) or len(base.args) > 4:
+            continue
+        if not any(_is_surd(each) for each in base.atoms(Pow)):
+            continue
+        whole = _collected_in(sympy.expand(surd * base), tuple(base.free_symbols))
+        if cost(whole) < cost(surd) + cost(base) + 1:  # two pairs of brackets
+            return rational, [*powers[:index], (whole, power), *powers[index + 1 :]]
+    return coefficient, powers
 
 
 def _product(coefficient: Expr, powers: list[tuple[Expr, Expr]]) -> Expr:
@@ -848,6 +968,9 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
     if not surds or len(total.args) > 10:
         return plain
     letters = sorted(total.free_symbols, key=sympy.default_sort_key)
+    # 2e + √3 e − 1 as (2 + √3)e − 1
+    gathered = min((rest, _collected_in(rest, tuple(letters))), key=cost)
+    plain = content, [(gathered, S.One)]
     try:
         poly = sympy.Poly(rest, *letters, domain="EX")
     except sympy.PolynomialError:
@@ -956,7 +1079,8 @@ def _signed(
 
 def _one_sign(total: Expr) -> bool:
     """Whether turning a sum round would make it negative at all admissible letters tried."""
-    return all(value > 0 for value in _samples(total))
+    values = list(_samples(total))
+    return bool(values) and all(value > 0 for value in values)
 
 
 def _negative(total: Expr) -> bool:
@@ -970,44 +1094,101 @@ def _samples(total: Expr) -> Iterator[float]:
     if any(letter.is_extended_nonnegative is not True for letter in letters):
         return
     generator = random.Random(5)
-    # One letter after the other is made large: u − 8v has no sign of its own.
-    large = [
-        letter for letter in letters if letter.is_positive and letter.name not in ("sin", "cos")
+    # One letter after the other is made large or small: u − 8v has no sign of its own, nor has
+    # 14e − 1.
+    masked = [x for x in letters if isinstance(x, sympy.Dummy) and x.name in _MASKED]
+    ends = [
+        (letter, end)
+        for letter in letters
+        if letter not in masked
+        for end in (
+            (Float("0.0001"), Float(1000))
+            if letter.is_positive
+            else (Float("0.0001"), Float("0.9999"))
+        )
     ]
-    for index in range(6 + len(large)):
+    for index in range(6 + len(ends)):
         point = {letter: _sample(letter, generator, False) for letter in letters}
         if index >= 6:
-            point[large[index - 6]] = Float(1000)
-        if len(letters) == 2 and all(getattr(x, "name", "") in ("sin", "cos") for x in letters):
-            a = generator.uniform(0.05, 1.5)
-            point = {x: Float(sympy.sin(a) if x.name == "sin" else sympy.cos(a)) for x in letters}
+            point[ends[index - 6][0]] = ends[index - 6][1]
+        if masked:
+            point.update(_of_an_angle(masked, generator))
         value = total.evalf(15, subs=point)
         if not value.is_Float and not value.is_Integer:
             return
         yield float(value)
 
 
+def _of_an_angle(masked: list[Symbol], generator: random.Random) -> dict[Symbol, Float]:
+    """Values for masked functions: of one acute angle where they may be, else of several."""
+    several = len({x.name for x in masked}) < len(masked)
+    angle = generator.uniform(0.05, 1.5)
+    values = {}
+    for each in masked:
+        angle = generator.uniform(0.05, 1.5) if several else angle
+        values[each] = Float(getattr(math, each.name)(angle))
+    return values
+
+
 def _collected(total: Expr) -> Expr:
-    """A sum with one letter collected, where that is shorter."""
+    """A sum with one letter, or with its components, collected where that is shorter."""
     if not isinstance(total, Add) or not 3 <= len(total.args) <= 12:
         return total
     best, least = total, cost(total)
-    letters = sorted(total.free_symbols, key=sympy.default_sort_key)
+    letters = sorted(total.free_symbols, key=_masked_first)
     for letter in letters:
         if sum(term.has(letter) for term in total.args) < 2:
             continue
-        parts = sympy.collect(total, letter, evaluate=False)
-        terms = []
-        for power, coefficient in parts.items():
-            inner = sympy.factor(coefficient) if isinstance(coefficient, Add) else coefficient
-            if isinstance(inner, Mul) and any(isinstance(x, Add) for x in inner.args):
-                inner = _factored(inner, deep=False) if inner.free_symbols else inner
-            terms.append(_keep(inner, power))
-        candidate = Add(*terms)
-        found = cost(candidate)
-        if found < least - 0.25:
-            best, least = candidate, found
+        found = _collected_in(total, (letter,))
+        # (1 + e) cos²θ rather than cos²θ + e cos²θ, though both are as long.
+        slack = 0.25 if isinstance(letter, sympy.Dummy) else -0.25
+        if cost(found) < least + slack:
+            best, least = found, min(least, cost(found))
+    components = _components(letters)
+    if len(components) > 1:
+        found = _collected_in(total, components)
+        # (1 − e) cos α + (1 + e) cos β rather than cos α + cos β − e(cos α − cos β)
+        whole = isinstance(found, Add) and all(
+            any(isinstance(x, Add) for x in Mul.make_args(term)) for term in found.args
+        )
+        if cost(found) < least + (2 if whole else 0.25):
+            best = found
     return best
+
+
+def _masked_first(letter: Symbol) -> tuple[bool, Any]:
+    return not isinstance(letter, sympy.Dummy), sympy.default_sort_key(letter)
+
+
+def _components(letters: list[Symbol]) -> tuple[Symbol, ...]:
+    """The sines and cosines in a sum or, where there are none, what is no coefficient."""
+    masked = [x for x in letters if isinstance(x, sympy.Dummy) and x.name in _MASKED]
+    return tuple(masked or [x for x in letters if not x.is_nonnegative or x.is_positive])
+
+
+def _collected_in(total: Add, letters: tuple[Symbol, ...]) -> Expr:
+    """A sum with the products of some letters collected, each factor in factors."""
+    parts: dict[Expr, list[Expr]] = {}
+    for term in total.args:
+        coefficient, power = term.as_independent(*letters, as_Add=False)
+        parts.setdefault(power, []).append(coefficient)
+    terms = []
+    for power, coefficients in parts.items():
+        coefficient = Add(*coefficients)
+        inner = sympy.factor(coefficient) if isinstance(coefficient, Add) else coefficient
+        if isinstance(inner, Mul) and any(isinstance(x, Add) for x in inner.args):
+            inner = _factored(inner, deep=False) if inner.free_symbols else inner
+        if isinstance(inner, Add) and power is not S.One and _turns(inner):
+            terms.append(Mul(S.NegativeOne, -inner, power))
+        else:
+            terms.append(_keep(inner, power))
+    return Add(*terms)
+
+
+def _turns(total: Add) -> bool:
+    """Whether a sum reads better behind a minus: −1 − e, and e − 1, which is never positive."""
+    minuses = sum(term.could_extract_minus_sign() for term in total.args)
+    return minuses == len(total.args) or (minuses > 0 and _negative(total))
 
 
 def _keep(coefficient: Expr, power: Expr) -> Expr:

@@ -442,8 +442,13 @@ class Evaluator:
         if bottom is None:
             return top
         if self.field.is_zero(bottom):
-            raise _error(tree, f"{function} of this angle is infinite")
+            noun = _RATIOS[function]
+            right = "a right angle" if function in ("tan", "sec") else "0° or 180°"
+            raise _error(tree, f"the {noun} has no value, as the angle is {right}")
         return top / bottom
+
+
+_RATIOS = {"tan": "tangent", "cot": "cotangent", "sec": "secant", "cosec": "cosecant"}
 
 
 def evaluate(tree: Expression, symbol: Callable[[str], sp.Expr]) -> Any:

@@ -357,8 +357,10 @@ def vector(x: Any, y: Any) -> Layout:
         first, second = sympy.sympify(x, strict=True), sympy.sympify(y, strict=True)
         common = _common_surd(first, second)
         if common is not None:
-            inner = vector(sympy.nsimplify(first / common), sympy.nsimplify(second / common))
-            return product(from_sympy(common), Brackets(inner))
+            x, y = sympy.nsimplify(first / common), sympy.nsimplify(second / common)
+            if x < 0 and y < 0:
+                return negative(product(from_sympy(common), Brackets(vector(-x, -y))))
+            return product(from_sympy(common), Brackets(vector(x, y)))
     terms = [
         _component(as_layout(value), axis)
         for value, axis in ((x, "i"), (y, "j"))
@@ -459,10 +461,14 @@ def _from_expression(value: Expr) -> Layout:
     if isinstance(value, Mul | Pow):
         return _from_product(value)
     if isinstance(value, sympy.Abs):
-        return Brackets(_from_expression(value.args[0]), "||")
+        inside = value.args[0]
+        inside = exact.forward(inside) if isinstance(inside, Add) else inside
+        return Brackets(_from_expression(inside), "||")
     if isinstance(value, _DIRECT):
         return function(_NAMES[value.func.__name__], _from_angle(value.args[0]))
     name = value.func.__name__
+    if isinstance(value, sympy.atan | sympy.asin) and _is_turned(value.args[0]):
+        return negative(function(_NAMES[name], _from_expression(exact.tidy(-value.args[0]))))
     if name in _NAMES and value.args:
         arguments = [_from_expression(each) for each in value.args]
         if len(arguments) == 1:
@@ -482,11 +488,20 @@ def _from_angle(value: Expr) -> Layout:
             size: Layout = Degrees(_plain_number(Ratio(int(abs(number.p)), int(number.q)) * 180))
             terms.append((number.p < 0, True, Sum((("-", size),)) if number.p < 0 else size))
         else:
-            laid = _from_expression(term)
+            size, inner = term.as_coeff_Mul()
+            laid = _from_expression(inner if size == -1 else term)
+            laid = negative(laid) if size == -1 else laid
             terms.append((split_sign(laid)[0] == "-", False, laid))
-    # 180° − arctan(4/3), 90° − α, but α + 30°
-    terms.sort(key=lambda each: (each[0], each[1]))
+    # 180° − arctan(4/3), 90° + arctan(3/4), 90° − α, but α + 30°
+    arcs = value.has(*_INVERSE)
+    terms.sort(key=lambda each: (each[0], each[1] != arcs))
     return total([each[2] for each in terms])
+
+
+def _is_turned(value: Expr) -> bool:
+    """Whether a value is a negative number times letters, as SymPy's arctan may hold it."""
+    number, _ = value.as_independent(*value.free_symbols, as_Add=False)
+    return bool(number.is_negative)
 
 
 def _plain_number(value: Ratio) -> Layout:
@@ -533,7 +548,7 @@ def _term_order(term: Expr) -> tuple[Any, ...]:
     """Numbers, then powers of e ascending, then high powers first, then by the alphabet."""
     if not term.free_symbols:
         rational = 0 if term.is_Rational else 1
-        return (0, rational, 0, (), cost_key(term))
+        return (0, False, rational, 0, (), cost_key(term))
     powers = term.as_powers_dict()
     ratio = 0
     other: Any = 0
@@ -549,6 +564,7 @@ def _term_order(term: Expr) -> tuple[Any, ...]:
     numeric = float(other) if getattr(other, "is_number", True) else 0.0
     return (
         1,
+        term.has(*_DIRECT),  # 1 − e + 2 tan²α
         float(ratio) if getattr(ratio, "is_number", True) else 0.0,
         -numeric,
         tuple(sorted(names, key=str)),
@@ -649,7 +665,8 @@ def _assemble(
     inside_below: list[Expr] = []
     merged = bool(lettered)
     if surd != 1:
-        if merged and q % surd == 0:
+        if merged and q == surd:
+            # u√((1 + e²)/2), but u√(2(5 + e²))/4
             inside_below.append(Integer(surd))
             q //= surd
             surd = 1
@@ -766,7 +783,7 @@ def _general_power(base: Expr, exponent: Expr) -> Layout:
 
 def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:
     base, _ = factor
-    if not base.free_symbols:
+    if not base.free_symbols and not isinstance(base, _DIRECT):
         return (0, exact.cost(base), str(base))
     if isinstance(base, Symbol):
         kind = _class(base)
@@ -788,7 +805,9 @@ def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:
         )
         if classes <= {"coefficient", "ratio"} and plain:
             minuses = sum(_is_negative(each) for each in base.args)
-            return (1, minuses, _alphabet_of(base), str(base))
+            # (1 + e)k, but k(1 − 2k)
+            rank = 1 if "coefficient" in classes else 2.2
+            return (rank, minuses, _alphabet_of(base), str(base))
         if (
             classes == {"mass"}
             or classes == {"mass", "coefficient"}

@@ -216,8 +216,8 @@ def _slash(fraction: Fraction) -> str:
         above = f"({_slash(fraction.above)})"
     elif isinstance(fraction.above, Sum | Relation | Phrase) or _open_ended(fraction.above):
         above = f"({above})"
-    simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function)
-    if not simple and not (isinstance(fraction.below, Root) and "(" not in below):
+    simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function | Root)
+    if not simple:
         below = f"({_slash(fraction.below) if isinstance(fraction.below, Fraction) else below})"
     return f"{above}/{below}"
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import itertools
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -10,10 +11,10 @@ import sympy as sp
 from restitution import exact
 from restitution.expression.evaluate import Angle
 from restitution.solve.neat import neat
-from restitution.solve.numbers import sign_at
+from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, sign_at
 from restitution.vector import Vector
 
-Samples = Sequence[Mapping[str, Any]]
+Samples = Iterable[Mapping[str, Any]]
 
 
 def plain(value: Any, samples: Samples) -> Any:
@@ -23,6 +24,13 @@ def plain(value: Any, samples: Samples) -> Any:
     if isinstance(value, Angle):
         return angle(value, samples)
     return tidy(signed(sp.sympify(value, strict=True), samples))
+
+
+def bound(x: sp.Expr) -> sp.Expr:
+    """An end of a range, or a greatest value, in textbook form."""
+    if x.has(sp.atan, sp.acos, sp.asin, sp.atan2):
+        return exact.tidy_angle(x)
+    return exact.tidy(x)
 
 
 def tidy(x: sp.Expr) -> sp.Expr:
@@ -91,7 +99,7 @@ def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
 
 
 def angle(value: Angle, samples: Samples) -> sp.Expr:
-    """An angle in radians, by an inverse tangent where that is possible."""
+    """An angle in radians: a sum of letters, or by an inverse function of what is simplest."""
     x, y = (signed(sp.sympify(part, strict=True), samples) for part in (value.x, value.y))
     if not x.free_symbols and not y.free_symbols and not (x + y).has(sp.sin, sp.cos, sp.tan):
         return exact.tidy_angle(sp.atan2(_number(y), _number(x)))
@@ -105,26 +113,90 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
         measured.is_Add and not measured.has(sp.atan2) and not measured.has(sp.Abs)
     ):
         return exact.tidy_angle(measured)
-    if sx is not None:
-        ratio = tidy(neat(y / x))
-        for letter in sorted(ratio.free_symbols, key=lambda s: s.name):
-            # arctan(cos α / sin α) is the complement of α.
-            if sx > 0 and letter.is_positive and ratio.has(sp.sin(letter), sp.tan(letter)):
-                turned = neat(ratio.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a)))
-                if neat(turned * sp.sin(letter) / sp.cos(letter)) == 1:
-                    return sp.pi / 2 - letter
-        turned = sp.atan(ratio)
-        if sx > 0:
-            return exact.tidy_angle(turned)
-        if sy is None:
-            return sp.atan2(tidy(y), tidy(x))
-        flat = sp.pi if sy > 0 else -sp.pi
-        return exact.tidy_angle(
-            flat - sp.atan(tidy(neat(-y / x))) if sy > 0 else flat + sp.atan(ratio)
-        )
-    if sy is not None and sy > 0:
-        return exact.tidy_angle(sp.pi / 2 - sp.atan(tidy(neat(x / y))))
+    whole = _sum_of_letters(x, y, samples)
+    if whole is not None:
+        return whole
+    if sx == 1:
+        return _arc(y, x, sy)
+    if sx == -1 and sy is not None:
+        return sy * sp.pi - sy * _arc(sy * y, -x, 1)
+    if sy is not None:
+        # Beyond a right angle or not: the complement is right for both.
+        found = sy * sp.pi / 2 - sy * _arc(x, sy * y, None)
+        return min((found, *_turned(x, y, samples)), key=exact.cost)
     return sp.atan2(tidy(y), tidy(x))
+
+
+def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
+    """The angle of a vector with x > 0: by its sine or cosine where that saves a root."""
+    tangent = tidy(neat(y / x))
+    if _has_root(tangent):
+        size = sp.sqrt(tidy(x**2 + y**2))
+        for function, side in ((sp.asin, y), (sp.acos, x)):
+            found = tidy(side / size)
+            if not _has_root(found) and (function is sp.asin or sy == 1):
+                return exact.tidy_angle(function(found))
+    return exact.tidy_angle(sp.atan(tangent))
+
+
+def _has_root(x: sp.Expr) -> bool:
+    return any(
+        isinstance(each, sp.Pow) and not each.exp.is_Integer and each.free_symbols
+        for each in x.atoms(sp.Pow)
+    )
+
+
+def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
+    """The angle as a letter and a rest: α + arctan(e tan α)."""
+    for letter in _angles_in(x + y):
+        for sense in (1, -1):
+            c, s = sp.cos(letter), sense * sp.sin(letter)
+            along, across = neat(x * c + y * s), neat(y * c - x * s)
+            if sign_at(along, samples) == 1:
+                yield sense * letter + _arc(across, along, None)
+
+
+def _angles_in(x: sp.Expr) -> list[sp.Symbol]:
+    found = {each.args[0] for each in x.atoms(sp.sin, sp.cos, sp.tan) if each.args[0].is_Symbol}
+    return sorted(found, key=lambda letter: letter.name)
+
+
+def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
+    """The direction as 2α, 2φ − α or 90° − α, if it is such a sum at all the samples."""
+    angles = _angles_in(x + y)
+    if not 1 <= len(angles) <= 3:
+        return None
+    chosen: tuple[int, ...] | None = None
+    twelfths = 0
+    for values in samples:
+        try:
+            whole = FIELD.context.atan2(at(y, values), at(x, values))
+        except UndefinedError:
+            continue
+        own = [values[each.name] for each in angles]
+        if chosen is None:
+            found = _whole_numbers(whole, own)
+            if found is None:
+                return None
+            chosen, twelfths = found
+        rest = whole - sum(n * each for n, each in zip(chosen, own, strict=True))
+        if abs(rest - twelfths * FIELD.context.pi / 12) > TINY:
+            return None
+    if chosen is None:
+        return None
+    terms = [n * each for n, each in zip(chosen, angles, strict=True)]
+    return sp.Add(*terms, twelfths * sp.pi / 12)
+
+
+def _whole_numbers(whole: Any, parts: list[Any]) -> tuple[tuple[int, ...], int] | None:
+    """Small whole numbers n with whole = n₁a₁ + n₂a₂ + … + m π/12, and m."""
+    step = FIELD.context.pi / 12
+    for numbers in itertools.product((0, 1, -1, 2, -2), repeat=len(parts)):
+        ratio = (whole - sum(n * each for n, each in zip(numbers, parts, strict=True))) / step
+        nearest = FIELD.context.nint(ratio)
+        if abs(nearest) <= 24 and abs(ratio - nearest) < TINY:
+            return numbers, int(nearest)
+    return None
 
 
 def _number(x: sp.Expr) -> sp.Expr:
@@ -132,10 +204,15 @@ def _number(x: sp.Expr) -> sp.Expr:
 
 
 def direction(value: Vector, samples: Samples) -> Vector:
-    """A direction vector, up to scale, without fractions or common factors."""
+    """A direction vector, up to scale: without fractions or common factors."""
     x, y = (signed(sp.sympify(part, strict=True), samples) for part in value)
     if x == 0:
         return Vector(sp.Integer(0), sp.Integer(sign_at(y, samples) or 1))
     if y == 0:
         return Vector(sp.Integer(sign_at(x, samples) or 1), sp.Integer(0))
+    ratio = tidy(neat(y / x))
+    up, along = sp.fraction(ratio)
+    if not _has_root(ratio) and exact.cost(up) + exact.cost(along) < 12:
+        sense = sign_at(along * x, samples) or 1
+        return Vector(sense * along, sense * up)
     return Vector(tidy(x), tidy(y))

@@ -161,6 +161,7 @@ def sample(names: Iterable[str], roles: Mapping[str, Role], rng: random.Random) 
 
 def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
     """The sign of an expression if it is the same at all points where it has one, else None."""
+    x = sp.sympify(x, strict=True)
     found: int | None = None
     for values in samples:
         try:
@@ -172,6 +173,8 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
             found = sign
         elif found != sign:
             return None
+        if x.is_number:
+            break
     return found
 
 

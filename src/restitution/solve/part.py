@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -48,6 +49,8 @@ from restitution.solve.numbers import FIELD, TINY, Sample, UndefinedError, at, s
 from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
+# Where the form of an answer hangs on a sign, four points are too few.
+SAMPLES_FOR_SIGNS = 24
 SAMPLES_TRIED = 160
 SYMBOLIC = Symbolic()
 
@@ -205,7 +208,7 @@ class Setting:
                 return need.reason, "equation"
         return None
 
-    def try_out(self, found: Found, letters_: Letters) -> Trial:
+    def try_out(self, found: Found, letters_: Letters, wanted: int = SAMPLES_WANTED) -> Trial:
         """Whether a solution is admissible for some values of the data."""
         known = letters_.all_roles()
         rng = random.Random(11)
@@ -244,7 +247,7 @@ class Setting:
                 continue
             if wrong is None:
                 accepted.append(values)
-                if len(accepted) == SAMPLES_WANTED:
+                if len(accepted) == wanted:
                     break
             else:
                 reasons[wrong] += 1
@@ -424,6 +427,10 @@ class Outcome:
     def accepted(self) -> list[Trial]:
         return [trial for trial in self.trials if trial.samples]
 
+    def witnesses(self, trial: Trial) -> Witnesses:
+        """The samples of an accepted trial, with more to be had."""
+        return Witnesses(self, trial)
+
     @property
     def refused(self) -> list[Trial]:
         return [trial for trial in self.trials if not trial.samples and trial.kind != "equation"]
@@ -478,6 +485,27 @@ class Desk:
             raise
         self.outcomes.append(found)
         return found
+
+
+@dataclass(frozen=True)
+class Witnesses:
+    """Admissible values of all letters: a few at once, more when the few agree."""
+
+    outcome: Outcome
+    trial: Trial
+
+    def __iter__(self) -> Iterator[Sample]:
+        yield from self.trial.samples
+        yield from self._more
+
+    @cached_property
+    def _more(self) -> tuple[Sample, ...]:
+        known = self.trial.samples
+        if len(known) < SAMPLES_WANTED:
+            return ()  # all that could be found
+        outcome = self.outcome
+        tried = outcome.setting.try_out(self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS)
+        return tried.samples[len(known) :]
 
 
 def work_out(setting: Setting) -> Outcome:

@@ -476,7 +476,7 @@ def to_set(pieces: Sequence[Piece]) -> sp.Set:
     """Intervals as one SymPy set, the ends in textbook form."""
     made = []
     for low, high in pieces:
-        a, b = exact.tidy(low.value), exact.tidy(high.value)
+        a, b = (forms.bound(each.value) for each in (low, high))
         if a == b:
             made.append(sp.FiniteSet(a))
         else:
@@ -593,7 +593,7 @@ def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, s
     for trial in outcome.accepted:
         told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples)
         story = outcome.setting.tell(told)
-        value = forms.plain(story.evaluator(now).value(tree), trial.samples)
+        value = forms.plain(story.evaluator(now).value(tree), outcome.witnesses(trial))
         if isinstance(value, tuple):
             raise UnsupportedError("the range of a vector is not a set of numbers")
         found.append((trial, value))

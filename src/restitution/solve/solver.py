@@ -14,14 +14,17 @@ from restitution.errors import (
     ImpossibleError,
     MissingError,
     RestitutionError,
+    StatementError,
     UnsupportedError,
 )
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Name,
     Negate,
+    Number,
     Polar,
     Quantity,
     has_quantity,
@@ -309,11 +312,15 @@ class _Worker:
         outcome, branches = self.solved(in_terms_of)
         line = None if item.place is None else item.place.line
         angle = self._is_angle(item.expression, outcome.setting)
+        if item.percentage and (angle or _has_dimension(item.expression)):
+            raise StatementError(
+                "a percentage needs a ratio, such as energy_lost/energy(0) as a percentage"
+            )
         self._refuse_coefficient(item, outcome)
         answers: list[Answer] = []
         for branch in branches:
             trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
-            samples = trial.samples if trial is not None else (branch.sample,)
+            samples = (branch.sample,) if trial is None else outcome.witnesses(trial)
             value = self._evaluate(item.expression, branch, now, samples, kind)
             self._complete(item, value, outcome, branch, in_terms_of)
             if kind != "direction":
@@ -337,7 +344,7 @@ class _Worker:
             measured = value.measure()
             if not measured.has(sp.atan2, sp.Abs):
                 return exact.tidy_angle(measured)
-        if kind == "direction" and isinstance(value, Vector):
+        if kind == "direction" and isinstance(value, Vector) and not _is_unit(tree):
             return forms.direction(value, samples)
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
@@ -468,6 +475,31 @@ def _phrase(branch: Branch, name: str) -> str:
     unknowns = branch.story.unknowns
     assert isinstance(unknowns, Letters)
     return unknowns.phrases.get(name, name.lstrip("_"))
+
+
+# Quantities that are pure numbers, or whose dimension depends on what they are taken of.
+_WITHOUT_UNIT = frozenset({"dot", "along", "across", "abs"})
+
+
+def _has_dimension(tree: Expression) -> bool:
+    """Whether an expression is plainly a quantity with a unit: a speed, a sum of energies."""
+    match tree:
+        case Quantity(kind):
+            return kind not in _WITHOUT_UNIT
+        case Negate(operand):
+            return _has_dimension(operand)
+        case Binary("+" | "-", left, right):
+            return _has_dimension(left) or _has_dimension(right)
+        case Binary("*", left, right) if isinstance(left, Number) or isinstance(right, Number):
+            return _has_dimension(left) or _has_dimension(right)
+        case Binary("/", left, Number()):
+            return _has_dimension(left)
+    return False
+
+
+def _is_unit(tree: Expression) -> bool:
+    """A line of centres is a unit vector; that of a wall is up to scale."""
+    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
 def _called(item: Value) -> str:
