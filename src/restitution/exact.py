@@ -1001,7 +1001,8 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
     return min(
         options,
         key=lambda each: (
-            cost(each[0]) + sum(cost(f) + (0.5 if p == 1 else 1.0) for f, p in each[1])
+            (cost(each[0]) if each[0] is not S.One else 0.0)
+            + sum(cost(f) + (0.5 if p == 1 else 1.0) for f, p in each[1])
         ),
     )
 
@@ -1244,7 +1245,8 @@ def _tidy_angle(value: Expr) -> Expr:
         candidates.append((cost(form) - (3 if tangent.is_Rational else 1), form))
         if not tangent.is_Rational:
             form = sympy.acos(cosine) if inner > 0 else -sympy.acos(cosine)
-            obtuse = 4 if cosine.is_negative else 0  # 180° − arctan(…) is what is written then
+            # 180° − arctan(…), −arctan(…) are what is written then
+            obtuse = 4 if cosine.is_negative else 3 if inner < 0 else 0
             candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
             form = sympy.asin(abs(sine))
             form = form if abs(inner) < pi / 2 else pi - form

@@ -466,6 +466,10 @@ def _from_expression(value: Expr) -> Layout:
         return Brackets(_from_expression(inside), "||")
     if isinstance(value, _DIRECT):
         return function(_NAMES[value.func.__name__], _from_angle(value.args[0]))
+    if isinstance(value, sympy.atan2):
+        # Neither sign is known: the direction of a vector says it all.
+        y, x = value.args
+        return Phrase((Words("direction of"), bracketed(vector(x, y))))
     name = value.func.__name__
     if isinstance(value, sympy.atan | sympy.asin) and _is_turned(value.args[0]):
         return negative(function(_NAMES[name], _from_expression(exact.tidy(-value.args[0]))))
@@ -488,9 +492,10 @@ def _from_angle(value: Expr) -> Layout:
             size: Layout = Degrees(_plain_number(Ratio(int(abs(number.p)), int(number.q)) * 180))
             terms.append((number.p < 0, True, Sum((("-", size),)) if number.p < 0 else size))
         else:
-            size, inner = term.as_coeff_Mul()
-            laid = _from_expression(inner if size == -1 else term)
-            laid = negative(laid) if size == -1 else laid
+            # SymPy may hold arctan(x) as −arctan(−x): the two signs meet here.
+            turned = -term if _is_negative(term) else term
+            laid = _from_expression(turned)
+            laid = negative(laid) if turned != term else laid
             terms.append((split_sign(laid)[0] == "-", False, laid))
     # 180° − arctan(4/3), 90° + arctan(3/4), 90° − α, but α + 30°
     arcs = value.has(*_INVERSE)
@@ -806,8 +811,8 @@ def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:
         if classes <= {"coefficient", "ratio"} and plain:
             minuses = sum(_is_negative(each) for each in base.args)
             # (1 + e)k, but k(1 − 2k)
-            rank = 1 if "coefficient" in classes else 2.2
-            return (rank, minuses, _alphabet_of(base), str(base))
+            place = 1.0 if "coefficient" in classes else 2.2
+            return (place, minuses, _alphabet_of(base), str(base))
         if (
             classes == {"mass"}
             or classes == {"mass", "coefficient"}

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.expression.evaluate import Angle
+from restitution.expression.evaluate import Angle, root
 from restitution.solve.neat import neat
 from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, sign_at
 from restitution.vector import Vector
@@ -123,7 +123,8 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
     if sy is not None:
         # Beyond a right angle or not: the complement is right for both.
         found = sy * sp.pi / 2 - sy * _arc(x, sy * y, None)
-        return min((found, *_turned(x, y, samples)), key=exact.cost)
+        others = _turned(x, y, samples) if sy == 1 else ()
+        return min((found, *others), key=exact.cost)
     return sp.atan2(tidy(y), tidy(x))
 
 
@@ -147,13 +148,16 @@ def _has_root(x: sp.Expr) -> bool:
 
 
 def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
-    """The angle as a letter and a rest: α + arctan(e tan α)."""
+    """An angle from 0 to 180° as a letter and a rest: α + arctan(e tan α)."""
     for letter in _angles_in(x + y):
         for sense in (1, -1):
             c, s = sp.cos(letter), sense * sp.sin(letter)
             along, across = neat(x * c + y * s), neat(y * c - x * s)
-            if sign_at(along, samples) == 1:
+            sign = sign_at(along, samples)
+            if sign == 1:
                 yield sense * letter + _arc(across, along, None)
+            elif sign == -1 and sign_at(across, samples) == 1:
+                yield sp.pi + sense * letter - _arc(across, -along, 1)
 
 
 def _angles_in(x: sp.Expr) -> list[sp.Symbol]:
@@ -201,6 +205,13 @@ def _whole_numbers(whole: Any, parts: list[Any]) -> tuple[tuple[int, ...], int] 
 
 def _number(x: sp.Expr) -> sp.Expr:
     return sp.sqrtdenest(sp.radsimp(sp.expand(x), max_terms=4)) if not x.is_Rational else x
+
+
+def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
+    """A speed from the components of a velocity along a line and perpendicular to it."""
+    length = sp.sqrt(tidy(line.dot(line)))
+    parts = (tidy(neat(each / length)) for each in (value.dot(line), value.cross(line)))
+    return plain(root(sum((each**2 for each in parts), sp.Integer(0))), samples)
 
 
 def direction(value: Vector, samples: Samples) -> Vector:

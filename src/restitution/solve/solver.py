@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -61,6 +62,7 @@ from restitution.solve.part import (
     Trial,
     impossible,
 )
+from restitution.solve.quantities import stage_number
 from restitution.solve.solution import (
     Answer,
     Branch,
@@ -95,6 +97,9 @@ def solve(problem: Problem) -> Solution:
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))
 
+
+# A speed that is more to read than this may be shorter in other components.
+LONG = 16
 
 # What a defect here, or an expression that the algebra cannot take, would raise: it costs one
 # item its answer, and no other.
@@ -349,7 +354,21 @@ class _Worker:
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
             return exact.tidy_angle(result)
+        if isinstance(tree, Quantity) and tree.kind == "speed" and exact.cost(result) > LONG:
+            return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
         return result
+
+    def _resolved(
+        self, tree: Quantity, branch: Branch, now: int, samples: Any
+    ) -> Iterator[sp.Expr]:
+        """A speed by components along and across the line of centres of the latest event."""
+        name = tree.arguments[0]
+        assert isinstance(name, Name)
+        stage = stage_number(branch.story, tree, now, name.name)
+        event = branch.story.latest(name.name, stage)
+        if event is not None and event.centres is not None and not event.unknown_line:
+            velocity = branch.story.velocity(name.name, stage)
+            yield forms.along_and_across(velocity, event.centres, samples)
 
     def _of_letters(self, tree: Expression) -> bool:
         """Whether an expression needs no telling of the story: its letters are enough."""
