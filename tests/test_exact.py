@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 import random
-import time
 from decimal import ROUND_HALF_UP, Context, Decimal
 
 import pytest
@@ -186,10 +185,8 @@ def test_large_expressions_do_not_hang() -> None:
     nested = u
     for _ in range(60):
         nested = sqrt(1 + nested)
-    start = time.perf_counter()
     for each in (many, power, nested, S(9) ** 9**5):
-        tidy(each)
-    assert time.perf_counter() - start < 10
+        assert tidy(each).free_symbols == each.free_symbols  # and it comes to an end
 
 
 # --- angles -----------------------------------------------------------------------------------
