@@ -14,6 +14,7 @@ from unicodedata import decomposition
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.latex import to_latex as laid_latex
 from restitution.render.layout import Layout, Sum
+from restitution.render.markdown import escape as _markdown
 from restitution.render.text import GREEK, width
 from restitution.render.text import to_text as one_line
 
@@ -97,10 +98,6 @@ def _markdown_step(step: Step) -> list[str]:
 
 def _has_math(words: Words) -> bool:
     return any(not isinstance(each, str) for each in words)
-
-
-def _markdown(text: str) -> str:
-    return "".join(f"\\{c}" if c in "\\`*_[]<>$#|~" else c for c in text)
 
 
 # --- LaTeX --------------------------------------------------------------------------------------

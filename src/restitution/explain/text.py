@@ -8,13 +8,12 @@ from string import ascii_letters, digits
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.layout import Layout, Relation, Sum
-from restitution.render.text import bold
+from restitution.render.text import NO_BREAK, bold, wrapped
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
 
 _INDENT = 4
 _MARKS = 8
-_NO_BREAK = "\u00a0"
 
 _BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
 _LETTERS = {bold(c): c for c in ascii_letters + digits}
@@ -37,11 +36,11 @@ def to_text(explanation: Explanation, width: int = 80, styled: bool = False) -> 
     """
     lines: list[_Line] = []
     if explanation.title:
-        lines += [*_strong(_wrapped(explanation.title, width)), _Line()]
+        lines += [*_strong(wrapped(explanation.title, width)), _Line()]
     for part in explanation.parts:
         lines += _part(part, width)
     for warning in explanation.warnings:
-        lines += _plain(_wrapped(f"Note: {warning}", width))
+        lines += _plain(wrapped(f"Note: {warning}", width))
     while lines and lines[-1] == _Line():
         lines.pop()
     return "\n".join(_finished(line, width, styled) for line in lines)
@@ -87,12 +86,12 @@ def _part(part: PartExplanation, width: int) -> list[_Line]:
 def _step(step: Step, width: int) -> list[_Line]:
     lines: list[_Line] = []
     if step.kind == "heading":
-        return [_Line(), *_strong(_wrapped(said(step.words), width))]
+        return [_Line(), *_strong(wrapped(said(step.words), width))]
     intro = said(step.words)
     if step.principle:
         intro = f"{step.principle}: {intro}" if intro else f"{step.principle}:"
     if intro:
-        lines += _plain(_wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
+        lines += _plain(wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
         lines[-1] = replace(lines[-1], mark=step.mark)
     lines += _rows(step.rows, width)
     return lines
@@ -101,23 +100,8 @@ def _step(step: Step, width: int) -> list[_Line]:
 def said(words: Words) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
     return "".join(
-        each if isinstance(each, str) else one_line(each).replace(" ", _NO_BREAK) for each in words
+        each if isinstance(each, str) else one_line(each).replace(" ", NO_BREAK) for each in words
     )
-
-
-def _wrapped(text: str, width: int) -> list[str]:
-    """Lines of at most ``width`` columns; formulas (with no-break spaces) stay whole."""
-    lines: list[str] = []
-    current = ""
-    for word in text.split(" "):
-        trial = f"{current} {word}" if current else word
-        if current and columns(trial) > width:
-            lines.append(current)
-            current = word
-        else:
-            current = trial
-    lines.append(current)
-    return [line.replace(_NO_BREAK, " ") for line in lines]
 
 
 def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
@@ -181,7 +165,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     made = _plain(lines)
     made[-1] = replace(made[-1], mark=row.mark)
     if note:
-        made += _plain([" " * (_INDENT + 2) + each for each in _wrapped(note, width - _INDENT - 2)])
+        made += _plain([" " * (_INDENT + 2) + each for each in wrapped(note, width - _INDENT - 2)])
     return made
 
 

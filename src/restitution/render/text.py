@@ -71,6 +71,7 @@ VULGAR = {
     ("7", "8"): "⅞",
 }
 MINUS = "\u2212"
+NO_BREAK = "\u00a0"
 _UP = dict(zip("0123456789+-n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ", strict=True))
 _UP[MINUS] = "⁻"
 _DOWN = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
@@ -134,6 +135,21 @@ def width(text: str) -> int:
             continue
         columns += 2 if unicodedata.east_asian_width(character) in ("W", "F") else 1
     return columns
+
+
+def wrapped(text: str, columns: int) -> list[str]:
+    """Lines of at most so many columns; what no-break spaces join stays whole."""
+    lines: list[str] = []
+    current = ""
+    for word in text.split(" "):
+        trial = f"{current} {word}" if current else word
+        if current and width(trial) > columns:
+            lines.append(current)
+            current = word
+        else:
+            current = trial
+    lines.append(current)
+    return [line.replace(NO_BREAK, " ") for line in lines]
 
 
 def bold(name: str) -> str:

@@ -1,0 +1,36 @@
+"""An exam-style question made from a statement: Problem → Question → text, Markdown, HTML, Typst."""
+
+from __future__ import annotations
+
+from restitution.wording.html import to_fragment, to_html
+from restitution.wording.markup import to_markdown
+from restitution.wording.question import (
+    Block,
+    Listing,
+    Named,
+    Paragraph,
+    Question,
+    QuestionPart,
+    Sentence,
+    Words,
+)
+from restitution.wording.telling import question
+from restitution.wording.text import to_text
+from restitution.wording.typst import to_typst
+
+__all__ = [
+    "Block",
+    "Listing",
+    "Named",
+    "Paragraph",
+    "Question",
+    "QuestionPart",
+    "Sentence",
+    "Words",
+    "question",
+    "to_fragment",
+    "to_html",
+    "to_markdown",
+    "to_text",
+    "to_typst",
+]

@@ -1,0 +1,147 @@
+"""What is asked: items as noun phrases, those of one kind told together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from restitution.expression.tree import Expression, Quantity, has_quantity
+from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Value
+from restitution.render import layout as lay
+from restitution.wording import values
+from restitution.wording.clauses import clause
+from restitution.wording.nouns import Noun, kinds_of, noun, of_bodies, phrase
+from restitution.wording.question import Named, Words
+from restitution.wording.scene import Scene, name_of
+from restitution.wording.words import listed, words
+
+_ANTICLOCKWISE = ", measured anticlockwise from "
+
+
+def groups(scene: Scene, find: Find) -> list[Words]:
+    """The items of a line, with those of one kind together: the speeds of A and B."""
+    plain = find.in_terms_of is not None
+    nouns = [_item(scene, each, plain) for each in find.items]
+    out: list[Words] = []
+    while nouns:
+        taken = _alike(nouns)
+        out.append(_together(nouns[:taken]))
+        nouns = nouns[taken:]
+    return out
+
+
+def in_terms(find: Find | Show) -> Words:
+    """``in terms of u and e``, or nothing."""
+    if not find.in_terms_of:
+        return ()
+    return words("in terms of ", listed([lay.letter(each) for each in find.in_terms_of]))
+
+
+def shown(scene: Scene, show: Show) -> Words:
+    """What is to be shown, as a clause."""
+    terms = words(", ", in_terms(show), ",") if show.in_terms_of else words()
+    match show.subject:
+        case None:
+            return words("show", terms, " that ", clause(scene, show.relation))
+        case Range():
+            subject = _range(scene, show.subject.expression)
+        case Extremum():
+            subject = _extreme(scene, show.subject)
+    relation = show.relation
+    if isinstance(show.subject, Extremum) and isinstance(relation, Compare):
+        value = values.value(scene.scale, relation.operands[1], None)
+        figures = relation.figures
+        exactness = f", correct to {figures} significant figures" if figures else ""
+        return words("show", terms, " that ", subject, " is ", value, exactness)
+    return words("show", terms, " that ", subject, " is given by ", _range_said(scene, show))
+
+
+def _range_said(scene: Scene, show: Show) -> Words:
+    relation = show.relation
+    if isinstance(relation, Compare) and not any(has_quantity(each) for each in relation.operands):
+        return clause(scene, relation)
+    return words("the condition that ", clause(scene, relation))
+
+
+# --- items ----------------------------------------------------------------------------------------
+
+
+def _item(scene: Scene, item: Item, plain: bool) -> Noun:
+    match item:
+        case Range(expression):
+            found = Noun(_range(scene, expression))
+        case Extremum():
+            corresponding = words(", and the corresponding value of ", phrase(scene, item.over))
+            found = Noun(words(_extreme(scene, item), corresponding))
+        case Value(expression):
+            found = _value(scene, expression, plain)
+    return _percentage(found) if item.percentage else found
+
+
+def _percentage(found: Noun) -> Noun:
+    first = found.head[0]
+    if isinstance(first, str) and first.startswith("the fraction of "):
+        return Noun(
+            words("the percentage of ", first.removeprefix("the fraction of "), found.head[1:]),
+            found.when,
+        )
+    return Noun(words(found.words(), ", as a percentage"))
+
+
+def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
+    if not has_quantity(tree):
+        shown = values.laid(tree)
+        return Noun(words(shown)) if plain else Noun(words("the value of ", shown), (), "value")
+    if isinstance(tree, Quantity) and tree.kind == "direction":
+        name = name_of(tree.arguments[0]) or ""
+        if scene.is_wall(name):
+            return Noun(words("a vector parallel to ", Named(name)))
+    return noun(scene, tree)
+
+
+def _range(scene: Scene, tree: Expression) -> Words:
+    return words("the range of possible values of ", phrase(scene, tree))
+
+
+def _extreme(scene: Scene, item: Extremum) -> Words:
+    degree = "greatest" if item.kind == "maximum" else "least"
+    of = words(f"the {degree} possible value of ", phrase(scene, item.expression))
+    return words(of, " as ", phrase(scene, item.over), " varies")
+
+
+# --- several at once ------------------------------------------------------------------------------
+
+
+def _alike(nouns: Sequence[Noun]) -> int:
+    """How many at the beginning can be told together: of one kind, or of one body."""
+    first = nouns[0]
+    if not first.kind:
+        return 1
+    same_kind = same_body = 1
+    for each in nouns[1:]:
+        if each.kind != first.kind or each.when != first.when:
+            break
+        same_kind += 1
+    for each in nouns[1:]:
+        if not each.kind or not each.body or each.body != first.body or each.when != first.when:
+            break
+        same_body += 1
+    return max(same_kind, same_body)
+
+
+def _together(nouns: Sequence[Noun]) -> Words:
+    first = nouns[0]
+    if len(nouns) == 1:
+        head = first.head
+    elif first.kind == "value":
+        head = words("the values of ", listed([each.head[1:] for each in nouns]))
+    elif all(each.kind == first.kind for each in nouns):
+        head = of_bodies(first.kind, [each.body for each in nouns])
+    else:
+        head = kinds_of([each.kind for each in nouns], first.body)
+    said = words(head, " ", first.when) if first.when else head
+    if any(each.kind == "direction" for each in nouns):
+        what = _ANTICLOCKWISE
+        if any(each.kind != "direction" for each in nouns):
+            what = ", the direction" + _ANTICLOCKWISE.removeprefix(",")
+        return words(said, what, values.I)
+    return said

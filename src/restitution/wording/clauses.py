@@ -1,0 +1,228 @@
+"""Relations as clauses: ``A is at rest immediately after the collision``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Pi,
+    Quantity,
+    has_quantity,
+)
+from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
+from restitution.render import layout as lay
+from restitution.wording import values
+from restitution.wording.nouns import Noun, line, noun, of_bodies
+from restitution.wording.question import Named, Words
+from restitution.wording.scene import Scene, after, name_of
+from restitution.wording.units import Dimension, dimension_of_any
+from restitution.wording.words import words
+
+# With a quantity on the left, in words.
+_VERBS = {
+    "=": "is ",
+    "<": "is less than ",
+    "<=": "is at most ",
+    ">": "is greater than ",
+    ">=": "is at least ",
+}
+_TURNED: Mapping[str, str] = {"=": "=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_ALIGNED = {
+    "perpendicular to": " is perpendicular to ",
+    "parallel to": " is parallel to ",
+    "in the direction of": " is in the direction of ",
+    "opposite to": " is in the opposite direction to ",
+}
+
+
+def clause(scene: Scene, relation: Relation) -> Words:
+    """A relation as a clause that can follow "that"."""
+    match relation:
+        case Compare():
+            return _compare(scene, relation)
+        case Aligned():
+            return _aligned(scene, relation)
+        case AtRest(body):
+            return words(Named(body.name), " is at rest ", after(scene, scene.now))
+        case Meets(first, second, again, happens):
+            return _meets(scene, first.name, second.name, again, happens)
+
+
+def mathematics(relation: Compare) -> lay.Layout:
+    """A relation of letters as one line of mathematics."""
+    sides = [values.laid(each) for each in relation.operands]
+    signs = tuple(lay.SIGNS.get(each, each) for each in relation.operators)
+    return lay.Relation(tuple(sides), signs)
+
+
+def _figures(relation: Compare) -> str:
+    if relation.figures is None:
+        return ""
+    plural = "" if relation.figures == 1 else "s"
+    return f", correct to {relation.figures} significant figure{plural}"
+
+
+def _compare(scene: Scene, relation: Compare) -> Words:
+    operands, operators = relation.operands, relation.operators
+    if not any(has_quantity(each) for each in operands):
+        return words(mathematics(relation), _figures(relation))
+    if len(operands) == 2:
+        left, right = operands
+        sign: str = operators[0]
+        if not has_quantity(left) or (sign == "=" and _is_product(left) and _is_quantity(right)):
+            left, right, sign = right, left, _TURNED[sign]
+        return words(_two(scene, left, sign, right), _figures(relation))
+    return words(_chain(scene, relation), _figures(relation))
+
+
+def _is_quantity(tree: Expression) -> bool:
+    return isinstance(tree, Quantity)
+
+
+def _is_product(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and has_quantity(tree)
+
+
+def _chain(scene: Scene, relation: Compare) -> Words:
+    """``the speed of P is at least 5 m s⁻¹ and at most 6 m s⁻¹``."""
+    operands, operators = relation.operands, relation.operators
+    inner = [n for n, each in enumerate(operands) if has_quantity(each)]
+    dimension = dimension_of_any(operands)
+    if len(inner) == 1 and len(operands) == 3 and inner[0] == 1:
+        low = _VERBS[_TURNED[operators[0]]] + ""
+        high = _VERBS[operators[1]].removeprefix("is ")
+        return words(
+            noun(scene, operands[1]).words(),
+            f" {low}",
+            values.value(scene.scale, operands[0], dimension),
+            f" and {high}",
+            values.value(scene.scale, operands[2], dimension),
+        )
+    pairs = zip(operands, operators, operands[1:], strict=False)
+    said: list[Words] = []
+    for left, sign, right in pairs:
+        swap = not has_quantity(left)
+        said.append(
+            _two(scene, right, _TURNED[sign], left)
+            if swap and has_quantity(right)
+            else _two(scene, left, sign, right)
+        )
+    out: list[object] = [said[0]]
+    for each in said[1:]:
+        out += [", and ", each]
+    return words(*out)
+
+
+def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
+    if not has_quantity(left):
+        return words(mathematics(Compare((left, right), (sign,))))  # type: ignore[arg-type]
+    special = _special(scene, left, sign, right)
+    if special is not None:
+        return special
+    subject = noun(scene, left)
+    number = "are " if subject.kind == "position" else None
+    verb = _VERBS[sign]
+    if number is not None:
+        verb = verb.replace("is ", number)
+    if has_quantity(right):
+        other = noun(scene, right)
+        if sign == "=" and isinstance(right, Quantity):
+            verb = "is equal to "
+        if subject.when == other.when and subject.when:
+            return words(subject.head, " ", subject.when, f" {verb}", other.head)
+        return words(subject.words(), f" {verb}", other.words())
+    if values.is_zero(right) and sign in "<>":
+        return words(subject.words(), " is negative" if sign == "<" else " is positive")
+    dimension = _dimension(left)
+    return words(subject.words(), f" {verb}", _value(scene, right, dimension))
+
+
+def _dimension(tree: Expression) -> Dimension | None:
+    return dimension_of_any((tree,))
+
+
+def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words:
+    if isinstance(tree, Name):
+        return (Named(tree.name),)
+    return values.value(scene.scale, tree, dimension)
+
+
+def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Words | None:
+    """What has a phrase of its own."""
+    if sign != "=" or has_quantity(right):
+        return None
+    match left:
+        case Quantity("deflection", (Name(body),)):
+            where = noun(scene, left).when
+            through = _through(right)
+            return words(Named(body), " is deflected through ", through, " " if where else "", where)
+        case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
+            when = noun(scene, left).when
+            return words(
+                when, " ", Named(body), " is moving in the direction ", values.turned(right, None)
+            )
+        case Quantity("angle", (Quantity("velocity", (Name(body),)) as moving, other)) if (
+            not _moves(other)
+        ):
+            when = line(scene, moving).when
+            way = line(scene, other)
+            at = "at an angle " if _is_letter(right) else "at an angle of "
+            return words(
+                when, " ", Named(body), f" is moving {at}", values.laid(right), " to ", way.head
+            )
+    return None
+
+
+def _is_letter(tree: Expression) -> bool:
+    return type(tree).__name__ == "Letter"
+
+
+def _moves(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
+
+
+def _through(angle: Expression) -> Words:
+    if _is_letter(angle):
+        return words("an angle ", values.laid(angle))
+    return words("an angle of ", values.laid(angle))
+
+
+def _aligned(scene: Scene, relation: Aligned) -> Words:
+    one, other = _way(scene, relation.left), _way(scene, relation.right)
+    verb = _ALIGNED[relation.relation]
+    if one.kind == other.kind == "velocity":
+        if one.body != other.body and one.when == other.when:
+            if relation.relation in ("perpendicular to", "parallel to"):
+                how = relation.relation.removesuffix(" to")
+                both = of_bodies("velocity", (one.body, other.body))
+                return words(both, " ", one.when, f" are {how}")
+            return words(one.words(), verb, other.head)
+        if one.body == other.body and one.when != other.when:
+            return words(one.words(), verb, "its velocity ", other.when)
+    if not one.kind and other.kind and relation.relation in ("perpendicular to", "parallel to"):
+        one, other = other, one
+    return words(one.words(), verb, other.words())
+
+
+def _way(scene: Scene, tree: Expression) -> Noun:
+    if isinstance(tree, Quantity) and tree.kind == "velocity":
+        return noun(scene, tree)
+    if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments:
+        return noun(scene, tree)
+    return line(scene, tree)
+
+
+def _meets(scene: Scene, first: str, second: str, again: bool, happens: bool) -> Words:
+    wall = scene.is_wall(second)
+    if not again:
+        return words(Named(first), " will hit " if happens else " will not hit ", Named(second))
+    if wall:
+        verb = " hits " if happens else " does not hit "
+        return words(Named(first), verb, Named(second), " again")
+    verb = " collide again" if happens else " do not collide again"
+    return words(Named(first), " and ", Named(second), verb)

@@ -1,0 +1,103 @@
+"""A question as HTML with MathML: a page that needs nothing else, or what stands in one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from html import escape
+
+from restitution.render.mathml import to_mathml
+from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.words import count_of_marks
+
+_STYLE = """
+.question { color: #1b1b1f; background: #fff; max-width: 42rem; margin: 0 auto; padding: 1rem;
+  font: 1.05rem/1.6 Georgia, "Times New Roman", serif; }
+.question h1 { font-size: 1.35rem; line-height: 1.25; margin: 0 0 1rem; }
+.question p { margin: .5rem 0; }
+.question .row { display: grid; grid-template-columns: 2.4rem 1fr; }
+.question .row > span:first-child { padding: .5rem 0; }
+.question .asked { margin: .2rem 0; }
+.question .asked p, .question .asked .row > span:first-child { margin: 0; padding: .1rem 0; }
+.question .marks { text-align: right; }
+.question .whole { white-space: nowrap; }
+.question math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
+  font-size: 1.05em; }
+@media (prefers-color-scheme: dark) { .question { color: #e8e8ec; background: #17181c; } }
+@media print { .question { color: #000; background: #fff; max-width: none; padding: 0;
+  font-size: 11pt; } .question p, .question .row { break-inside: avoid; } }
+"""
+_CLOSE = re.compile(r"[^ ]*")
+
+
+def to_html(question: Question) -> str:
+    """A whole page."""
+    title = escape(question.title or "Question")
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta name="color-scheme" content="light dark">\n'
+        f"<title>{title}</title>\n<style>body {{ margin: 0 }}</style>\n</head>\n<body>\n"
+        f"{to_fragment(question)}\n</body>\n</html>\n"
+    )
+
+
+def to_fragment(question: Question) -> str:
+    """What stands in a page (or in a notebook), with its style."""
+    out = [f"<style>{_STYLE}</style>", '<article class="question">']
+    if question.title:
+        out.append(f"<h1>{escape(question.title)}</h1>")
+    if question.intro:
+        out.append(_paragraph(*question.intro))
+    for part in question.parts:
+        out += _part(part)
+    out.append("</article>")
+    return "\n".join(out)
+
+
+def said(words: Words) -> str:
+    """Words with their mathematics; what follows a formula without a blank stays on its line."""
+    out = ""
+    rest = list(words)
+    for index, each in enumerate(rest):
+        if isinstance(each, str):
+            out += escape(each)
+        elif isinstance(each, Named):
+            out += f"<i>{escape(each.text)}</i>"
+        else:
+            following = rest[index + 1] if index + 1 < len(rest) else ""
+            close = _CLOSE.match(following).group() if isinstance(following, str) else ""  # type: ignore[union-attr]
+            if isinstance(following, str) and close:
+                rest[index + 1] = following[len(close) :]
+            whole = to_mathml(each) + escape(close)
+            out += f'<span class="whole">{whole}</span>' if close else whole
+    return out
+
+
+def _paragraph(*sentences: Words) -> str:
+    return f"<p>{' '.join(map(said, sentences))}</p>"
+
+
+def _row(head: str, body: str) -> str:
+    return f'<div class="row"><span>({escape(head)})</span><div>{body}</div></div>'
+
+
+def _part(part: QuestionPart) -> list[str]:
+    body = "\n".join(text for block in part.body for text in _block(block))
+    if part.marks is not None:
+        body += f'\n<p class="marks">{count_of_marks(part.marks)}</p>'
+    return [body if part.label is None else _row(part.label, body)]
+
+
+def _block(block: Block) -> Iterator[str]:
+    if not isinstance(block, Listing):
+        yield _paragraph(*block.sentences)
+        return
+    if block.lead:
+        yield _paragraph(block.lead)
+    rows: list[str] = []
+    for index, (number, words) in enumerate(block.entries):
+        last = index == len(block.entries) - 1
+        ending = ("." if last else ",") if block.lead else ""
+        rows.append(_row(number, _paragraph(words + (ending,) if ending else words)))
+    yield f'<div class="asked">{"".join(rows)}</div>'

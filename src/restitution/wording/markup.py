@@ -1,0 +1,56 @@
+"""A question as Markdown with LaTeX between ``$``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.render.latex import to_latex
+from restitution.render.markdown import escape
+from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.words import count_of_marks
+
+
+def to_markdown(question: Question) -> str:
+    """The question as Markdown; no text of a user comes through as markup."""
+    blocks: list[str] = []
+    if question.title:
+        blocks.append(f"## {escape(question.title)}")
+    if question.intro:
+        blocks.append(" ".join(map(said, question.intro)))
+    for part in question.parts:
+        blocks += _part(part)
+    return "\n\n".join(blocks) + "\n"
+
+
+def said(words: Words) -> str:
+    """Words with their mathematics in LaTeX."""
+    return "".join(_piece(each) for each in words)
+
+
+def _piece(each: object) -> str:
+    if isinstance(each, str):
+        return escape(each)
+    if isinstance(each, Named):
+        return f"*{each.text}*"
+    return f"${to_latex(each)}$"  # type: ignore[arg-type]
+
+
+def _part(part: QuestionPart) -> list[str]:
+    blocks = [text for block in part.body for text in _block(block)]
+    if blocks and part.label is not None:
+        blocks[0] = f"**({escape(part.label)})** {blocks[0]}"
+    if blocks and part.marks is not None:
+        blocks[-1] += f" **{count_of_marks(part.marks)}**"
+    return blocks
+
+
+def _block(block: Block) -> Iterator[str]:
+    if not isinstance(block, Listing):
+        yield " ".join(map(said, block.sentences))
+        return
+    if block.lead:
+        yield said(block.lead)
+    for index, (number, words) in enumerate(block.entries):
+        last = index == len(block.entries) - 1
+        ending = ("." if last else ",") if block.lead else ""
+        yield f"({number}) {said(words)}{ending}"

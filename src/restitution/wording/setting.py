@@ -1,0 +1,255 @@
+"""What stands on the plane before anything happens: spheres, walls, points, first velocities."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any
+
+import sympy
+
+from restitution.errors import RestitutionError
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression, Name, Pair, Polar
+from restitution.problem import Impact, Problem, Sphere, Wall
+from restitution.render import layout as lay
+from restitution.vector import Vector
+from restitution.wording import values
+from restitution.wording.question import Named, Sentence, Words
+from restitution.wording.scene import Scene, before
+from restitution.wording.units import LENGTH, MASS, SPEED
+from restitution.wording.words import count, listed, names, sentence, words
+
+_PLANE = "on a smooth horizontal plane"
+
+
+def setting(scene: Scene) -> Iterator[Sentence]:
+    """The bodies, then where they are and how they move."""
+    yield from spheres_told(scene)
+    yield from _walls(scene)
+    if scene.problem.points:
+        yield _points(scene)
+    yield from _start(scene)
+
+
+# --- spheres --------------------------------------------------------------------------------------
+
+
+def spheres_told(scene: Scene) -> Iterator[Sentence]:
+    """The sentences that introduce the spheres."""
+    spheres = scene.problem.spheres
+    if not spheres:
+        return
+    small = "small " if scene.places and all(each.radius is None for each in spheres) else ""
+    if len(spheres) == 1:
+        (only,) = spheres
+        of = [words("mass ", _mass(scene, only))] if only.mass is not None else []
+        if only.radius is not None:
+            of.append(words("radius ", values.length(scene.scale, only.radius)))
+        told = words(", of ", listed(of), ",") if of else ""
+        yield sentence(
+            f"a {small}smooth uniform sphere ", Named(only.name), told, f" moves {_PLANE}"
+        )
+        return
+    yield from _several(scene, spheres, small)
+
+
+def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[Sentence]:
+    kind = f"{count(len(spheres))} {small}smooth uniform spheres"
+    masses = [each.mass for each in spheres]
+    radii = {each.radius for each in spheres if each.radius is not None}
+    radius: Any = radii.pop() if len(radii) == 1 else None
+    equal = ("equal radii",)
+    if radius is not None:
+        equal = words("equal radii ", values.length(scene.scale, radius))
+    rest = words(f" and move {_PLANE}")
+    all_told = all(each is not None for each in masses)
+    if all_told and len(set(masses)) == 1:
+        mass = words(", each of mass ", _mass(scene, spheres[0]), ",")
+        yield sentence(kind, " ", names(each.name for each in spheres), mass, " have ", equal, rest)
+    elif all_told:
+        each_mass = [
+            words(Named(each.name), " of mass ", _mass(scene, each)) for each in spheres
+        ]
+        yield sentence(kind, ", ", listed(each_mass), ", have ", equal, rest)
+    else:
+        yield sentence(kind, " ", names(each.name for each in spheres), " have ", equal, rest)
+        for each in spheres:
+            if each.mass is not None:
+                yield sentence(Named(each.name), " has mass ", _mass(scene, each))
+    if radii:
+        for each in spheres:
+            if each.radius is not None:
+                told = values.length(scene.scale, each.radius)
+                yield sentence("the radius of ", Named(each.name), " is ", told)
+
+
+def _mass(scene: Scene, sphere: Sphere) -> Words:
+    return values.value(scene.scale, sphere.mass, MASS)
+
+
+# --- walls and points -----------------------------------------------------------------------------
+
+
+def _walls(scene: Scene) -> Iterator[Sentence]:
+    walls = scene.problem.walls
+    if len(walls) > 1 and all(_plain(each) for each in walls):
+        kind = " are fixed smooth vertical walls"
+        all_names = names(each.name for each in walls)
+        if _alike(walls):
+            yield sentence(all_names, kind, " ", values.lies_along(walls[0].along))
+        else:
+            ways = [words(Named(w.name), " is ", values.lies_along(w.along)) for w in walls]
+            yield sentence(all_names, kind)
+            yield sentence(listed(ways))
+        return
+    for wall in walls:
+        shape = "circular wall" if wall.centre is not None else "wall"
+        kind = f"a fixed smooth vertical {shape} "
+        if wall.centre is not None:
+            told = words(" has centre ", values.point(wall.centre), " and radius ")
+            yield sentence(kind, Named(wall.name), told, values.length(scene.scale, wall.radius))
+        elif wall.start is not None:
+            ends = words(" runs from ", values.point(wall.start), " to ", values.point(wall.end))
+            yield sentence(kind, Named(wall.name), ends)
+        elif wall.along is not None or wall.through is not None:
+            yield sentence(kind, Named(wall.name), " ", _is(wall))
+        else:
+            yield sentence(kind, Named(wall.name), " stands on the plane")
+
+
+def _plain(wall: Wall) -> bool:
+    return wall.along is not None and wall.through is None
+
+
+def _alike(walls: tuple[Wall, ...]) -> bool:
+    return len({each.along for each in walls}) == 1 and values.is_vector(walls[0].along)
+
+
+def _is(wall: Wall) -> Words:
+    told: list[Words] = []
+    if wall.along is not None:
+        told.append(words("is ", values.lies_along(wall.along)))
+    if wall.through is not None:
+        told.append(words("passes through ", values.point(wall.through)))
+    return listed(told)
+
+
+def _points(scene: Scene) -> Sentence:
+    return sentence(
+        listed(
+            [
+                words(Named(each.name), " is ", values.point(each.position))
+                for each in scene.problem.points
+            ]
+        )
+    )
+
+
+# --- where they are and how they move -------------------------------------------------------------
+
+
+def _start(scene: Scene) -> Iterator[Sentence]:
+    told: list[Words] = []
+    resting: list[str] = []
+    for sphere in scene.problem.spheres:
+        if values.is_rest(sphere.velocity) and sphere.position is None:
+            resting.append(sphere.name)
+        elif sphere.velocity is not None or sphere.position is not None:
+            told.append(_state(scene, sphere))
+    if resting:
+        verb = " is at rest" if len(resting) == 1 else " are at rest"
+        told.append(words(names(resting), verb))
+    if not told:
+        return
+    moment = words(before(scene), " ")
+    if len(told) <= 2:
+        yield sentence(moment, listed(told))
+        return
+    *front, last = told
+    out: list[Any] = []
+    for each in front:
+        out += [each, "; "]
+    yield sentence(moment, *out, "and ", last)
+
+
+def _state(scene: Scene, sphere: Sphere) -> Words:
+    name = Named(sphere.name)
+    rest = values.is_rest(sphere.velocity)
+    if sphere.position is None:
+        return words(name, " is ", moving(scene, sphere.velocity))
+    centre = words("the centre of ", name) if sphere.radius is not None else (name,)
+    where = words("at ", values.point(sphere.position), _side(scene, sphere))
+    if sphere.velocity is None:
+        return words(centre, " is ", where)
+    if rest:
+        if sphere.radius is None:
+            return words(name, " is at rest ", where)
+        return words(name, " is at rest with its centre ", where)
+    if sphere.radius is not None:
+        return words(name, " has its centre ", where, " and is ", moving(scene, sphere.velocity))
+    return words(name, " is ", where, " and is ", moving(scene, sphere.velocity))
+
+
+def moving(scene: Scene, velocity: Expression) -> Words:
+    """``moving with velocity (3i − 4j) m s⁻¹``, ``moving with speed u towards W …``."""
+    if isinstance(velocity, Polar):
+        speed = words("moving with speed ", values.value(scene.scale, velocity.size, SPEED), " ")
+        if isinstance(velocity.wall, Name):
+            sense = _sense(scene, velocity.wall.name)
+            return words(speed, values.direction(velocity.angle, None, velocity.wall), sense)
+        return words(speed, values.direction(velocity.angle, velocity.origin))
+    return words("moving with velocity ", values.value(scene.scale, velocity, SPEED))
+
+
+def _sense(scene: Scene, name: str) -> Words:
+    """From which side a sphere comes to a wall, where that matters."""
+    wall = scene.wall(name)
+    if wall is None or not scene.oriented:
+        return ()
+    if wall.along is not None:
+        return words(", measured clockwise from ", values.direction_of(wall.along))
+    if wall.start is not None:
+        ends = words(values.point(wall.start), " to ", values.point(wall.end))
+        return words(", measured clockwise from the direction from ", ends)
+    return ()
+
+
+def _side(scene: Scene, sphere: Sphere) -> Words:
+    """Inside or outside a circular wall, where it is known."""
+    sides = [
+        words(f", {side} ", Named(wall.name))
+        for wall in scene.problem.walls
+        if (side := _which_side(scene.problem, sphere, wall))
+    ]
+    return words(*sides, "," if sides else "")
+
+
+def _which_side(problem: Problem, sphere: Sphere, wall: Wall) -> str:
+    """On which side of a circle a sphere starts; nothing where letters leave it open."""
+    centre, place = locus(problem, wall.centre), locus(problem, sphere.position)
+    radius = exact(wall.radius)
+    if centre is None or place is None or radius is None:
+        return ""
+    apart = place - centre
+    excess = sympy.expand(apart.x**2 + apart.y**2 - radius**2)
+    if excess.is_zero:
+        return "on the inside of"
+    return "outside" if excess.is_positive else "inside" if excess.is_negative else ""
+
+
+def locus(problem: Problem, tree: Any) -> Vector | None:
+    """The coordinates of a point, given or named."""
+    if isinstance(tree, Name):
+        tree = next((each.position for each in problem.points if each.name == tree.name), None)
+    found = exact(tree)
+    return found if isinstance(found, Vector) else None
+
+
+def exact(tree: Any) -> Any:
+    """The exact value of an expression of letters, all of them positive; None if it has none."""
+    if not isinstance(tree, Expression):
+        return None
+    with suppress(RestitutionError):
+        return evaluate(tree, lambda name: sympy.Symbol(name, positive=True))
+    return None

@@ -1,0 +1,70 @@
+"""A question as Unicode text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.render.text import NO_BREAK, width, wrapped
+from restitution.render.text import to_text as one_line
+from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.words import count_of_marks
+
+_INDENT = 5
+
+
+def to_text(question: Question, columns: int = 80) -> str:
+    """The whole question, at most so many columns wide where that can be."""
+    blocks: list[list[str]] = []
+    if question.title:
+        blocks.append(wrapped(question.title, columns))
+    if question.intro:
+        blocks.append(wrapped(" ".join(map(said, question.intro)), columns))
+    for part in question.parts:
+        blocks += _part(part, columns)
+    return "\n\n".join("\n".join(each) for each in blocks)
+
+
+def said(words: Words) -> str:
+    """Words on one line; mathematics is held together by no-break spaces."""
+    return "".join(_piece(each) for each in words)
+
+
+def _piece(each: object) -> str:
+    if isinstance(each, str):
+        return each
+    if isinstance(each, Named):
+        return each.text
+    return one_line(each).replace(" ", NO_BREAK)  # type: ignore[arg-type]
+
+
+def _part(part: QuestionPart, columns: int) -> list[list[str]]:
+    label = f"({part.label})" if part.label is not None else ""
+    indent = _INDENT if label else 0
+    blocks = [lines for block in part.body for lines in _block(block, columns - indent)]
+    if part.marks is not None and blocks:
+        blocks[-1] += _right(count_of_marks(part.marks), columns - indent)
+    if not label:
+        return blocks
+    out = [[" " * indent + line for line in lines] for lines in blocks]
+    if out:
+        out[0][0] = f"{label:<{indent - 1}} {out[0][0][indent:]}"
+    return out
+
+
+def _block(block: Block, columns: int) -> Iterator[list[str]]:
+    if not isinstance(block, Listing):
+        yield wrapped(" ".join(map(said, block.sentences)), columns)
+        return
+    lines = wrapped(said(block.lead), columns) if block.lead else []
+    ending = "." if block.lead else ""
+    for index, (number, words) in enumerate(block.entries):
+        last = index == len(block.entries) - 1
+        text = said(words) + ((ending if last else ",") if block.lead else "")
+        head = f"({number})"
+        for row, line in enumerate(wrapped(text, columns - 6)):
+            lines.append(f"{head if row == 0 else '':<5} {line}")
+    yield lines
+
+
+def _right(text: str, columns: int) -> list[str]:
+    return [" " * max(0, columns - width(text)) + text]

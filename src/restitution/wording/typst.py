@@ -1,0 +1,62 @@
+"""A question in Typst's markup, from which sheets are set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.render.typst import to_typst as equation
+from restitution.render.typst import words as text
+from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.words import count_of_marks
+
+
+def to_typst(question: Question) -> str:
+    """The question as content: paragraphs, and rows with a label at the left.
+
+    Uses Typst's own functions alone, so that it can stand in any document.
+    """
+    blocks: list[str] = []
+    if question.title:
+        blocks.append(f"#strong[{text(question.title)}]")
+    if question.intro:
+        blocks.append(" ".join(map(said, question.intro)))
+    for part in question.parts:
+        blocks.append(_part(part))
+    return "\n\n".join(blocks) + "\n"
+
+
+def said(words: Words) -> str:
+    """Words with their mathematics."""
+    return "".join(_piece(each) for each in words)
+
+
+def _piece(each: object) -> str:
+    if isinstance(each, str):
+        return text(each)
+    if isinstance(each, Named):
+        return f"#emph[{text(each.text)}]"
+    return equation(each)  # type: ignore[arg-type]
+
+
+def _row(head: str, body: str) -> str:
+    label = text(f"({head})")
+    return f"#grid(columns: (2.2em, 1fr), row-gutter: 0.65em, [{label}], [{body}])"
+
+
+def _part(part: QuestionPart) -> str:
+    body = "\n\n".join(made for block in part.body for made in _block(block))
+    if part.marks is not None:
+        body += f"\n\n#align(right)[{text(count_of_marks(part.marks))}]"
+    return body if part.label is None else _row(part.label, body)
+
+
+def _block(block: Block) -> Iterator[str]:
+    if not isinstance(block, Listing):
+        yield " ".join(map(said, block.sentences))
+        return
+    if block.lead:
+        yield said(block.lead)
+    for index, (number, words) in enumerate(block.entries):
+        last = index == len(block.entries) - 1
+        ending = text("." if last else ",") if block.lead else ""
+        yield _row(number, said(words) + ending)

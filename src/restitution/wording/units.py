@@ -1,0 +1,224 @@
+"""Which values of a statement carry a unit.
+
+Everything in a statement is in SI. A value that is a number is printed with its unit (2 kg); a
+letter stands for the quantity with its unit (a mass m). Where numbers fix the scale of a
+quantity, letters for it stand for numbers, as in a velocity of (p**i** + 3**j**) m s⁻¹.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+import sympy
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+)
+from restitution.problem import Compare, Given, Kick, Problem
+
+# A dimension by its powers of mass, length and time.
+Dimension: TypeAlias = tuple[int, int, int]
+
+NONE: Dimension = (0, 0, 0)
+MASS: Dimension = (1, 0, 0)
+LENGTH: Dimension = (0, 1, 0)
+TIME: Dimension = (0, 0, 1)
+SPEED: Dimension = (0, 1, -1)
+IMPULSE: Dimension = (1, 1, -1)
+ENERGY: Dimension = (1, 2, -2)
+
+_GAP = "\u00a0"
+_UNITS = {
+    MASS: f"{_GAP}kg",
+    LENGTH: f"{_GAP}m",
+    TIME: f"{_GAP}s",
+    SPEED: f"{_GAP}m{_GAP}s⁻¹",
+    IMPULSE: f"{_GAP}N{_GAP}s",
+    ENERGY: f"{_GAP}J",
+    (0, 2, -2): f"{_GAP}m²{_GAP}s⁻²",
+}
+_OF_QUANTITY = {
+    "velocity": SPEED,
+    "speed": SPEED,
+    "impulse": IMPULSE,
+    "momentum": IMPULSE,
+    "energy": ENERGY,
+    "energy_lost": ENERGY,
+    "total_energy_lost": ENERGY,
+    "mass": MASS,
+    "position": LENGTH,
+    "distance": LENGTH,
+    "time": TIME,
+}
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The dimensions for which a statement has numbers."""
+
+    fixed: frozenset[Dimension]
+
+    @cached_property
+    def _rank(self) -> int:
+        return int(sympy.Matrix([NONE, *sorted(self.fixed)]).rank())
+
+    def fixes(self, dimension: Dimension) -> bool:
+        """Whether the numbers of the statement give the scale of a quantity."""
+        if dimension == NONE or not self.fixed:
+            return False
+        extended = sympy.Matrix([*sorted(self.fixed), dimension])
+        return int(extended.rank()) == self._rank
+
+    def unit(self, dimension: Dimension | None) -> str:
+        """The unit to print behind a value of that dimension, with its blank; or nothing."""
+        if dimension is None or not self.fixes(dimension):
+            return ""
+        return _UNITS.get(dimension, "")
+
+
+def scale_of(problem: Problem) -> Scale:
+    """The dimensions for which a statement has a value that is a number."""
+    return Scale(frozenset(d for d, tree in _data(problem) if d != NONE and is_number(tree)))
+
+
+def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
+    said: list[tuple[Dimension, object]] = []
+    for sphere in problem.spheres:
+        said += [
+            (MASS, sphere.mass),
+            (SPEED, sphere.velocity),
+            (LENGTH, sphere.position),
+            (LENGTH, sphere.radius),
+        ]
+    for wall in problem.walls:
+        places = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
+        said += [(LENGTH, each) for each in places]
+    said += [(LENGTH, point.position) for point in problem.points]
+    for _, step in problem.steps():
+        if isinstance(step, Kick):
+            said.append((IMPULSE, step.impulse))
+        elif isinstance(step, Given):
+            for relation in step.relations:
+                if isinstance(relation, Compare):
+                    dimension = dimension_of_any(relation.operands)
+                    said += [
+                        (dimension, each)
+                        for each in relation.operands
+                        if dimension is not None and not has_quantity(each)
+                    ]
+    for dimension, value in said:
+        if isinstance(value, Expression):
+            yield dimension, value
+
+
+def is_number(tree: Expression) -> bool:
+    """Whether a value, or one of its terms or components, is a number other than zero.
+
+    An angle's letter does not count: 5 cos α is a number.
+    """
+    match tree:
+        case Pair(x, y):
+            return is_number(x) or is_number(y)
+        case Polar(size):
+            return is_number(size)
+        case Negate(operand):
+            return is_number(operand)
+        case Binary("+" | "-", left, right):
+            return is_number(left) or is_number(right)
+        case Binary("*", left, right) if _axes(left) or _axes(right):
+            # u(2i + j): a factor with letters leaves no term without them
+            plain = [each for each in (left, right) if not _axes(each)]
+            return all(not _scaling(each) for each in plain) and all(
+                is_number(each) for each in (left, right) if _axes(each)
+            )
+        case Number(value):
+            return value != 0
+        case Quantity():
+            return False
+    return not _scaling(tree)
+
+
+def _axes(tree: Expression) -> bool:
+    """Whether a tree is a vector, from the way it is written."""
+    match tree:
+        case Unit() | Pair() | Polar():
+            return True
+        case Negate(operand):
+            return _axes(operand)
+        case Binary("+" | "-" | "*" | "/", left, right):
+            return _axes(left) or _axes(right)
+    return False
+
+
+def _scaling(tree: Expression) -> bool:
+    """Whether a term holds a letter that is more than an angle."""
+    match tree:
+        case Letter():
+            return True
+        case Apply(function, argument):
+            return function in ("sqrt", "abs") and _scaling(argument)
+        case Negate(operand):
+            return _scaling(operand)
+        case Binary(_, left, right):
+            return _scaling(left) or _scaling(right)
+    return False
+
+
+def dimension_of(tree: Expression) -> Dimension | None:
+    """The dimension of an expression of quantities; None where its quantities do not tell it."""
+    match tree:
+        case Quantity(kind, arguments):
+            if kind in ("along", "across"):
+                return dimension_of(arguments[0])
+            if kind == "dot":
+                return _times(dimension_of(arguments[0]), dimension_of(arguments[1]), 1)
+            return _OF_QUANTITY.get(kind, NONE)
+        case Apply("abs", argument):
+            return dimension_of(argument)
+        case Apply("sqrt", _):
+            return None
+        case Negate(operand):
+            return dimension_of(operand)
+        case Binary("+" | "-", left, right):
+            return dimension_of_any((left, right))
+        case Binary("*" | "/" as op, left, right):
+            return _times(dimension_of(left), dimension_of(right), 1 if op == "*" else -1)
+        case Binary("^", base, Number(exponent)) if exponent.denominator == 1:
+            found = dimension_of(base)
+            if found is None:
+                return None
+            a, b, c = found
+            power = int(exponent)
+            return (a * power, b * power, c * power)
+    return None if letters(tree) else NONE
+
+
+def dimension_of_any(operands: tuple[Expression, ...]) -> Dimension | None:
+    """The dimension of the first operand whose quantities tell it."""
+    for each in operands:
+        if has_quantity(each):
+            found = dimension_of(each)
+            if found is not None:
+                return found
+    return None
+
+
+def _times(left: Dimension | None, right: Dimension | None, power: int) -> Dimension | None:
+    if left is None or right is None:
+        return None
+    a, b = left, right
+    return (a[0] + power * b[0], a[1] + power * b[1], a[2] + power * b[2])

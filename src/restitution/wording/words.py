@@ -1,0 +1,88 @@
+"""Words put together: flattening, lists with "and", sentences with a capital and a full stop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from restitution.wording.question import Named, Piece, Sentence, Words
+
+_ORDINALS = "first second third fourth fifth sixth seventh eighth ninth tenth".split()
+_COUNTS = "no one two three four five six seven eight nine ten".split()
+
+
+def words(*parts: Any) -> Words:
+    """One row of pieces from pieces and rows of them; neighbouring texts become one."""
+    flat: list[Piece] = []
+
+    def add(part: Any) -> None:
+        if isinstance(part, tuple):
+            for each in part:
+                add(each)
+        elif isinstance(part, str) and flat and isinstance(flat[-1], str):
+            flat[-1] += part
+        elif part != "":
+            flat.append(part)
+
+    add(parts)
+    return tuple(flat)
+
+
+def sentence(*parts: Any) -> Sentence:
+    """Words with a capital at the beginning and a full stop at the end."""
+    said = words(*parts, ".")
+    if isinstance(said[0], str):
+        return (said[0][:1].upper() + said[0][1:], *said[1:])
+    return said
+
+
+def listed(each: Sequence[Any], link: str = "and") -> Words:
+    """``A``, ``A and B``, ``A, B and C``."""
+    if len(each) < 2:
+        return words(*each)
+    front: list[Any] = [each[0]]
+    for item in each[1:-1]:
+        front += [", ", item]
+    return words(*front, f" {link} ", each[-1])
+
+
+def names(each: Iterable[str]) -> Words:
+    """``A, B and C``, in italics."""
+    return listed([Named(name) for name in each])
+
+
+def ordinal(number: int) -> str:
+    """``first``, ``second``, …; ``11th`` where words grow long."""
+    if number <= len(_ORDINALS):
+        return _ORDINALS[number - 1]
+    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number}{'th' if 10 < number % 100 < 14 else ending}"
+
+
+def count(number: int) -> str:
+    """``two``, ``three``, …"""
+    return _COUNTS[number] if number < len(_COUNTS) else str(number)
+
+
+def roman(number: int) -> str:
+    """``i``, ``ii``, ``iii``, ``iv``, …"""
+    out = ""
+    for value, sign in ((50, "l"), (40, "xl"), (10, "x"), (9, "ix"), (5, "v"), (4, "iv"), (1, "i")):
+        while number >= value:
+            out += sign
+            number -= value
+    return out
+
+
+def alphabetic(number: int) -> str:
+    """``a``, ``b``, …, ``z``, ``aa``, …"""
+    out = ""
+    while number:
+        number, rest = divmod(number - 1, 26)
+        out = chr(ord("a") + rest) + out
+    return out
+
+
+def count_of_marks(number: int) -> str:
+    """``(1 mark)``, ``(5 marks)``."""
+    return f"({number} mark{'' if number == 1 else 's'})"
