@@ -317,3 +317,67 @@ class Problem:
         for part in self.parts:
             for step in part.steps:
                 yield part, step
+
+
+# --- what a problem speaks of ------------------------------------------------------------------
+
+
+def trees(problem: Problem) -> Iterator[Expression]:
+    """Every expression of a problem."""
+    for sphere in problem.spheres:
+        for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
+            if isinstance(value, Expression):
+                yield value
+    for wall in problem.walls:
+        for value in (
+            wall.along,
+            wall.through,
+            wall.start,
+            wall.end,
+            wall.centre,
+            wall.radius,
+        ):
+            if isinstance(value, Expression):
+                yield value
+    for point in problem.points:
+        yield point.position
+    for _, step in problem.steps():
+        yield from trees_of_step(step)
+
+
+def trees_of_step(step: Step) -> Iterator[Expression]:
+    """Every expression of one step."""
+    match step:
+        case Impact():
+            yield from (tree for tree in (step.e, step.along, step.offset) if tree is not None)
+        case Kick():
+            yield step.impulse
+        case Let():
+            yield step.expression
+        case Given():
+            for relation in step.relations:
+                yield from trees_of_relation(relation)
+        case Find():
+            for item in step.items:
+                yield item.expression
+                if isinstance(item, Extremum):
+                    yield item.over
+        case Show():
+            yield from trees_of_relation(step.relation)
+            if isinstance(step.subject, Range | Extremum):
+                yield step.subject.expression
+                if isinstance(step.subject, Extremum):
+                    yield step.subject.over
+        case _:
+            target = getattr(step, "target", None)
+            if isinstance(target, Expression):
+                yield target
+
+
+def trees_of_relation(relation: Relation) -> Iterator[Expression]:
+    """The expressions of a relation."""
+    if isinstance(relation, Compare):
+        yield from relation.operands
+    elif isinstance(relation, Aligned):
+        yield relation.left
+        yield relation.right

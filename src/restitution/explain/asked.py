@@ -42,10 +42,10 @@ from restitution.problem import (
     Relation,
     Show,
     Value,
+    trees_of_relation,
 )
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solve.letters import trees_of_relation
 from restitution.solve.quantities import event_of
 from restitution.solve.solution import Answer, ItemResult
 from restitution.vector import Vector

@@ -95,7 +95,7 @@ def _refute(
 def _used(worker: _Worker, outcome: Any) -> set[str]:
     from restitution.expression.tree import letters
     from restitution.problem import Impact
-    from restitution.solve.letters import trees
+    from restitution.problem import trees
 
     used: set[str] = set()
     for tree in trees(worker.problem):

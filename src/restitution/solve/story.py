@@ -282,7 +282,7 @@ class Story:
     def _frame_matters(self) -> bool:
         """Whether anything but directions to the one wall fixes the axes."""
         from restitution.expression.tree import Pair, Polar, Unit, walk
-        from restitution.solve.letters import trees
+        from restitution.problem import trees
 
         if len(self.walls) != 1:
             return True

@@ -9,12 +9,10 @@ from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Valu
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import clause
-from restitution.wording.nouns import Noun, kinds_of, noun, of_bodies, phrase
+from restitution.wording.nouns import Noun, kinds_of, line, noun, of_bodies, phrase
 from restitution.wording.question import Named, Words
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.words import listed, words
-
-_ANTICLOCKWISE = ", measured anticlockwise from "
 
 
 def groups(scene: Scene, find: Find) -> list[Words]:
@@ -95,6 +93,7 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
         name = name_of(tree.arguments[0]) or ""
         if scene.is_wall(name):
             return Noun(words("a vector parallel to ", Named(name)))
+        return line(scene, Quantity("velocity", tree.arguments, tree.stage))
     return noun(scene, tree)
 
 
@@ -114,34 +113,43 @@ def _extreme(scene: Scene, item: Extremum) -> Words:
 def _alike(nouns: Sequence[Noun]) -> int:
     """How many at the beginning can be told together: of one kind, or of one body."""
     first = nouns[0]
-    if not first.kind:
-        return 1
     same_kind = same_body = 1
     for each in nouns[1:]:
-        if each.kind != first.kind or each.when != first.when:
+        if not first.kind or each.kind != first.kind or each.when != first.when:
             break
         same_kind += 1
     for each in nouns[1:]:
-        if not each.kind or not each.body or each.body != first.body or each.when != first.when:
+        if not (_plain(first) and _plain(each)):
+            break
+        if each.body != first.body or each.when != first.when:
             break
         same_body += 1
     return max(same_kind, same_body)
 
 
+def _plain(one: Noun) -> bool:
+    """Whether it is *the speed of A* or the like, with nothing behind."""
+    return bool(one.kind and one.body) and not one.tail and not _is_direction(one)
+
+
+def _is_direction(one: Noun) -> bool:
+    return one.kind.endswith("direction")
+
+
 def _together(nouns: Sequence[Noun]) -> Words:
     first = nouns[0]
+    bodies = [each.body for each in nouns]
     if len(nouns) == 1:
         head = first.head
     elif first.kind == "value":
         head = words("the values of ", listed([each.head[1:] for each in nouns]))
+    elif first.tail:
+        head = words("the components of ", of_bodies("velocity", bodies), first.tail)
     elif all(each.kind == first.kind for each in nouns):
-        head = of_bodies(first.kind, [each.body for each in nouns])
+        head = of_bodies(first.kind, bodies)
     else:
         head = kinds_of([each.kind for each in nouns], first.body)
     said = words(head, " ", first.when) if first.when else head
-    if any(each.kind == "direction" for each in nouns):
-        what = _ANTICLOCKWISE
-        if any(each.kind != "direction" for each in nouns):
-            what = ", the direction" + _ANTICLOCKWISE.removeprefix(",")
-        return words(said, what, values.I)
+    if _is_direction(first):
+        return words(said, " (measured anticlockwise from ", values.I, ")")
     return said

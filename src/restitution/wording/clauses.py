@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Expression,
     Name,
-    Negate,
-    Pi,
+    Polar,
     Quantity,
     has_quantity,
 )
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.nouns import Noun, line, noun, of_bodies
+from restitution.wording.nouns import (
+    Noun,
+    line,
+    lost_where,
+    noun,
+    of_bodies,
+    sensed_line,
+    whole_energy,
+)
 from restitution.wording.question import Named, Words
-from restitution.wording.scene import Scene, after, name_of
-from restitution.wording.units import Dimension, dimension_of_any
-from restitution.wording.words import words
+from restitution.wording.scene import Scene, after
+from restitution.wording.setting import moving
+from restitution.wording.units import SPEED, Dimension, dimension_of_any
+from restitution.wording.words import listed, words
 
 # With a quantity on the left, in words.
 _VERBS = {
@@ -51,6 +58,42 @@ def clause(scene: Scene, relation: Relation) -> Words:
             return words(Named(body.name), " is at rest ", after(scene, scene.now))
         case Meets(first, second, again, happens):
             return _meets(scene, first.name, second.name, again, happens)
+
+
+def clauses(scene: Scene, relations: Sequence[Relation]) -> list[Words]:
+    """Relations as clauses; the velocities of two bodies at one moment are told together."""
+    out: list[Words] = []
+    rest = list(relations)
+    while rest:
+        taken = _velocities(scene, rest)
+        if len(taken) > 1:
+            bodies = [each.body for each, _ in taken]
+            told = listed([value for _, value in taken])
+            both = words(of_bodies(taken[0][0].kind, bodies), " ", taken[0][0].when)
+            out.append(words(both, " are ", told, " respectively"))
+            rest = rest[len(taken) :]
+        else:
+            out.append(clause(scene, rest.pop(0)))
+    return out
+
+
+def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun, Words]]:
+    """The first relations, as far as each gives another body's velocity at the same moment."""
+    found: list[tuple[Noun, Words]] = []
+    for each in relations:
+        match each:
+            case Compare((Quantity("velocity") as moving, value), ("=",)) if not (
+                has_quantity(value) or isinstance(value, Polar)
+            ):
+                subject = noun(scene, moving)
+                if found and (subject.kind, subject.when) != (found[0][0].kind, found[0][0].when):
+                    break
+                if not subject.when or subject.body in [one.body for one, _ in found]:
+                    break
+                found.append((subject, values.value(scene.scale, value, SPEED)))
+            case _:
+                break
+    return found
 
 
 def mathematics(relation: Compare) -> lay.Layout:
@@ -154,19 +197,22 @@ def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words
 
 def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Words | None:
     """What has a phrase of its own."""
-    if sign != "=" or has_quantity(right):
+    if sign != "=":
         return None
+    if has_quantity(right):
+        return _share_lost(scene, left, right)
     match left:
+        case Quantity("velocity", (Name(body),)) if isinstance(right, Polar):
+            when = noun(scene, left).when
+            return words(when, " " if when else "", Named(body), " is ", moving(scene, right))
         case Quantity("deflection", (Name(body),)):
             where = noun(scene, left).when
             through = _through(right)
             return words(Named(body), " is deflected through ", through, " " if where else "", where)
         case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
-            when = noun(scene, left).when
-            return words(
-                when, " ", Named(body), " is moving in the direction ", values.turned(right, None)
-            )
-        case Quantity("angle", (Quantity("velocity", (Name(body),)) as moving, other)) if (
+            when = noun(scene, Quantity("speed", left.arguments, left.stage)).when
+            return words(when, " ", Named(body), " is moving ", values.turned(right, None))
+        case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
             not _moves(other)
         ):
             when = line(scene, moving).when
@@ -175,6 +221,20 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             return words(
                 when, " ", Named(body), f" is moving {at}", values.laid(right), " to ", way.head
             )
+    return None
+
+
+def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | None:
+    """``¼ of the total kinetic energy is lost in the collision``."""
+    match left, right:
+        case (
+            Quantity("energy_lost" | "total_energy_lost") as lost,
+            Binary("*", factor, Quantity("energy") as whole),
+        ) if not has_quantity(factor):
+            share = values.times(factor)
+            if _is_letter(factor):
+                share = words("a fraction ", values.laid(factor), " of ")
+            return words(share, whole_energy(scene, lost, whole), " is lost", lost_where(scene, lost))
     return None
 
 
@@ -193,7 +253,8 @@ def _through(angle: Expression) -> Words:
 
 
 def _aligned(scene: Scene, relation: Aligned) -> Words:
-    one, other = _way(scene, relation.left), _way(scene, relation.right)
+    sensed = relation.relation in ("in the direction of", "opposite to")
+    one, other = _way(scene, relation.left, sensed), _way(scene, relation.right, sensed)
     verb = _ALIGNED[relation.relation]
     if one.kind == other.kind == "velocity":
         if one.body != other.body and one.when == other.when:
@@ -204,12 +265,16 @@ def _aligned(scene: Scene, relation: Aligned) -> Words:
             return words(one.words(), verb, other.head)
         if one.body == other.body and one.when != other.when:
             return words(one.words(), verb, "its velocity ", other.when)
+    if (one.kind, other.kind) == ("velocity", "initial velocity") and one.body == other.body:
+        return words(one.words(), verb, "its initial velocity")
     if not one.kind and other.kind and relation.relation in ("perpendicular to", "parallel to"):
         one, other = other, one
     return words(one.words(), verb, other.words())
 
 
-def _way(scene: Scene, tree: Expression) -> Noun:
+def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
+    if isinstance(tree, Quantity) and tree.kind == "line_of_centres" and sensed:
+        return sensed_line(scene, tree)
     if isinstance(tree, Quantity) and tree.kind == "velocity":
         return noun(scene, tree)
     if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments:

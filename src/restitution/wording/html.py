@@ -83,7 +83,7 @@ def _row(head: str, body: str) -> str:
 
 
 def _part(part: QuestionPart) -> list[str]:
-    body = "\n".join(text for block in part.body for text in _block(block))
+    body = "\n".join(text for block in part.flow() for text in _block(block))
     if part.marks is not None:
         body += f'\n<p class="marks">{count_of_marks(part.marks)}</p>'
     return [body if part.label is None else _row(part.label, body)]
@@ -95,9 +95,8 @@ def _block(block: Block) -> Iterator[str]:
         return
     if block.lead:
         yield _paragraph(block.lead)
-    rows: list[str] = []
-    for index, (number, words) in enumerate(block.entries):
-        last = index == len(block.entries) - 1
-        ending = ("." if last else ",") if block.lead else ""
-        rows.append(_row(number, _paragraph(words + (ending,) if ending else words)))
+    rows = [
+        _row(number, _paragraph(words)) if number else _paragraph(words)
+        for number, words in block.rows()
+    ]
     yield f'<div class="asked">{"".join(rows)}</div>'

@@ -36,7 +36,7 @@ def _piece(each: object) -> str:
 
 
 def _part(part: QuestionPart) -> list[str]:
-    blocks = [text for block in part.body for text in _block(block)]
+    blocks = [text for block in part.flow() for text in _block(block)]
     if blocks and part.label is not None:
         blocks[0] = f"**({escape(part.label)})** {blocks[0]}"
     if blocks and part.marks is not None:
@@ -50,7 +50,5 @@ def _block(block: Block) -> Iterator[str]:
         return
     if block.lead:
         yield said(block.lead)
-    for index, (number, words) in enumerate(block.entries):
-        last = index == len(block.entries) - 1
-        ending = ("." if last else ",") if block.lead else ""
-        yield f"({number}) {said(words)}{ending}"
+    for number, words in block.rows():
+        yield f"({number}) {said(words)}" if number else said(words)

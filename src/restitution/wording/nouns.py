@@ -27,6 +27,7 @@ from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.question import Named, Words
 from restitution.wording.scene import (
+    INITIALLY,
     Scene,
     after,
     bodies_of,
@@ -44,14 +45,15 @@ from restitution.wording.words import listed, names, words
 class Noun:
     """A noun phrase: ``head`` (the speed of P) and ``when`` (immediately after the impact).
 
-    ``plural`` and ``body`` are there where it can be told together with others of its kind: the
-    speeds of A and B.
+    ``kind`` and ``body`` are there where it can be told together with others of its kind: the
+    speeds of A and B. ``tail`` is what follows the body: in the direction of **i**.
     """
 
     head: Words
     when: Words = ()
     kind: str = ""
     body: str = ""
+    tail: Words = ()
 
     def words(self) -> Words:
         """The whole phrase."""
@@ -69,6 +71,7 @@ _OF_BODY = {
     "mass": ("mass", "masses"),
     "position": ("coordinates", "coordinates"),
 }
+_INITIAL = "initial "
 _FUNCTIONS = {
     "sin": "the sine of ",
     "cos": "the cosine of ",
@@ -96,6 +99,8 @@ def noun(scene: Scene, tree: Expression) -> Noun:
     match tree:
         case Quantity():
             return _QUANTITIES.get(tree.kind, _of_body)(scene, tree)
+        case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
+            return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
             return _led("the negative of ", noun(scene, operand))
         case Apply(name, argument):
@@ -149,19 +154,59 @@ def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
             if one.when == other.when:
                 relative = words("the velocity of ", Named(a), " relative to ", Named(b))
                 return Noun(relative, one.when)
-    return _pair("", noun(scene, left), " minus ", noun(scene, right))
+    one, other = noun(scene, left), noun(scene, right)
+    if values.is_vector(left) or values.is_vector(right):
+        return _pair("", one, " minus ", other)
+    change = _change(scene, left, right)
+    if change is not None:
+        return change
+    return Noun(words("the amount by which ", one.words(), " exceeds ", other.words()))
+
+
+def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
+    """What one quantity of a body has gained or lost in the only event."""
+    if len(scene.events) != 1 or not isinstance(left, Quantity) or not isinstance(right, Quantity):
+        return None
+    if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _OF_BODY:
+        return None
+    stages = [scene.stage(each.stage, name_of_first(each)) for each in (left, right)]
+    if stages not in ([1, 0], [0, 1]):
+        return None
+    change = "increase" if stages == [1, 0] else "decrease"
+    the_rest = noun(scene, left).head
+    return Noun(words(f"the {change} in ", the_rest), words("in ", event_name(scene, 1)))
+
+
+def name_of_first(tree: Quantity) -> str | None:
+    """The body that a quantity belongs to."""
+    return name_of(tree.arguments[0]) if tree.arguments else None
 
 
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
     if isinstance(left, Quantity) and left.kind in ("energy_lost", "total_energy_lost"):
-        whole = noun(scene, right)
         if isinstance(right, Quantity) and right.kind == "energy":
-            lost = _lost_where(scene, left)
-            return Noun(words("the fraction of ", whole.words(), " that is lost", lost))
+            lost = lost_where(scene, left)
+            return Noun(words("the fraction of ", whole_energy(scene, left, right), " that is lost", lost))
+    if not has_quantity(right):
+        return _divided(noun(scene, left), right)
     return _pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
 
 
-def _lost_where(scene: Scene, lost: Quantity) -> Words:
+def _divided(above: Noun, below: Expression) -> Noun:
+    return Noun(words(above.words(), " divided by ", lay.bracketed(lay.from_tree(below))))
+
+
+def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
+    """The energy of which a part is lost; that just before needs no moment."""
+    number = _event(scene, lost)
+    start = 0 if lost.kind == "total_energy_lost" else number - 1
+    said = noun(scene, whole)
+    if not whole.arguments and len(scene.events) == 1 and scene.stage(whole.stage, None) == start:
+        return said.head
+    return said.words()
+
+
+def lost_where(scene: Scene, lost: Quantity) -> Words:
     if lost.kind == "total_energy_lost":
         return (" altogether",) if len(scene.events) > 1 else ()
     return words(" in ", event_name(scene, _event(scene, lost))) if scene.events else ()
@@ -212,29 +257,39 @@ def at_time(scene: Scene, stage: AtTime) -> Words:
 
 def _of_body(scene: Scene, tree: Quantity) -> Noun:
     body = name_of(tree.arguments[0]) or ""
-    head = of_bodies(tree.kind, (body,))
-    if tree.kind == "mass":
-        return Noun(head, (), tree.kind, body)
-    return Noun(head, moment(scene, tree, body), tree.kind, body)
+    return _at_moment(tree.kind, body, () if tree.kind == "mass" else moment(scene, tree, body))
+
+
+def _at_moment(kind: str, body: str, when: Words) -> Noun:
+    if when == INITIALLY:
+        kind, when = f"{_INITIAL}{kind}", ()
+    return Noun(of_bodies(kind, (body,)), when, kind, body)
 
 
 def of_bodies(kind: str, bodies: Sequence[str]) -> Words:
     """``the speed of A``, ``the speeds of A and B``."""
-    one, several = _OF_BODY[kind]
-    return words(f"the {one if len(bodies) == 1 else several} of ", names(bodies))
+    return words(f"the {_called(kind, len(bodies))} of ", names(bodies))
 
 
 def kinds_of(kinds: Sequence[str], body: str) -> Words:
     """``the speed and the direction of motion of A``."""
-    each = [f"the {_OF_BODY[kind][0]}" for kind in kinds]
+    each = [f"the {_called(kind, 1)}" for kind in kinds]
     return words(listed(each), " of ", Named(body))
+
+
+def _called(kind: str, number: int) -> str:
+    """``speed``, ``initial speeds``."""
+    one, several = _OF_BODY[kind.removeprefix(_INITIAL)]
+    initial = _INITIAL if kind.startswith(_INITIAL) else ""
+    return initial + (one if number == 1 else several)
 
 
 def _direction(scene: Scene, tree: Quantity) -> Noun:
     name = name_of(tree.arguments[0]) or ""
     if scene.is_wall(name):
         return Noun(words("the direction of ", Named(name)))
-    return _of_body(scene, tree)
+    moving = _at_moment("direction", name, moment(scene, tree, name))
+    return _led(("the angle anticlockwise from ", values.I, " to "), moving)
 
 
 def _deflection(scene: Scene, tree: Quantity) -> Noun:
@@ -272,9 +327,11 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
         return _of_body(scene, tree)
     when = moment(scene, tree, None)
+    initial, when = ("initial ", ()) if when == INITIALLY else ("", when)
     if len(scene.problem.spheres) == 1:
-        return Noun(words("the kinetic energy of ", Named(scene.problem.spheres[0].name)), when)
-    return Noun(("the total kinetic energy",), when)
+        (only,) = scene.problem.spheres
+        return Noun(words(f"the {initial}kinetic energy of ", Named(only.name)), when)
+    return Noun((f"the {initial}total kinetic energy",), when)
 
 
 def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
@@ -294,7 +351,10 @@ def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
 def _momentum(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
         return _of_body(scene, tree)
-    return Noun(("the total momentum",), moment(scene, tree, None))
+    when = moment(scene, tree, None)
+    if when == INITIALLY:
+        return Noun(("the initial total momentum",))
+    return Noun(("the total momentum",), when)
 
 
 def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
@@ -324,12 +384,7 @@ def line(scene: Scene, tree: Expression) -> Noun:
                 return Noun(words("the perpendicular to ", Named(event.second)))
             return Noun(("the line of centres",), _in_event(scene, number))
         case Quantity("velocity", (Name(name),)):
-            return Noun(
-                words("the direction of motion of ", Named(name)),
-                moment(scene, tree, name),
-                "direction",
-                name,
-            )
+            return _at_moment("direction", name, moment(scene, tree, name))
         case Quantity("direction", (Name(name),)) if scene.is_wall(name):
             return Noun((Named(name),))
     if has_quantity(tree):
@@ -339,47 +394,66 @@ def line(scene: Scene, tree: Expression) -> Noun:
 
 def _angle(scene: Scene, tree: Quantity) -> Noun:
     one, other = (line(scene, each) for each in tree.arguments)
-    if one.kind and other.kind and one.body != other.body and one.when == other.when:
+    if one.kind == other.kind != "" and one.body != other.body and one.when == other.when:
         return Noun(
-            words("the angle between ", of_bodies("direction", (one.body, other.body))), one.when
+            words("the angle between ", of_bodies(one.kind, (one.body, other.body))), one.when
         )
-    if one.when and other.when and one.when != other.when:
+    if one.kind and other.kind:
         return Noun(words("the angle between ", one.words(), " and ", other.words()))
     if other.kind and not one.kind:
         one, other = other, one
+    if not one.kind:
+        return _pair("the angle between ", one, " and ", other)
     return Noun(words("the angle that ", one.head, " makes with ", other.head), one.when or other.when)
 
 
 def _along(scene: Scene, tree: Quantity) -> Noun:
     vector, axis = tree.arguments
-    of, way = noun(scene, vector), line(scene, axis)
-    number = _event(scene, axis) if isinstance(axis, Quantity) else 0
-    event = scene.events[number - 1] if number else None
-    if isinstance(axis, Name):
-        way = Noun(_of_wall(scene, axis.name))
-    elif isinstance(axis, Quantity) and axis.kind == "line_of_centres":
-        if isinstance(event, Impact) and not scene.is_wall(event.second):
-            towards = words(" from ", Named(event.first), " to ", Named(event.second))
-            way = Noun(words(way.head, towards))
-        elif isinstance(event, Impact):
-            way = Noun(words(way.head, ", directed into it,"))
-    if tree.kind == "along":
-        relation = " in the direction of "
-    else:
-        relation = " in the direction at 90° anticlockwise from "
+    of = noun(scene, vector)
+    way = _axis(scene, axis, across=tree.kind == "across")
     if way.when and of.when and way.when != of.when:
-        of, way = Noun(of.words()), Noun(way.words())
-    return Noun(words("the component of ", of.head, relation, way.head), of.when or way.when)
+        return Noun(words("the component of ", of.words(), " in ", way.words()))
+    tail = words(" in ", way.head)
+    head = words("the component of ", of.head, tail)
+    if of.kind == "velocity":
+        return Noun(head, of.when, f"component{tail}", of.body, tail)
+    return Noun(head, of.when or way.when)
 
 
-def _of_wall(scene: Scene, name: str) -> Words:
-    """The sense in which a wall is told to run."""
-    wall = scene.wall(name)
-    if wall is not None and wall.along is not None and values.is_vector(wall.along):
-        return values.direction_of(wall.along)
-    if wall is not None and wall.start is not None:
-        return words(Named(name), ", taken from ", values.point(wall.start), ",")
-    return (Named(name),)
+def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
+    """The direction of a component, with its sense."""
+    turn = "the direction at 90° anticlockwise from " if across else "the direction of "
+    if isinstance(axis, Quantity) and axis.kind == "line_of_centres":
+        return _led(turn, sensed_line(scene, axis))
+    if isinstance(axis, Name):
+        wall = scene.wall(axis.name)
+        if wall is not None and wall.along is not None:
+            axis = wall.along
+        elif wall is not None and wall.start is not None:
+            ends = (values.point(wall.start), " to ", values.point(wall.end))
+            return Noun(words(turn, Named(wall.name), ", taken from ", *ends, ","))
+        else:
+            return Noun(words(turn, Named(axis.name)))
+    if has_quantity(axis):
+        return _led(turn, noun(scene, axis))
+    if across:
+        left = values.to_the_left(axis)
+        return Noun(left if isinstance(left[0], str) else words("the direction of ", left))
+    if values.is_vector(axis):
+        return Noun(words("the direction of ", values.direction_of(axis)))
+    return Noun(words(values.direction_of(axis)))
+
+
+def sensed_line(scene: Scene, tree: Quantity) -> Noun:
+    """A line of centres with its sense: from the first body to the second, or into the wall."""
+    plain = line(scene, tree)
+    number = _event(scene, tree)
+    event = scene.events[number - 1] if number else None
+    if not isinstance(event, Impact):
+        return plain
+    if scene.is_wall(event.second):
+        return Noun(words(plain.head, ", directed into it,"), plain.when)
+    return Noun(words(plain.head, " from ", Named(event.first), " to ", Named(event.second)), plain.when)
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:

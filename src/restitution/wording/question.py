@@ -32,14 +32,21 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Listing:
-    """Several things asked at one place, each with its number: (i), (ii), …
+    """What is asked at one place, each entry with its number: (i), (ii), …
 
-    ``lead`` are the words in front of all of them (``Find``), or nothing where each entry is a
-    sentence of its own.
+    A number is empty where only one thing is asked. ``lead`` are the words in front of all
+    entries (``Find``), or nothing where each is a sentence of its own.
     """
 
     lead: Words
     entries: tuple[tuple[str, Words], ...]
+
+    def rows(self) -> tuple[tuple[str, Words], ...]:
+        """The entries with the commas and the full stop that a lead asks for."""
+        if not self.lead:
+            return self.entries
+        *front, (number, last) = self.entries
+        return (*((head, (*said, ",")) for head, said in front), (number, (*last, ".")))
 
 
 Block: TypeAlias = Paragraph | Listing
@@ -52,6 +59,21 @@ class QuestionPart:
     label: str | None
     body: tuple[Block, ...]
     marks: int | None = None
+
+    def flow(self) -> tuple[Block, ...]:
+        """The body as it is set: within a labelled part, one thing asked ends the paragraph."""
+        if self.label is None:
+            return self.body
+        out: list[Block] = []
+        for block in self.body:
+            last = out[-1] if out else None
+            if isinstance(block, Listing) and not block.lead and isinstance(last, Paragraph):
+                (number, words), *others = block.entries
+                if not number and not others:
+                    out[-1] = Paragraph((*last.sentences, words))
+                    continue
+            out.append(block)
+        return tuple(out)
 
 
 @dataclass(frozen=True)

@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from restitution.expression.tree import (
-    Apply,
-    Binary,
     Expression,
-    Letter,
     Name,
-    Negate,
-    Number,
     Pair,
     Polar,
     Quantity,
     Stage,
     Unit,
+    children,
     has_quantity,
-    letters,
     walk,
 )
 from restitution.problem import (
@@ -27,25 +21,27 @@ from restitution.problem import (
     Arrival,
     Compare,
     Event,
-    Extremum,
-    Find,
     Given,
     Impact,
-    Item,
     Kick,
-    Let,
     Problem,
     Relation,
     Show,
     Step,
     Wall,
+    trees,
+    trees_of_relation,
+    trees_of_step,
 )
 from restitution.wording.question import Named, Words
 from restitution.wording.units import Scale, scale_of
 from restitution.wording.values import point
 from restitution.wording.words import ordinal, words
 
+INITIALLY: Words = ("initially",)
 _PLACED = frozenset(("position", "distance", "time"))
+# Quantities without a direction.
+_SIZES = frozenset(("energy", "energy_lost", "total_energy_lost", "speed", "deflection", "mass"))
 
 
 @dataclass(frozen=True)
@@ -100,101 +96,56 @@ def bodies_of(event: Event) -> tuple[str, ...]:
     return (event.first, event.second) if isinstance(event, Impact) else (event.body,)
 
 
-# --- what the statement speaks of ---------------------------------------------------------------
-
-
-def expressions(problem: Problem) -> Iterator[Expression]:
-    """Every expression of a statement."""
-    for sphere in problem.spheres:
-        yield from _trees(sphere.mass, sphere.velocity, sphere.position, sphere.radius)
-    for wall in problem.walls:
-        yield from _trees(
-            wall.along, wall.through, wall.start, wall.end, wall.centre, wall.radius
-        )
-    for point in problem.points:
-        yield from _trees(point.position)
-    for _, step in problem.steps():
-        yield from expressions_of_step(step)
-
-
-def _trees(*values: object) -> Iterator[Expression]:
-    yield from (each for each in values if isinstance(each, Expression))
-
-
-def expressions_of_step(step: Step) -> Iterator[Expression]:
-    """Every expression of a step."""
-    match step:
-        case Impact():
-            yield from _trees(step.e, step.along, step.offset)
-        case Kick():
-            yield step.impulse
-        case Arrival():
-            yield step.target
-        case Let():
-            yield step.expression
-        case Given(relations):
-            for relation in relations:
-                yield from expressions_of_relation(relation)
-        case Find(items):
-            for item in items:
-                yield from expressions_of_item(item)
-        case Show(relation, subject):
-            yield from expressions_of_relation(relation)
-            if subject is not None:
-                yield from expressions_of_item(subject)
-
-
-def expressions_of_relation(relation: Relation) -> Iterator[Expression]:
-    """Every expression of a relation."""
-    if isinstance(relation, Compare):
-        yield from relation.operands
-    elif isinstance(relation, Aligned):
-        yield from (relation.left, relation.right)
-
-
-def expressions_of_item(item: Item) -> Iterator[Expression]:
-    """Every expression of an item."""
-    yield item.expression
-    if isinstance(item, Extremum):
-        yield item.over
+# --- what matters ---------------------------------------------------------------------------------
 
 
 def is_letter_fact(relation: Relation) -> bool:
     """Whether a relation is about letters alone: tan α = 3/4."""
-    return isinstance(relation, Compare) and not any(
-        has_quantity(each) for each in relation.operands
-    )
-
-
-def letters_of(*values: object) -> frozenset[str]:
-    """The letters of those values that are expressions."""
-    return frozenset().union(*(letters(each) for each in values if isinstance(each, Expression)))
+    return isinstance(relation, Compare) and not any(map(has_quantity, relation.operands))
 
 
 def _placed(problem: Problem) -> bool:
     """Whether it matters where things are, so that a size not told is negligible."""
     if any(each.position is not None for each in problem.spheres):
         return True
-    quantities = (node for tree in expressions(problem) for node in walk(tree))
-    return any(isinstance(node, Quantity) and node.kind in _PLACED for node in quantities)
+    nodes = (node for tree in trees(problem) for node in walk(tree))
+    return any(isinstance(node, Quantity) and node.kind in _PLACED for node in nodes)
 
 
 def _oriented(problem: Problem) -> bool:
-    """Whether mirror images of the statement would have other answers.
+    """Whether the statement turned round or mirrored would have other answers.
 
-    With one wall and a sphere that comes to it at some angle, and no vector asked for, they
-    have not: then nobody need be told from which side the sphere comes.
+    With one wall and a sphere that comes to it at some angle, and no vector asked for, it has
+    not: then nobody need be told how the wall runs, and from which side the sphere comes.
     """
     if len(problem.walls) != 1 or len(problem.spheres) != 1 or problem.points:
         return True
     (sphere,), (wall,) = problem.spheres, problem.walls
-    if sphere.position is not None or wall.along is None:
+    if sphere.position is not None or not isinstance(wall.along, Unit) or wall.through is not None:
         return True
     if not (isinstance(sphere.velocity, Polar) and sphere.velocity.wall is not None):
         return True
+    return any(_of_axes(step) for _, step in problem.steps())
+
+
+def _of_axes(step: Step) -> bool:
+    """Whether a step speaks of a vector, and not only of its angles with other things."""
+    relations: list[Relation] = []
+    if isinstance(step, Given):
+        relations = list(step.relations)
+    elif isinstance(step, Show) and step.subject is None:
+        relations = [step.relation]
+    aligned = {id(tree) for each in relations if isinstance(each, Aligned) for tree in trees_of_relation(each)}
     return any(
-        _speaks_of_a_vector(tree) for _, step in problem.steps() for tree in expressions_of_step(step)
+        _is_vector_side(tree) if id(tree) in aligned else _speaks_of_a_vector(tree)
+        for tree in trees_of_step(step)
     )
+
+
+def _is_vector_side(tree: Expression) -> bool:
+    """Whether the side of an angle is a vector given by itself."""
+    moving = isinstance(tree, Quantity) and tree.kind in ("velocity", "line_of_centres")
+    return not (moving or isinstance(tree, Name))
 
 
 def _speaks_of_a_vector(tree: Expression) -> bool:
@@ -202,33 +153,12 @@ def _speaks_of_a_vector(tree: Expression) -> bool:
         case Unit() | Pair() | Polar():
             return True
         case Quantity("angle", arguments):
-            return any(
-                _speaks_of_a_vector(each)
-                for each in arguments
-                if not (isinstance(each, Quantity) and each.kind in ("velocity", "line_of_centres"))
-            )
-        case Quantity(kind, arguments):
-            sized = kind in ("impulse", "energy", "speed", "deflection", "mass")
-            return not (
-                (sized and (kind != "impulse" or not arguments))
-                or kind in ("energy_lost", "total_energy_lost")
-            )
-    return any(
-        _speaks_of_a_vector(each)
-        for node in (tree,)
-        for each in _inside(node)
-    )
-
-
-def _inside(tree: Expression) -> tuple[Expression, ...]:
-    match tree:
-        case Negate(operand):
-            return (operand,)
-        case Binary(_, left, right):
-            return (left, right)
-        case Apply(_, argument):
-            return (argument,)
-    return ()
+            return any(map(_is_vector_side, arguments))
+        case Quantity("impulse", arguments):
+            return bool(arguments)
+        case Quantity(kind):
+            return kind not in _SIZES
+    return any(map(_speaks_of_a_vector, children(tree)))
 
 
 # --- the names of events and moments --------------------------------------------------------------
@@ -304,7 +234,7 @@ def after(scene: Scene, number: int) -> Words:
 def before(scene: Scene) -> Words:
     """The moment at which the velocities that are given hold."""
     if scene.timed() or len(scene.events) != 1 or isinstance(scene.events[0], Arrival):
-        return ("initially",)
+        return INITIALLY
     return words("immediately before ", event_name(scene, 1))
 
 
@@ -319,7 +249,7 @@ def just_before(scene: Scene, body: str | None) -> Words:
 
 def instant(scene: Scene, number: int) -> Words:
     """The moment of an event: ``when P hits W``."""
-    return ("initially",) if number == 0 else words("when ", happening(scene, number))
+    return INITIALLY if number == 0 else words("when ", happening(scene, number))
 
 
 def name_of(tree: Expression) -> str | None:

@@ -24,12 +24,11 @@ _PLANE = "on a smooth horizontal plane"
 
 
 def setting(scene: Scene) -> Iterator[Sentence]:
-    """The bodies, then where they are and how they move."""
+    """The bodies; where the spheres are and how they move at first tells ``start``."""
     yield from spheres_told(scene)
-    yield from _walls(scene)
     if scene.problem.points:
         yield _points(scene)
-    yield from _start(scene)
+    yield from _walls(scene)
 
 
 # --- spheres --------------------------------------------------------------------------------------
@@ -59,29 +58,53 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     masses = [each.mass for each in spheres]
     radii = {each.radius for each in spheres if each.radius is not None}
     radius: Any = radii.pop() if len(radii) == 1 else None
-    equal = ("equal radii",)
+    equal = words(" have equal radii")
     if radius is not None:
-        equal = words("equal radii ", values.length(scene.scale, radius))
-    rest = words(f" and move {_PLANE}")
+        equal = words(" each have radius ", values.length(scene.scale, radius))
+    rest = f" and move {_PLANE}"
     all_told = all(each is not None for each in masses)
     if all_told and len(set(masses)) == 1:
-        mass = words(", each of mass ", _mass(scene, spheres[0]), ",")
-        yield sentence(kind, " ", names(each.name for each in spheres), mass, " have ", equal, rest)
+        told = words(kind, " ", names(s.name for s in spheres), ", each of mass ")
+        mass = _mass(scene, spheres[0])
+        if radius is not None:
+            size = words(" and radius ", values.length(scene.scale, radius))
+            yield sentence(told, mass, size, f", move {_PLANE}")
+        else:
+            yield sentence(told, mass, ",", equal, rest)
     elif all_told:
-        each_mass = [
-            words(Named(each.name), " of mass ", _mass(scene, each)) for each in spheres
-        ]
-        yield sentence(kind, ", ", listed(each_mass), ", have ", equal, rest)
+        yield sentence(kind, ", ", _masses(scene, spheres), ",", equal, rest)
     else:
-        yield sentence(kind, " ", names(each.name for each in spheres), " have ", equal, rest)
-        for each in spheres:
-            if each.mass is not None:
-                yield sentence(Named(each.name), " has mass ", _mass(scene, each))
+        yield sentence(kind, " ", names(each.name for each in spheres), equal, rest)
+        for group in _by_mass(spheres):
+            if group[0].mass is not None:
+                verb = " has mass " if len(group) == 1 else " each have mass "
+                yield sentence(names(s.name for s in group), verb, _mass(scene, group[0]))
     if radii:
         for each in spheres:
             if each.radius is not None:
                 told = values.length(scene.scale, each.radius)
                 yield sentence("the radius of ", Named(each.name), " is ", told)
+
+
+def _by_mass(spheres: tuple[Sphere, ...]) -> list[list[Sphere]]:
+    """The spheres in groups of one mass."""
+    groups: dict[Any, list[Sphere]] = {}
+    for each in spheres:
+        groups.setdefault(each.mass, []).append(each)
+    return list(groups.values())
+
+
+def _masses(scene: Scene, spheres: tuple[Sphere, ...]) -> Words:
+    """``A of mass 2 kg and B of mass 3 kg``, ``A and B each of mass m, and C of mass km``."""
+    told = [
+        words(
+            names(each.name for each in group),
+            " of mass " if len(group) == 1 else " each of mass ",
+            _mass(scene, group[0]),
+        )
+        for group in _by_mass(spheres)
+    ]
+    return listed(told, "and" if len(told) == len(spheres) else ", and")
 
 
 def _mass(scene: Scene, sphere: Sphere) -> Words:
@@ -107,12 +130,12 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
         shape = "circular wall" if wall.centre is not None else "wall"
         kind = f"a fixed smooth vertical {shape} "
         if wall.centre is not None:
-            told = words(" has centre ", values.point(wall.centre), " and radius ")
+            told = words(" has its centre at ", values.point(wall.centre), " and radius ")
             yield sentence(kind, Named(wall.name), told, values.length(scene.scale, wall.radius))
         elif wall.start is not None:
             ends = words(" runs from ", values.point(wall.start), " to ", values.point(wall.end))
             yield sentence(kind, Named(wall.name), ends)
-        elif wall.along is not None or wall.through is not None:
+        elif (wall.along is not None and scene.oriented) or wall.through is not None:
             yield sentence(kind, Named(wall.name), " ", _is(wall))
         else:
             yield sentence(kind, Named(wall.name), " stands on the plane")
@@ -149,7 +172,8 @@ def _points(scene: Scene) -> Sentence:
 # --- where they are and how they move -------------------------------------------------------------
 
 
-def _start(scene: Scene) -> Iterator[Sentence]:
+def start(scene: Scene) -> Iterator[Sentence]:
+    """Where the spheres are at first, and how they move."""
     told: list[Words] = []
     resting: list[str] = []
     for sphere in scene.problem.spheres:
@@ -164,7 +188,8 @@ def _start(scene: Scene) -> Iterator[Sentence]:
         return
     moment = words(before(scene), " ")
     if len(told) <= 2:
-        yield sentence(moment, listed(told))
+        placed = any(each.position is not None for each in scene.problem.spheres)
+        yield sentence(moment, listed(told, ", and" if placed else "and"))
         return
     *front, last = told
     out: list[Any] = []
@@ -186,9 +211,10 @@ def _state(scene: Scene, sphere: Sphere) -> Words:
         if sphere.radius is None:
             return words(name, " is at rest ", where)
         return words(name, " is at rest with its centre ", where)
+    then = " " if where[-1] == "," or str(where[-1]).endswith(",") else ", "
     if sphere.radius is not None:
-        return words(name, " has its centre ", where, " and is ", moving(scene, sphere.velocity))
-    return words(name, " is ", where, " and is ", moving(scene, sphere.velocity))
+        return words(name, " has its centre ", where, then, moving(scene, sphere.velocity))
+    return words(name, " is ", where, then, moving(scene, sphere.velocity))
 
 
 def moving(scene: Scene, velocity: Expression) -> Words:

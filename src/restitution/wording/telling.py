@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
@@ -32,11 +32,12 @@ from restitution.problem import (
     Relation,
     Show,
     Unknown,
+    trees,
 )
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.asking import groups, in_terms, shown
-from restitution.wording.clauses import clause, mathematics
+from restitution.wording.clauses import clause, clauses, mathematics
 from restitution.wording.nouns import phrase
 from restitution.wording.question import (
     Block,
@@ -47,13 +48,8 @@ from restitution.wording.question import (
     Sentence,
     Words,
 )
-from restitution.wording.scene import (
-    Scene,
-    expressions,
-    is_letter_fact,
-    scene_of,
-)
-from restitution.wording.setting import setting
+from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
+from restitution.wording.setting import setting, spheres_told, start
 from restitution.wording.story import told
 from restitution.wording.units import LENGTH, SPEED
 from restitution.wording.words import alphabetic, listed, roman, sentence, words
@@ -79,7 +75,7 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     """
     scene = scene_of(problem)
     drafts = list(_drafts(scene))
-    first = [*setting(scene), *drafts[0].opening]
+    first = [*setting(scene), *(() if _event_first(scene) else start(scene)), *drafts[0].opening]
     blocks = [replace(drafts[0], opening=tuple(first)), *drafts[1:]]
     blocks = _with_facts(problem, blocks)
     opening = _with_axes(scene, blocks)
@@ -109,24 +105,36 @@ class _Draft:
 
 
 def _drafts(scene: Scene) -> Iterator[_Draft]:
-    labelled = len(scene.problem.parts) > 1
     number = _numbering(scene.problem)
-    now = 0
     lets = _lets(scene.problem)
+    now = 0
     for part in scene.problem.parts:
         blocks: list[Block] = []
-        count = 0
         for run in _runs(part):
-            now, made = _run(scene, now, run, lets, labelled)
-            for block in made:
-                if isinstance(block, Listing):
-                    entries = tuple(
-                        (number(count + n), said) for n, (_, said) in enumerate(block.entries, 1)
-                    )
-                    count += len(entries)
-                    block = Listing(block.lead, entries)
-                blocks.append(block)
-        yield _draft(part.label, blocks)
+            now, made = _run(scene, now, run, lets)
+            blocks += made
+        yield _draft(part.label, _numbered(blocks, number))
+
+
+def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Block]:
+    """What is asked with its numbers, unless it is one thing only."""
+    asked = [each for each in blocks if isinstance(each, Listing)]
+    if sum(len(each.entries) for each in asked) <= 1:
+        return list(blocks)
+    out: list[Block] = []
+    count = 0
+    for block in blocks:
+        if isinstance(block, Listing):
+            entries = tuple((number(count + n), said) for n, (_, said) in enumerate(block.entries, 1))
+            count += len(entries)
+            block = replace(block, entries=entries)
+        out.append(block)
+    return out
+
+
+def _event_first(scene: Scene) -> bool:
+    """Whether the only event is told before the velocities that hold just before it."""
+    return len(scene.events) == 1 and before(scene) != INITIALLY and bool(scene.problem.spheres)
 
 
 def _draft(label: str | None, blocks: Sequence[Block]) -> _Draft:
@@ -188,14 +196,13 @@ def _run_of(label: str | None, event: Any, steps: Sequence[Any]) -> _Run:
     )
 
 
-def _run(
-    scene: Scene, now: int, run: _Run, lets: frozenset[str], labelled: bool
-) -> tuple[int, list[Block]]:
+def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, list[Block]]:
     """An event, then what is named, given and asked before the next."""
     sentences: list[Sentence] = []
     if run.event is not None:
         now += 1
-        sentences += told(scene, now)
+        hit, *more = told(scene, now)
+        sentences += [hit, *(start(scene) if _event_first(scene) else ()), *more]
     scene = scene.at(now)
     for let in run.lets:
         sentences.append(sentence("let ", lay.letter(let.letter), " denote ", phrase(scene, let.expression)))
@@ -206,23 +213,31 @@ def _run(
         for each in run.relations
         if run.label is not None or not is_letter_fact(each) or _letters(each) & lets
     ]
-    clauses = [clause(scene, each) for each in facts]
     asked = _asked(scene, run.asks)
-    if isinstance(asked, Listing) and clauses and asked.lead:
-        asked = replace(asked, lead=words(_given_that(clauses), _lower(asked.lead)))
-        clauses = []
-    elif isinstance(asked, Paragraph) and clauses and len(asked.sentences) == 1:
-        (only,) = asked.sentences
-        asked = Paragraph((sentence(_given_that(clauses), _lower(only[:-1]), _stem(only)),))
-        clauses = []
-    sentences += [
-        sentence("it is given that ", each) if is_letter_fact(fact) else sentence(each)
-        for fact, each in zip(facts, clauses, strict=bool(clauses))
-    ]
+    if asked is not None and facts and (asked.lead or len(asked.entries) == 1):
+        asked = _under(scene, facts, asked)
+        facts = []
+    motion = [each for each in facts if not is_letter_fact(each)]
+    sentences += [sentence(each) for each in clauses(scene, motion)]
+    if len(motion) < len(facts):
+        said = [clause(scene, each) for each in facts if is_letter_fact(each)]
+        sentences.append(sentence("it is given that ", listed(said)))
     blocks: list[Block] = [Paragraph(tuple(sentences))] if sentences else []
     if asked is not None:
         blocks.append(asked)
     return now, blocks
+
+
+def _under(scene: Scene, facts: Sequence[Relation], asked: Listing) -> Listing:
+    """What is asked with what is given for it: ``Given that k = 3, find …``."""
+    motion = clauses(scene, [each for each in facts if not is_letter_fact(each)])
+    of_letters = [clause(scene, each) for each in facts if is_letter_fact(each)]
+    told_each = [*of_letters, *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion))]
+    given = words("Given that ", listed(told_each), ", ")
+    if asked.lead:
+        return replace(asked, lead=words(given, _lower(asked.lead)))
+    ((number, only),) = asked.entries
+    return replace(asked, entries=((number, words(given, _lower(only))),))
 
 
 def _stem(said: Sentence) -> str:
@@ -238,11 +253,6 @@ def _lower(said: Words) -> Words:
     if isinstance(first, str):
         return (first[:1].lower() + first[1:], *said[1:])
     return said
-
-
-def _given_that(clauses: Sequence[Words]) -> Words:
-    told_each = [words("that ", each) if n else each for n, each in enumerate(clauses)]
-    return words("given that ", listed(told_each), ", ")
 
 
 def _not_known(run: _Run) -> Sentence:
@@ -262,21 +272,21 @@ def _letters(relation: Relation) -> frozenset[str]:
 # --- asking ---------------------------------------------------------------------------------------
 
 
-def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Block | None:
+def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     if not asks:
         return None
     if all(isinstance(each, Find) and not each.in_terms_of for each in asks):
         items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
         if len(items) <= 2:
-            return Paragraph((sentence("find ", listed(items)),))
+            return Listing((), (("", sentence("find ", listed(items))),))
         return Listing(("Find",), tuple(("", each) for each in items))
     if len(asks) == 1:
         (only,) = asks
         if isinstance(only, Show):
-            return Paragraph((sentence(shown(scene, only)),))
+            return Listing((), (("", sentence(shown(scene, only))),))
         items = groups(scene, only)
         if len(items) <= 2:
-            return Paragraph((sentence(_found(scene, only)),))
+            return Listing((), (("", sentence(_found(scene, only))),))
         lead = words("Find, ", in_terms(only), ",")
         return Listing(lead, tuple(("", each) for each in items))
     entries = [
@@ -357,11 +367,13 @@ def letters_in(said: Any) -> frozenset[str]:
 def _letter_facts(problem: Problem) -> Iterator[_Fact]:
     """The facts about letters that hold throughout."""
     lets = _lets(problem)
+    constants, _ = _constants(problem)
     for part, step in problem.steps():
         if part.label is None and isinstance(step, Given):
             for relation in step.relations:
-                if is_letter_fact(relation) and not _letters(relation) & lets:
-                    assert isinstance(relation, Compare)
+                if not isinstance(relation, Compare) or not is_letter_fact(relation):
+                    continue
+                if not _letters(relation) & lets and _said_positive(relation) not in constants:
                     yield _Fact(_letters(relation), words(mathematics(relation)))
 
 
@@ -379,13 +391,21 @@ def _natures(problem: Problem) -> Iterator[_Fact]:
 
 def _angles(problem: Problem) -> frozenset[str]:
     """Letters in the directions of what is given."""
-    trees: list[Expression] = []
-    for each in expressions(problem):
-        trees += [node.angle for node in walk(each) if isinstance(node, Polar)]
+    found: list[Expression] = []
+    for each in trees(problem):
+        found += [node.angle for node in walk(each) if isinstance(node, Polar)]
+    for sphere in problem.spheres:
+        if isinstance(sphere.velocity, Expression):
+            found += [node for node in walk(sphere.velocity) if _is_ratio(node)]
     plain = [wall.along for wall in problem.walls]
     plain += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
-    trees += [each for each in plain if isinstance(each, Expression) and not values.is_vector(each)]
-    return frozenset().union(*(letters(each) for each in trees))
+    found += [each for each in plain if isinstance(each, Expression) and not values.is_vector(each)]
+    return frozenset().union(*(letters(each) for each in found))
+
+
+def _is_ratio(tree: Expression) -> bool:
+    """Whether a tree is the sine, cosine or tangent of an angle, or the like."""
+    return isinstance(tree, Apply) and tree.function not in ("sqrt", "abs")
 
 
 def _wide(problem: Problem, name: str) -> bool:
@@ -424,14 +444,25 @@ def _constants(problem: Problem) -> tuple[frozenset[str], frozenset[str]]:
             positive |= {each for each in letters(velocity) if each in _NUMBERS}
             if scale.fixes(SPEED) and not isinstance(velocity, Polar):
                 signed |= _outside_functions(velocity)
-    for _, step in problem.steps():
+    for part, step in problem.steps():
         if isinstance(step, Kick):
             positive |= {each for each in letters(step.impulse) if each in _NUMBERS}
+        elif isinstance(step, Given) and part.label is None:
+            above = {_said_positive(each) for each in step.relations} & signed
+            positive |= above
     return frozenset(positive), frozenset(signed)
 
 
+def _said_positive(relation: Relation) -> str | None:
+    """The letter of which a fact says that it is positive."""
+    match relation:
+        case Compare((Letter(name), zero), (">",)) | Compare((zero, Letter(name)), ("<",)):
+            return name if values.is_zero(zero) else None
+    return None
+
+
 def _outside_functions(tree: Expression) -> set[str]:
-    inside = {name for node in walk(tree) if isinstance(node, Apply) for name in letters(node)}
+    inside = {name for node in walk(tree) if _is_ratio(node) for name in letters(node)}
     return set(letters(tree)) - inside
 
 
@@ -476,8 +507,6 @@ def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
 
 def _bodies_end(scene: Scene) -> int:
     """After how many sentences all spheres have been introduced."""
-    from restitution.wording.setting import spheres_told
-
     return len(list(spheres_told(scene)))
 
 

@@ -40,7 +40,7 @@ def _piece(each: object) -> str:
 def _part(part: QuestionPart, columns: int) -> list[list[str]]:
     label = f"({part.label})" if part.label is not None else ""
     indent = _INDENT if label else 0
-    blocks = [lines for block in part.body for lines in _block(block, columns - indent)]
+    blocks = [lines for block in part.flow() for lines in _block(block, columns - indent)]
     if part.marks is not None and blocks:
         blocks[-1] += _right(count_of_marks(part.marks), columns - indent)
     if not label:
@@ -56,13 +56,11 @@ def _block(block: Block, columns: int) -> Iterator[list[str]]:
         yield wrapped(" ".join(map(said, block.sentences)), columns)
         return
     lines = wrapped(said(block.lead), columns) if block.lead else []
-    ending = "." if block.lead else ""
-    for index, (number, words) in enumerate(block.entries):
-        last = index == len(block.entries) - 1
-        text = said(words) + ((ending if last else ",") if block.lead else "")
-        head = f"({number})"
-        for row, line in enumerate(wrapped(text, columns - 6)):
-            lines.append(f"{head if row == 0 else '':<5} {line}")
+    heads = [f"({number}) " if number else "" for number, _ in block.entries]
+    room = max(map(len, heads))
+    for head, (_, words) in zip(heads, block.rows(), strict=True):
+        for row, line in enumerate(wrapped(said(words), columns - room)):
+            lines.append(f"{head if row == 0 else '':<{room}}{line}")
     yield lines
 
 

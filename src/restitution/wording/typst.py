@@ -44,7 +44,7 @@ def _row(head: str, body: str) -> str:
 
 
 def _part(part: QuestionPart) -> str:
-    body = "\n\n".join(made for block in part.body for made in _block(block))
+    body = "\n\n".join(made for block in part.flow() for made in _block(block))
     if part.marks is not None:
         body += f"\n\n#align(right)[{text(count_of_marks(part.marks))}]"
     return body if part.label is None else _row(part.label, body)
@@ -56,7 +56,5 @@ def _block(block: Block) -> Iterator[str]:
         return
     if block.lead:
         yield said(block.lead)
-    for index, (number, words) in enumerate(block.entries):
-        last = index == len(block.entries) - 1
-        ending = text("." if last else ",") if block.lead else ""
-        yield _row(number, said(words) + ending)
+    for number, words in block.rows():
+        yield _row(number, said(words)) if number else said(words)

@@ -16,9 +16,11 @@ import sympy
 
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Pair,
@@ -27,8 +29,9 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     letters,
+    walk,
 )
-from restitution.problem import Compare, Given, Kick, Problem
+from restitution.problem import Compare, Given, Kick, Problem, trees
 
 # A dimension by its powers of mass, length and time.
 Dimension: TypeAlias = tuple[int, int, int]
@@ -123,6 +126,9 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
     for dimension, value in said:
         if isinstance(value, Expression):
             yield dimension, value
+    for node in (each for tree in trees(problem) for each in walk(tree)):
+        if isinstance(node, Quantity) and isinstance(node.stage, AtTime):
+            yield TIME, node.stage.time
 
 
 def is_number(tree: Expression) -> bool:
@@ -147,7 +153,7 @@ def is_number(tree: Expression) -> bool:
             )
         case Number(value):
             return value != 0
-        case Quantity():
+        case Quantity() | Name():
             return False
     return not _scaling(tree)
 

@@ -113,7 +113,7 @@ def direction(tree: Expression, origin: Any = None, wall: Any = None) -> Words:
     """The direction of a vector that is told by size and direction."""
     if isinstance(wall, Name):
         return words("towards ", Named(wall.name), " at ", angle(tree), " to ", Named(wall.name))
-    return words("in the direction ", turned(tree, origin))
+    return turned(tree, origin)
 
 
 def direction_of(tree: Expression) -> Words:
@@ -124,6 +124,16 @@ def direction_of(tree: Expression) -> Words:
             shown = lay.Brackets(shown)
         return words(shown)
     return words("the direction ", turned(tree, None))
+
+
+def to_the_left(tree: Expression) -> Words:
+    """The direction at a right angle to another, anticlockwise: for **i** it is **j**."""
+    match tree:
+        case Unit("i"):
+            return (lay.Bold("j"),)
+        case Unit("j"):
+            return (lay.negative(I),)
+    return words("the direction at 90° anticlockwise from ", direction_of(tree))
 
 
 def lies_along(tree: Expression) -> Words:
@@ -138,17 +148,15 @@ def times(factor: Expression) -> Words:
     if isinstance(factor, Number):
         if factor.value == 2:
             return ("twice ",)
-        if 0 < factor.value < 1 and (100 * factor.value).denominator == 1:
-            return words(lay.Percent(lay.from_tree(Number(100 * factor.value))), " of ")
+        percent = 100 * factor.value
+        if 0 < percent < 100 and percent.denominator == 1:
+            return words(lay.Percent(lay.from_tree(Number(percent))), " of ")
     fraction = as_fraction(factor)
     if fraction is not None and 0 < fraction < 1:
         return words(lay.from_tree(factor), " of ")
     shown = lay.from_tree(factor)
-    return words(lay.bracketed(shown) if _open(shown) else shown, " times ")
-
-
-def _open(shown: lay.Layout) -> bool:
-    return isinstance(shown, lay.Sum) and len(shown.terms) > 1
+    several = isinstance(shown, lay.Sum) and len(shown.terms) > 1
+    return words(lay.Brackets(shown) if several else shown, " times ")
 
 
 def as_fraction(tree: Expression) -> Fraction | None:

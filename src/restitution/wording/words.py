@@ -43,7 +43,8 @@ def listed(each: Sequence[Any], link: str = "and") -> Words:
     front: list[Any] = [each[0]]
     for item in each[1:-1]:
         front += [", ", item]
-    return words(*front, f" {link} ", each[-1])
+    before = "" if link.startswith(",") else " "
+    return words(*front, f"{before}{link} ", each[-1])
 
 
 def names(each: Iterable[str]) -> Words:
