@@ -19,6 +19,7 @@ from restitution.wording.nouns import (
     Noun,
     line,
     lost_where,
+    moment,
     noun,
     of_bodies,
     sensed_line,
@@ -203,19 +204,19 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
         return _share_lost(scene, left, right)
     match left:
         case Quantity("velocity", (Name(body),)) if isinstance(right, Polar):
-            when = noun(scene, left).when
-            return words(when, " " if when else "", Named(body), " is ", moving(scene, right))
+            when = moment(scene, left, body)
+            return words(when, " ", Named(body), " is ", moving(scene, right))
         case Quantity("deflection", (Name(body),)):
             where = noun(scene, left).when
             through = _through(right)
             return words(Named(body), " is deflected through ", through, " " if where else "", where)
         case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
-            when = noun(scene, Quantity("speed", left.arguments, left.stage)).when
+            when = moment(scene, left, body)
             return words(when, " ", Named(body), " is moving ", values.turned(right, None))
         case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
             not _moves(other)
         ):
-            when = line(scene, moving).when
+            when = moment(scene, velocity, body)
             way = line(scene, other)
             at = "at an angle " if _is_letter(right) else "at an angle of "
             return words(
