@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
+    from restitution.wording import question
 
     __version__: str
 
@@ -52,6 +53,7 @@ __all__ = [
     "explain",
     "impact",
     "parse",
+    "question",
     "read",
     "solve",
     "to_statement",
@@ -73,6 +75,7 @@ _NAMES_OF_MODULES = {
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solve": ("solve",),
     "vector": ("Vector",),
+    "wording": ("question",),
 }
 _MODULE_OF_NAME = {name: module for module, names in _NAMES_OF_MODULES.items() for name in names}
 

@@ -27,8 +27,8 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem
-from restitution.solve.letters import POSITIVE, REAL, Role, trees
+from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem, trees
+from restitution.solve.letters import POSITIVE, REAL, Role
 from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of

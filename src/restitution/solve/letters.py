@@ -36,23 +36,18 @@ from restitution.expression.tree import (
 from restitution.problem import (
     Aligned,
     Compare,
-    Extremum,
     Find,
     Given,
     Impact,
-    Kick,
     Let,
     Part,
     Problem,
-    Range,
     Relation,
     Show,
     Step,
     Unknown,
     Wall,
     trees,
-    trees_of_relation,
-    trees_of_step,
 )
 
 Kind = Literal["positive", "real", "angle", "restitution"]

@@ -94,8 +94,7 @@ def _refute(
 
 def _used(worker: _Worker, outcome: Any) -> set[str]:
     from restitution.expression.tree import letters
-    from restitution.problem import Impact
-    from restitution.problem import trees
+    from restitution.problem import Impact, trees
 
     used: set[str] = set()
     for tree in trees(worker.problem):

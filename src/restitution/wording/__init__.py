@@ -1,10 +1,10 @@
-"""An exam-style question made from a statement: Problem → Question → text, Markdown, HTML, Typst."""
+"""An exam-style question made from a statement: Problem → text, Markdown, HTML, Typst."""
 
 from __future__ import annotations
 
 from restitution.wording.html import to_fragment, to_html
 from restitution.wording.markup import to_markdown
-from restitution.wording.question import (
+from restitution.wording.structure import (
     Block,
     Listing,
     Named,

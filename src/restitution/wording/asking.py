@@ -10,8 +10,8 @@ from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import clause
 from restitution.wording.nouns import Noun, kinds_of, line, noun, of_bodies, phrase
-from restitution.wording.question import Named, Words
 from restitution.wording.scene import Scene, name_of
+from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, words
 
 
@@ -46,7 +46,7 @@ def shown(scene: Scene, show: Show) -> Words:
             subject = _extreme(scene, show.subject)
     relation = show.relation
     if isinstance(show.subject, Extremum) and isinstance(relation, Compare):
-        value = values.value(scene.scale, relation.operands[1], None)
+        value = values.value(scene.style, relation.operands[1], None)
         figures = relation.figures
         exactness = f", correct to {figures} significant figures" if figures else ""
         return words("show", terms, " that ", subject, " is ", value, exactness)
@@ -151,5 +151,5 @@ def _together(nouns: Sequence[Noun]) -> Words:
         head = kinds_of([each.kind for each in nouns], first.body)
     said = words(head, " ", first.when) if first.when else head
     if _is_direction(first):
-        return words(said, " (measured anticlockwise from ", values.I, ")")
+        return words(said, " (measured anticlockwise from ", values.EAST, ")")
     return said

@@ -25,9 +25,9 @@ from restitution.wording.nouns import (
     sensed_line,
     whole_energy,
 )
-from restitution.wording.question import Named, Words
 from restitution.wording.scene import Scene, after
 from restitution.wording.setting import moving
+from restitution.wording.structure import Named, Words
 from restitution.wording.units import SPEED, Dimension, dimension_of_any
 from restitution.wording.words import listed, words
 
@@ -91,7 +91,7 @@ def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun,
                     break
                 if not subject.when or subject.body in [one.body for one, _ in found]:
                     break
-                found.append((subject, values.value(scene.scale, value, SPEED)))
+                found.append((subject, values.value(scene.style, value, SPEED)))
             case _:
                 break
     return found
@@ -143,9 +143,9 @@ def _chain(scene: Scene, relation: Compare) -> Words:
         return words(
             noun(scene, operands[1]).words(),
             f" {low}",
-            values.value(scene.scale, operands[0], dimension),
+            values.value(scene.style, operands[0], dimension),
             f" and {high}",
-            values.value(scene.scale, operands[2], dimension),
+            values.value(scene.style, operands[2], dimension),
         )
     pairs = zip(operands, operators, operands[1:], strict=False)
     said: list[Words] = []
@@ -193,7 +193,7 @@ def _dimension(tree: Expression) -> Dimension | None:
 def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words:
     if isinstance(tree, Name):
         return (Named(tree.name),)
-    return values.value(scene.scale, tree, dimension)
+    return values.value(scene.style, tree, dimension)
 
 
 def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Words | None:
@@ -209,10 +209,12 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
         case Quantity("deflection", (Name(body),)):
             where = noun(scene, left).when
             through = _through(right)
-            return words(Named(body), " is deflected through ", through, " " if where else "", where)
+            return words(
+                Named(body), " is deflected through ", through, " " if where else "", where
+            )
         case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
             when = moment(scene, left, body)
-            return words(when, " ", Named(body), " is moving ", values.turned(right, None))
+            return words(when, " ", Named(body), " is moving ", values.turned(scene.style, right))
         case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
             not _moves(other)
         ):
@@ -235,7 +237,9 @@ def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | No
             share = values.times(factor)
             if _is_letter(factor):
                 share = words("a fraction ", values.laid(factor), " of ")
-            return words(share, whole_energy(scene, lost, whole), " is lost", lost_where(scene, lost))
+            return words(
+                share, whole_energy(scene, lost, whole), " is lost", lost_where(scene, lost)
+            )
     return None
 
 

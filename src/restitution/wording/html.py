@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from html import escape
 
 from restitution.render.mathml import to_mathml
-from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
 _STYLE = """

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.render.latex import to_latex
 from restitution.render.markdown import escape
-from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
 

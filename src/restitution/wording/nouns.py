@@ -18,14 +18,14 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Pair,
+    Polar,
     Quantity,
-    Unit,
     has_quantity,
 )
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.question import Named, Words
 from restitution.wording.scene import (
     INITIALLY,
     Scene,
@@ -37,7 +37,8 @@ from restitution.wording.scene import (
     just_before,
     name_of,
 )
-from restitution.wording.units import TIME, dimension_of
+from restitution.wording.structure import Named, Words
+from restitution.wording.units import TIME
 from restitution.wording.words import listed, names, words
 
 
@@ -107,7 +108,18 @@ def noun(scene: Scene, tree: Expression) -> Noun:
             return _led(_FUNCTIONS[name], noun(scene, argument))
         case Binary():
             return _binary(scene, tree)
-    raise TypeError(f"no words for {tree!r}")  # quantities stand in no other node
+        case Pair(x, y):
+            return _pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
+        case Polar(size, angle, origin, wall):
+            return _polar(scene, size, angle, origin if wall is None else wall)
+    raise AssertionError(tree)  # a quantity stands in no other node
+
+
+def _polar(scene: Scene, size: Expression, angle: Expression, start: Expression | None) -> Noun:
+    """A vector by size and direction, one of them a quantity."""
+    origin = line(scene, start).words() if start is not None else (values.EAST,)
+    turned = words(" at an angle of ", phrase(scene, angle), " to ", origin)
+    return Noun(words("the vector of magnitude ", phrase(scene, size), turned))
 
 
 def _led(words_before: str | Words, inner: Noun) -> Noun:
@@ -169,7 +181,8 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
         return None
     if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _OF_BODY:
         return None
-    stages = [scene.stage(each.stage, name_of_first(each)) for each in (left, right)]
+    body = name_of(left.arguments[0])
+    stages = [scene.stage(each.stage, body) for each in (left, right)]
     if stages not in ([1, 0], [0, 1]):
         return None
     change = "increase" if stages == [1, 0] else "decrease"
@@ -177,16 +190,11 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
     return Noun(words(f"the {change} in ", the_rest), words("in ", event_name(scene, 1)))
 
 
-def name_of_first(tree: Quantity) -> str | None:
-    """The body that a quantity belongs to."""
-    return name_of(tree.arguments[0]) if tree.arguments else None
-
-
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
-    if isinstance(left, Quantity) and left.kind in ("energy_lost", "total_energy_lost"):
-        if isinstance(right, Quantity) and right.kind == "energy":
-            lost = lost_where(scene, left)
-            return Noun(words("the fraction of ", whole_energy(scene, left, right), " that is lost", lost))
+    match left, right:
+        case Quantity("energy_lost" | "total_energy_lost"), Quantity("energy"):
+            whole, lost = whole_energy(scene, left, right), lost_where(scene, left)
+            return Noun(words("the fraction of ", whole, " that is lost", lost))
     if not has_quantity(right):
         return _divided(noun(scene, left), right)
     return _pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
@@ -207,6 +215,7 @@ def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
 
 
 def lost_where(scene: Scene, lost: Quantity) -> Words:
+    """Where energy is lost, with a blank in front."""
     if lost.kind == "total_energy_lost":
         return (" altogether",) if len(scene.events) > 1 else ()
     return words(" in ", event_name(scene, _event(scene, lost))) if scene.events else ()
@@ -246,13 +255,15 @@ def at_time(scene: Scene, stage: AtTime) -> Words:
     """``2 s after the impact``, ``t after the start``."""
     match stage.time:
         case Binary("+", Quantity("time", (), int(number)), rest) if not has_quantity(rest):
-            return words(values.value(scene.scale, rest, TIME), " after ", event_name(scene, number))
+            return words(
+                values.value(scene.style, rest, TIME), " after ", event_name(scene, number)
+            )
     start = ("the start",) if scene.timed() else event_name(scene, 1)
     if has_quantity(stage.time):
         return words("at a time after ", start, " of ", phrase(scene, stage.time))
     if isinstance(stage.time, Number):
-        return words(values.value(scene.scale, stage.time, TIME), " after ", start)
-    return words("at time ", values.value(scene.scale, stage.time, TIME), " after ", start)
+        return words(values.value(scene.style, stage.time, TIME), " after ", start)
+    return words("at time ", values.value(scene.style, stage.time, TIME), " after ", start)
 
 
 def _of_body(scene: Scene, tree: Quantity) -> Noun:
@@ -289,7 +300,7 @@ def _direction(scene: Scene, tree: Quantity) -> Noun:
     if scene.is_wall(name):
         return Noun(words("the direction of ", Named(name)))
     moving = _at_moment("direction", name, moment(scene, tree, name))
-    return _led(("the angle anticlockwise from ", values.I, " to "), moving)
+    return _led(("the angle anticlockwise from ", values.EAST, " to "), moving)
 
 
 def _deflection(scene: Scene, tree: Quantity) -> Noun:
@@ -315,8 +326,9 @@ def _impulse(scene: Scene, tree: Quantity) -> Noun:
     event = scene.events[number - 1] if number else None
     if isinstance(event, Kick):
         size = "" if body else "the magnitude of "
-        which = event_name(scene, number)
-        return Noun(words(size, which, "" if "on" in str(which) else (" on ", Named(event.body))))
+        alone = sum(isinstance(each, Kick) for each in scene.events) == 1
+        on = (" on ", Named(event.body)) if alone else ()
+        return Noun(words(size, event_name(scene, number), on))
     where = words("in ", event_name(scene, number)) if number else ()
     if body is not None:
         return Noun(words("the impulse on ", Named(body)), where)
@@ -336,7 +348,9 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
 
 def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
     number = _event(scene, tree)
-    return Noun(("the kinetic energy lost",), words("in ", event_name(scene, number)) if number else ())
+    return Noun(
+        ("the kinetic energy lost",), words("in ", event_name(scene, number)) if number else ()
+    )
 
 
 def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
@@ -345,7 +359,9 @@ def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
         return Noun(("the total kinetic energy lost",))
     if number == len(scene.events):
         return Noun(("the total kinetic energy lost altogether",))
-    return Noun(words("the total kinetic energy lost up to and including ", event_name(scene, number)))
+    return Noun(
+        words("the total kinetic energy lost up to and including ", event_name(scene, number))
+    )
 
 
 def _momentum(scene: Scene, tree: Quantity) -> Noun:
@@ -389,7 +405,7 @@ def line(scene: Scene, tree: Expression) -> Noun:
             return Noun((Named(name),))
     if has_quantity(tree):
         return noun(scene, tree)
-    return Noun(values.direction_of(tree))
+    return Noun(values.direction_of(scene.style, tree))
 
 
 def _angle(scene: Scene, tree: Quantity) -> Noun:
@@ -404,7 +420,9 @@ def _angle(scene: Scene, tree: Quantity) -> Noun:
         one, other = other, one
     if not one.kind:
         return _pair("the angle between ", one, " and ", other)
-    return Noun(words("the angle that ", one.head, " makes with ", other.head), one.when or other.when)
+    return Noun(
+        words("the angle that ", one.head, " makes with ", other.head), one.when or other.when
+    )
 
 
 def _along(scene: Scene, tree: Quantity) -> Noun:
@@ -437,11 +455,11 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
     if has_quantity(axis):
         return _led(turn, noun(scene, axis))
     if across:
-        left = values.to_the_left(axis)
+        left = values.to_the_left(scene.style, axis)
         return Noun(left if isinstance(left[0], str) else words("the direction of ", left))
     if values.is_vector(axis):
-        return Noun(words("the direction of ", values.direction_of(axis)))
-    return Noun(words(values.direction_of(axis)))
+        return Noun(words("the direction of ", values.direction_of(scene.style, axis)))
+    return Noun(words(values.direction_of(scene.style, axis)))
 
 
 def sensed_line(scene: Scene, tree: Quantity) -> Noun:
@@ -453,15 +471,15 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
         return plain
     if scene.is_wall(event.second):
         return Noun(words(plain.head, ", directed into it,"), plain.when)
-    return Noun(words(plain.head, " from ", Named(event.first), " to ", Named(event.second)), plain.when)
+    return Noun(
+        words(plain.head, " from ", Named(event.first), " to ", Named(event.second)), plain.when
+    )
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
     body = name_of(tree.arguments[0]) or ""
     centre = "the centre of " if _has_size(scene, body) else ""
-    return Noun(
-        words("the coordinates of ", centre, Named(body)), _place_when(scene, tree, body)
-    )
+    return Noun(words("the coordinates of ", centre, Named(body)), _place_when(scene, tree, body))
 
 
 def _has_size(scene: Scene, body: str) -> bool:
@@ -490,17 +508,23 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
             return Noun((Named(name),))
         case Quantity("position", (Name(name),)):
             centre = "the centre of " if _has_size(scene, name) else ""
-            return Noun(words("the position of ", centre, Named(name)), _place_when(scene, tree, name))
+            return Noun(
+                words("the position of ", centre, Named(name)), _place_when(scene, tree, name)
+            )
     return Noun(values.point(tree)) if not has_quantity(tree) else noun(scene, tree)
 
 
 def _distance(scene: Scene, tree: Quantity) -> Noun:
     one, other = tree.arguments
     spheres = {each.name for each in scene.problem.spheres}
-    bodies = [each.name for each in tree.arguments if isinstance(each, Name) and each.name in spheres]
+    bodies = [
+        each.name for each in tree.arguments if isinstance(each, Name) and each.name in spheres
+    ]
     if len(bodies) == 2:
         centres = "the centres of " if _has_size(scene, bodies[0]) else ""
-        return Noun(words("the distance between ", centres, names(bodies)), _place_when(scene, tree, None))
+        return Noun(
+            words("the distance between ", centres, names(bodies)), _place_when(scene, tree, None)
+        )
     left, right = _somewhere(scene, one), _somewhere(scene, other)
     match one, other:
         case Quantity("position", (Name(a),)), Quantity("position", (Name(b),)) if a == b:
@@ -518,7 +542,11 @@ def _dot(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _vector(scene: Scene, tree: Expression) -> Noun:
-    return Noun(values.direction_of(tree)) if not has_quantity(tree) else noun(scene, tree)
+    return (
+        Noun(values.direction_of(scene.style, tree))
+        if not has_quantity(tree)
+        else noun(scene, tree)
+    )
 
 
 _QUANTITIES: Mapping[str, Callable[[Scene, Quantity], Noun]] = {

@@ -33,8 +33,8 @@ from restitution.problem import (
     trees_of_relation,
     trees_of_step,
 )
-from restitution.wording.question import Named, Words
-from restitution.wording.units import Scale, scale_of
+from restitution.wording.structure import Named, Words
+from restitution.wording.units import Style, style_of
 from restitution.wording.values import point
 from restitution.wording.words import ordinal, words
 
@@ -50,7 +50,7 @@ class Scene:
 
     problem: Problem
     events: tuple[Event, ...]
-    scale: Scale
+    style: Style
     places: bool
     oriented: bool
     now: int = 0
@@ -85,10 +85,8 @@ class Scene:
 
 def scene_of(problem: Problem) -> Scene:
     """The scene of a statement of which nothing is told yet."""
-    events = tuple(
-        step for _, step in problem.steps() if isinstance(step, Impact | Kick | Arrival)
-    )
-    return Scene(problem, events, scale_of(problem), _placed(problem), _oriented(problem))
+    events = tuple(step for _, step in problem.steps() if isinstance(step, Impact | Kick | Arrival))
+    return Scene(problem, events, style_of(problem), _placed(problem), _oriented(problem))
 
 
 def bodies_of(event: Event) -> tuple[str, ...]:
@@ -135,7 +133,12 @@ def _of_axes(step: Step) -> bool:
         relations = list(step.relations)
     elif isinstance(step, Show) and step.subject is None:
         relations = [step.relation]
-    aligned = {id(tree) for each in relations if isinstance(each, Aligned) for tree in trees_of_relation(each)}
+    aligned = {
+        id(tree)
+        for each in relations
+        if isinstance(each, Aligned)
+        for tree in trees_of_relation(each)
+    }
     return any(
         _is_vector_side(tree) if id(tree) in aligned else _speaks_of_a_vector(tree)
         for tree in trees_of_step(step)
@@ -194,7 +197,9 @@ def _impact_name(scene: Scene, number: int, event: Impact) -> Words:
     which = "" if len(alike) == 1 else f"{ordinal(alike.index(number) + 1)} "
     if not wall:
         between = sorted((event.first, event.second))
-        return words(f"the {which}collision between ", Named(between[0]), " and ", Named(between[1]))
+        return words(
+            f"the {which}collision between ", Named(between[0]), " and ", Named(between[1])
+        )
     if len(scene.problem.spheres) == 1:
         return words(f"the {which}impact with ", Named(event.second))
     return words(f"the {which}impact of ", Named(event.first), " with ", Named(event.second))

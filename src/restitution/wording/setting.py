@@ -10,14 +10,13 @@ import sympy
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Expression, Name, Pair, Polar
-from restitution.problem import Impact, Problem, Sphere, Wall
-from restitution.render import layout as lay
+from restitution.expression.tree import Expression, Name, Polar
+from restitution.problem import Problem, Sphere, Wall
 from restitution.vector import Vector
 from restitution.wording import values
-from restitution.wording.question import Named, Sentence, Words
 from restitution.wording.scene import Scene, before
-from restitution.wording.units import LENGTH, MASS, SPEED
+from restitution.wording.structure import Named, Sentence, Words
+from restitution.wording.units import MASS, SPEED
 from restitution.wording.words import count, listed, names, sentence, words
 
 _PLANE = "on a smooth horizontal plane"
@@ -44,7 +43,7 @@ def spheres_told(scene: Scene) -> Iterator[Sentence]:
         (only,) = spheres
         of = [words("mass ", _mass(scene, only))] if only.mass is not None else []
         if only.radius is not None:
-            of.append(words("radius ", values.length(scene.scale, only.radius)))
+            of.append(words("radius ", values.length(scene.style, only.radius)))
         told = words(", of ", listed(of), ",") if of else ""
         yield sentence(
             f"a {small}smooth uniform sphere ", Named(only.name), told, f" moves {_PLANE}"
@@ -60,14 +59,14 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     radius: Any = radii.pop() if len(radii) == 1 else None
     equal = words(" have equal radii")
     if radius is not None:
-        equal = words(" each have radius ", values.length(scene.scale, radius))
+        equal = words(" each have radius ", values.length(scene.style, radius))
     rest = f" and move {_PLANE}"
     all_told = all(each is not None for each in masses)
     if all_told and len(set(masses)) == 1:
         told = words(kind, " ", names(s.name for s in spheres), ", each of mass ")
         mass = _mass(scene, spheres[0])
         if radius is not None:
-            size = words(" and radius ", values.length(scene.scale, radius))
+            size = words(" and radius ", values.length(scene.style, radius))
             yield sentence(told, mass, size, f", move {_PLANE}")
         else:
             yield sentence(told, mass, ",", equal, rest)
@@ -82,7 +81,7 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     if radii:
         for each in spheres:
             if each.radius is not None:
-                told = values.length(scene.scale, each.radius)
+                told = values.length(scene.style, each.radius)
                 yield sentence("the radius of ", Named(each.name), " is ", told)
 
 
@@ -108,7 +107,7 @@ def _masses(scene: Scene, spheres: tuple[Sphere, ...]) -> Words:
 
 
 def _mass(scene: Scene, sphere: Sphere) -> Words:
-    return values.value(scene.scale, sphere.mass, MASS)
+    return values.value(scene.style, sphere.mass, MASS)
 
 
 # --- walls and points -----------------------------------------------------------------------------
@@ -120,9 +119,11 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
         kind = " are fixed smooth vertical walls"
         all_names = names(each.name for each in walls)
         if _alike(walls):
-            yield sentence(all_names, kind, " ", values.lies_along(walls[0].along))
+            yield sentence(all_names, kind, " ", values.lies_along(scene.style, walls[0].along))
         else:
-            ways = [words(Named(w.name), " is ", values.lies_along(w.along)) for w in walls]
+            ways = [
+                words(Named(w.name), " is ", values.lies_along(scene.style, w.along)) for w in walls
+            ]
             yield sentence(all_names, kind)
             yield sentence(listed(ways))
         return
@@ -131,12 +132,12 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
         kind = f"a fixed smooth vertical {shape} "
         if wall.centre is not None:
             told = words(" has its centre at ", values.point(wall.centre), " and radius ")
-            yield sentence(kind, Named(wall.name), told, values.length(scene.scale, wall.radius))
+            yield sentence(kind, Named(wall.name), told, values.length(scene.style, wall.radius))
         elif wall.start is not None:
             ends = words(" runs from ", values.point(wall.start), " to ", values.point(wall.end))
             yield sentence(kind, Named(wall.name), ends)
         elif (wall.along is not None and scene.oriented) or wall.through is not None:
-            yield sentence(kind, Named(wall.name), " ", _is(wall))
+            yield sentence(kind, Named(wall.name), " ", _is(scene, wall))
         else:
             yield sentence(kind, Named(wall.name), " stands on the plane")
 
@@ -149,10 +150,10 @@ def _alike(walls: tuple[Wall, ...]) -> bool:
     return len({each.along for each in walls}) == 1 and values.is_vector(walls[0].along)
 
 
-def _is(wall: Wall) -> Words:
+def _is(scene: Scene, wall: Wall) -> Words:
     told: list[Words] = []
     if wall.along is not None:
-        told.append(words("is ", values.lies_along(wall.along)))
+        told.append(words("is ", values.lies_along(scene.style, wall.along)))
     if wall.through is not None:
         told.append(words("passes through ", values.point(wall.through)))
     return listed(told)
@@ -188,8 +189,8 @@ def start(scene: Scene) -> Iterator[Sentence]:
         return
     moment = words(before(scene), " ")
     if len(told) <= 2:
-        placed = any(each.position is not None for each in scene.problem.spheres)
-        yield sentence(moment, listed(told, ", and" if placed else "and"))
+        broken = any(isinstance(one, str) and ", " in one for one in words(told[0]))
+        yield sentence(moment, listed(told, ", and" if broken else "and"))
         return
     *front, last = told
     out: list[Any] = []
@@ -220,12 +221,15 @@ def _state(scene: Scene, sphere: Sphere) -> Words:
 def moving(scene: Scene, velocity: Expression) -> Words:
     """``moving with velocity (3i − 4j) m s⁻¹``, ``moving with speed u towards W …``."""
     if isinstance(velocity, Polar):
-        speed = words("moving with speed ", values.value(scene.scale, velocity.size, SPEED), " ")
-        if isinstance(velocity.wall, Name):
-            sense = _sense(scene, velocity.wall.name)
-            return words(speed, values.direction(velocity.angle, None, velocity.wall), sense)
-        return words(speed, values.direction(velocity.angle, velocity.origin))
-    return words("moving with velocity ", values.value(scene.scale, velocity, SPEED))
+        speed = values.value(scene.style, velocity.size, SPEED)
+        return words("moving with speed ", speed, " ", course(scene, velocity))
+    return words("moving with velocity ", values.value(scene.style, velocity, SPEED))
+
+
+def course(scene: Scene, velocity: Polar) -> Words:
+    """The direction of a vector by size and direction; towards a wall, with its sense."""
+    sense = _sense(scene, velocity.wall.name) if isinstance(velocity.wall, Name) else ()
+    return words(values.direction(scene.style, velocity), sense)
 
 
 def _sense(scene: Scene, name: str) -> Words:
@@ -234,7 +238,7 @@ def _sense(scene: Scene, name: str) -> Words:
     if wall is None or not scene.oriented:
         return ()
     if wall.along is not None:
-        return words(", measured clockwise from ", values.direction_of(wall.along))
+        return words(", measured clockwise from ", values.direction_of(scene.style, wall.along))
     if wall.start is not None:
         ends = words(values.point(wall.start), " to ", values.point(wall.end))
         return words(", measured clockwise from the direction from ", ends)

@@ -9,9 +9,9 @@ from restitution.expression.tree import Expression, Letter, Negate, Number, Pola
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.question import Named, Sentence, Words
 from restitution.wording.scene import Scene, bodies_of
-from restitution.wording.setting import exact
+from restitution.wording.setting import course, exact
+from restitution.wording.structure import Named, Sentence, Words
 from restitution.wording.units import IMPULSE
 from restitution.wording.words import names, sentence, words
 
@@ -26,12 +26,11 @@ def told(scene: Scene, number: int) -> Iterator[Sentence]:
         case Impact():
             yield from _impact(scene, number, event, then)
         case Kick(body, Polar() as impulse):
-            size = values.value(scene.scale, impulse.size, IMPULSE)
-            way = values.direction(impulse.angle, impulse.origin, impulse.wall)
-            receives = words(Named(body), then, " receives an impulse of magnitude ", size, " ", way)
-            yield sentence(receives)
+            size = values.value(scene.style, impulse.size, IMPULSE)
+            way = course(scene, impulse)
+            yield sentence(Named(body), then, " receives an impulse of magnitude ", size, " ", way)
         case Kick(body, impulse):
-            size = values.value(scene.scale, impulse, IMPULSE)
+            size = values.value(scene.style, impulse, IMPULSE)
             yield sentence(Named(body), then, " receives an impulse of ", size)
         case Arrival(body, target):
             yield sentence(Named(body), then, " reaches ", values.point(target))
@@ -50,11 +49,15 @@ def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sen
     else:
         line: Words = ()
         if event.along is not None and not _common_line(scene):
-            line = words(" when the line joining their centres is ", values.lies_along(event.along))
+            line = words(
+                " when the line joining their centres is ",
+                values.lies_along(scene.style, event.along),
+            )
         yield sentence(first, f"{then} collides with ", second, tail, line)
         if event.along is not None and _common_line(scene) and number == _collisions(scene)[0]:
             yield sentence(
-                "in each collision the line joining the centres is ", values.lies_along(event.along)
+                "in each collision the line joining the centres is ",
+                values.lies_along(scene.style, event.along),
             )
         if event.offset is not None:
             yield _offset(scene, event, event.offset)
@@ -112,28 +115,56 @@ def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
     if isinstance(size, Number) and size.value == 0:
         if paths == "struck at rest":
             return sentence(
-                "the line along which the centre of ", first, " moves has distance ",
-                lay.from_tree(size), " from the centre of ", second,
+                "the line along which the centre of ",
+                first,
+                " moves has distance ",
+                lay.from_tree(size),
+                " from the centre of ",
+                second,
             )
         return sentence(
-            "relative to ", second, ", the line along which the centre of ", first,
-            " approaches has distance ", lay.from_tree(size), " from the centre of ", second,
+            "relative to ",
+            second,
+            ", the line along which the centre of ",
+            first,
+            " approaches has distance ",
+            lay.from_tree(size),
+            " from the centre of ",
+            second,
         )
-    length = values.length(scene.scale, size)
+    length = values.length(scene.style, size)
     if paths == "struck at rest":
         return sentence(
-            "the centre of ", second, " is at a distance ", length, f" to the {side} of the line "
-            "along which the centre of ", first, " moves",
+            "the centre of ",
+            second,
+            " is at a distance ",
+            length,
+            f" to the {side} of the line along which the centre of ",
+            first,
+            " moves",
         )
     if paths == "parallel":
         return sentence(
-            "before they collide the centres of ", first, " and ", second,
-            " move along parallel lines a distance ", length, " apart, that of ", second,
-            f" on the {side} as seen by ", first,
+            "before they collide the centres of ",
+            first,
+            " and ",
+            second,
+            " move along parallel lines a distance ",
+            length,
+            " apart, that of ",
+            second,
+            f" on the {side} as seen by ",
+            first,
         )
     return sentence(
-        "the centre of ", second, " is at a distance ", length, f" to the {side} of the line along "
-        "which the centre of ", first, " approaches it, relative to ", second,
+        "the centre of ",
+        second,
+        " is at a distance ",
+        length,
+        f" to the {side} of the line along which the centre of ",
+        first,
+        " approaches it, relative to ",
+        second,
     )
 
 

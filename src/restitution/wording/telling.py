@@ -6,78 +6,74 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
-from restitution.expression.tree import (
-    Apply,
-    Binary,
-    Degrees,
-    Expression,
-    Letter,
-    Negate,
-    Number,
-    Pi,
-    Polar,
-    letters,
-    walk,
-)
+from restitution.errors import StatementError
+from restitution.expression.tree import Expression, Place, has_quantity
+from restitution.language import check
 from restitution.problem import (
     Arrival,
-    Compare,
+    Extremum,
     Find,
     Given,
     Impact,
     Kick,
     Let,
     Part,
+    Point,
     Problem,
     Relation,
     Show,
+    Sphere,
     Unknown,
-    trees,
+    Wall,
 )
 from restitution.render import layout as lay
-from restitution.wording import values
+from restitution.wording import facts
 from restitution.wording.asking import groups, in_terms, shown
-from restitution.wording.clauses import clause, clauses, mathematics
+from restitution.wording.clauses import clause, clauses
+from restitution.wording.facts import letters_of
+from restitution.wording.letters import named_letters
 from restitution.wording.nouns import phrase
-from restitution.wording.question import (
+from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
+from restitution.wording.setting import setting, spheres_told, start
+from restitution.wording.story import told
+from restitution.wording.structure import (
     Block,
     Listing,
+    Named,
     Paragraph,
     Question,
     QuestionPart,
     Sentence,
     Words,
 )
-from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
-from restitution.wording.setting import setting, spheres_told, start
-from restitution.wording.story import told
-from restitution.wording.units import LENGTH, SPEED
+from restitution.wording.units import LENGTH
 from restitution.wording.words import alphabetic, listed, roman, sentence, words
-
-# Letters that stand for numbers wherever people write them.
-_NUMBERS = frozenset(("k", "lambda", "mu", "nu"))
 
 
 def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None) -> Question:
-    """The exam-style question that a statement makes; nothing is solved for it.
+    r"""The exam-style question that a statement makes; nothing is solved for it.
 
     Units are printed as exam papers do: behind numbers, which are SI. ``marks`` are by the label
-    of a part (None for what is asked before the first); they are only printed.
+    of a part (None for what is asked before the first); they are only printed. Raises
+    StatementError for a problem that makes no sense, or that holds floats or arrays.
 
     >>> from restitution.language import parse
-    >>> print(question(parse('wall W: along i\\nsphere P: velocity 2i - 6j\\nP hits W: e = 1/3\\n'
+    >>> print(question(parse('wall W: along i\nsphere P: velocity 2i - 6j\nP hits W: e = 1/3\n'
     ...                      'find speed(P)')))
     A smooth uniform sphere P moves on a smooth horizontal plane. Perpendicular unit
     vectors 𝐢 and 𝐣 lie in the plane. A fixed smooth vertical wall W is parallel to
-    𝐢. Immediately before the impact P is moving with velocity (2𝐢 − 6𝐣) m s⁻¹. P
-    hits W. The coefficient of restitution between P and W is ⅓. Find the speed of P
-    immediately after the impact.
+    𝐢. P hits W. Immediately before the impact P is moving with velocity
+    (2𝐢 − 6𝐣) m s⁻¹. The coefficient of restitution between P and W is ⅓.
+    <BLANKLINE>
+    Find the speed of P immediately after the impact.
     """
+    check(problem)
+    _exact(problem)
     scene = scene_of(problem)
     drafts = list(_drafts(scene))
     first = [*setting(scene), *(() if _event_first(scene) else start(scene)), *drafts[0].opening]
     blocks = [replace(drafts[0], opening=tuple(first)), *drafts[1:]]
-    blocks = _with_facts(problem, blocks)
+    blocks = _with_facts(scene, blocks)
     opening = _with_axes(scene, blocks)
     marks = marks or {}
     parts = tuple(
@@ -86,6 +82,17 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
         if each.blocks
     )
     return Question(problem.title, opening, parts)
+
+
+def _exact(problem: Problem) -> None:
+    """Raise StatementError for data that no statement could hold."""
+    bodies: list[Sphere | Wall | Point] = [*problem.spheres, *problem.walls, *problem.points]
+    for body in bodies:
+        for each in fields(body):
+            value = getattr(body, each.name)
+            if not isinstance(value, Expression | str | Place | None):
+                message = f"the {each.name} of {body.name} is not an exact number: {value!r}"
+                raise StatementError(message)
 
 
 @dataclass(frozen=True)
@@ -106,7 +113,7 @@ class _Draft:
 
 def _drafts(scene: Scene) -> Iterator[_Draft]:
     number = _numbering(scene.problem)
-    lets = _lets(scene.problem)
+    lets = named_letters(scene.problem)
     now = 0
     for part in scene.problem.parts:
         blocks: list[Block] = []
@@ -125,7 +132,9 @@ def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Blo
     count = 0
     for block in blocks:
         if isinstance(block, Listing):
-            entries = tuple((number(count + n), said) for n, (_, said) in enumerate(block.entries, 1))
+            entries = tuple(
+                (number(count + n), said) for n, (_, said) in enumerate(block.entries, 1)
+            )
             count += len(entries)
             block = replace(block, entries=entries)
         out.append(block)
@@ -157,10 +166,6 @@ def _numbering(problem: Problem) -> Any:
     return alphabetic if labels & {"i", "ii"} else roman
 
 
-def _lets(problem: Problem) -> frozenset[str]:
-    return frozenset(step.letter for _, step in problem.steps() if isinstance(step, Let))
-
-
 @dataclass(frozen=True)
 class _Run:
     """What is said between one event and the next."""
@@ -173,16 +178,27 @@ class _Run:
     asks: tuple[Find | Show, ...]
 
 
-def _runs(part: Part) -> Iterator[_Run]:
+def _runs(part: Part) -> list[_Run]:
+    """The runs of a part; what is said of letters alone stands where something is first asked."""
     event: Any = None
     steps: list[Any] = []
+    runs: list[_Run] = []
     for step in part.steps:
         if isinstance(step, Impact | Kick | Arrival):
-            yield _run_of(part.label, event, steps)
+            runs.append(_run_of(part.label, event, steps))
             event, steps = step, []
         else:
             steps.append(step)
-    yield _run_of(part.label, event, steps)
+    runs.append(_run_of(part.label, event, steps))
+    lets = tuple(one for each in runs for one in each.lets if not has_quantity(one.expression))
+    unknown = tuple(one for each in runs for one in each.unknown)
+    runs = [
+        replace(each, lets=tuple(one for one in each.lets if one not in lets), unknown=())
+        for each in runs
+    ]
+    first = next((n for n, each in enumerate(runs) if each.asks), len(runs) - 1)
+    runs[first] = replace(runs[first], lets=(*lets, *runs[first].lets), unknown=unknown)
+    return runs
 
 
 def _run_of(label: str | None, event: Any, steps: Sequence[Any]) -> _Run:
@@ -205,22 +221,24 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
         sentences += [hit, *(start(scene) if _event_first(scene) else ()), *more]
     scene = scene.at(now)
     for let in run.lets:
-        sentences.append(sentence("let ", lay.letter(let.letter), " denote ", phrase(scene, let.expression)))
+        sentences.append(
+            sentence("let ", lay.letter(let.letter), " denote ", phrase(scene, let.expression))
+        )
     if run.unknown:
         sentences.append(_not_known(run))
-    facts = [
+    given = [
         each
         for each in run.relations
-        if run.label is not None or not is_letter_fact(each) or _letters(each) & lets
+        if run.label is not None or not is_letter_fact(each) or letters_of(each) & lets
     ]
     asked = _asked(scene, run.asks)
-    if asked is not None and facts and (asked.lead or len(asked.entries) == 1):
-        asked = _under(scene, facts, asked)
-        facts = []
-    motion = [each for each in facts if not is_letter_fact(each)]
-    sentences += [sentence(each) for each in clauses(scene, motion)]
-    if len(motion) < len(facts):
-        said = [clause(scene, each) for each in facts if is_letter_fact(each)]
+    if asked is not None and given and (asked.lead or len(asked.entries) == 1):
+        asked = _under(scene, given, asked)
+        given = []
+    motion = [each for each in given if not is_letter_fact(each)]
+    sentences += [_statement(each) for each in clauses(scene, motion)]
+    if len(motion) < len(given):
+        said = [clause(scene, each) for each in given if is_letter_fact(each)]
         sentences.append(sentence("it is given that ", listed(said)))
     blocks: list[Block] = [Paragraph(tuple(sentences))] if sentences else []
     if asked is not None:
@@ -228,23 +246,25 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     return now, blocks
 
 
-def _under(scene: Scene, facts: Sequence[Relation], asked: Listing) -> Listing:
+def _statement(said: Words) -> Sentence:
+    """A clause as a sentence, which does not begin with mathematics."""
+    first = said[0]
+    return sentence(said if isinstance(first, str | Named) else ("it is given that ", said))
+
+
+def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing:
     """What is asked with what is given for it: ``Given that k = 3, find …``."""
-    motion = clauses(scene, [each for each in facts if not is_letter_fact(each)])
-    of_letters = [clause(scene, each) for each in facts if is_letter_fact(each)]
-    told_each = [*of_letters, *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion))]
-    given = words("Given that ", listed(told_each), ", ")
+    motion = clauses(scene, [each for each in given if not is_letter_fact(each)])
+    of_letters = [clause(scene, each) for each in given if is_letter_fact(each)]
+    told_each = [
+        *of_letters,
+        *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
+    ]
+    lead = words("Given that ", listed(told_each), ", ")
     if asked.lead:
-        return replace(asked, lead=words(given, _lower(asked.lead)))
+        return replace(asked, lead=words(lead, _lower(asked.lead)))
     ((number, only),) = asked.entries
-    return replace(asked, entries=((number, words(given, _lower(only))),))
-
-
-def _stem(said: Sentence) -> str:
-    """The last words of a sentence, without its full stop."""
-    last = said[-1]
-    assert isinstance(last, str)
-    return last.removesuffix(".")
+    return replace(asked, entries=((number, words(lead, _lower(only))),))
 
 
 def _lower(said: Words) -> Words:
@@ -263,12 +283,6 @@ def _not_known(run: _Run) -> Sentence:
     return sentence(where, "the ", front, listed(each), back, " not known")
 
 
-def _letters(relation: Relation) -> frozenset[str]:
-    if isinstance(relation, Compare):
-        return frozenset().union(*(letters(each) for each in relation.operands))
-    return frozenset()
-
-
 # --- asking ---------------------------------------------------------------------------------------
 
 
@@ -277,7 +291,7 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
         return None
     if all(isinstance(each, Find) and not each.in_terms_of for each in asks):
         items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
-        if len(items) <= 2:
+        if len(items) <= 2 and not (len(items) == 2 and _wordy(asks)):
             return Listing((), (("", sentence("find ", listed(items))),))
         return Listing(("Find",), tuple(("", each) for each in items))
     if len(asks) == 1:
@@ -285,7 +299,7 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
         if isinstance(only, Show):
             return Listing((), (("", sentence(shown(scene, only))),))
         items = groups(scene, only)
-        if len(items) <= 2:
+        if len(items) <= 2 and not (len(items) == 2 and _wordy(asks)):
             return Listing((), (("", sentence(_found(scene, only))),))
         lead = words("Find, ", in_terms(only), ",")
         return Listing(lead, tuple(("", each) for each in items))
@@ -296,213 +310,65 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     return Listing((), tuple(("", each) for each in entries))
 
 
+def _wordy(asks: Sequence[Find | Show]) -> bool:
+    """Whether an item is too long to stand beside another."""
+    return any(
+        isinstance(one, Extremum) for each in asks if isinstance(each, Find) for one in each.items
+    )
+
+
 def _found(scene: Scene, find: Find) -> Words:
     items = groups(scene, find)
     terms = in_terms(find)
     if not terms:
         return words("find ", listed(items))
     if len(items) == 1:
-        comma = "," if len(words(items)) > 1 else ""
+        comma = "," if len(items[0]) > 1 else ""
         return words("find ", items[0], comma, " ", terms)
     return words("find, ", terms, ", ", listed(items))
 
 
-# --- facts about letters --------------------------------------------------------------------------
+# --- facts and axes -------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class _Fact:
-    """Something to be said of letters once they have appeared."""
-
-    letters: frozenset[str]
-    said: Words
-    acute: str = ""
-
-
-def _with_facts(problem: Problem, drafts: Sequence[_Draft]) -> list[_Draft]:
-    """The facts about letters, each told where the last of its letters appears."""
-    pending = [*_natures(problem), *_letter_facts(problem)]
-    seen: frozenset[str] = frozenset()
+def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
+    """The facts about letters told in the openings of the parts."""
+    openings = [each.opening for each in drafts]
+    sentences, left = facts.told([one for each in openings for one in each], facts.facts_of(scene))
     out: list[_Draft] = []
     for draft in drafts:
-        opening: list[Sentence] = []
-        for each in draft.opening:
-            here = letters_in(each)
-            seen |= here
-            pending = [fact for fact in pending if not (fact.acute and _says_acute(each, fact.acute))]
-            due = [fact for fact in pending if fact.letters & here and fact.letters <= seen]
-            pending = [fact for fact in pending if fact not in due]
-            opening.append(_where(each, due))
-        out.append(replace(draft, opening=tuple(opening)))
-    left = [fact for fact in pending if not fact.acute]
-    extra = [sentence("it is given that ", listed([fact.said for fact in left]))] if left else []
-    out[0] = replace(out[0], opening=(*out[0].opening, *extra))
+        count = len(draft.opening)
+        out.append(replace(draft, opening=tuple(sentences[:count])))
+        sentences = sentences[count:]
+    if left:
+        extra = sentence("it is given that ", listed([fact.said for fact in left]))
+        out[0] = replace(out[0], opening=(*out[0].opening, extra))
     return out
-
-
-def _where(said: Sentence, facts: Sequence[_Fact]) -> Sentence:
-    if not facts:
-        return said
-    return words(said[:-1], _stem(said), ", where ", listed([each.said for each in facts]), ".")
-
-
-def _says_acute(said: Sentence, name: str) -> bool:
-    return any(
-        isinstance(before, str) and before.endswith("acute angle ") and each == lay.letter(name)
-        for before, each in zip(said, said[1:], strict=False)
-    )
-
-
-def letters_in(said: Any) -> frozenset[str]:
-    """The letters in a row of pieces, by their canonical names."""
-    if isinstance(said, lay.Letter):
-        return frozenset((f"{said.name}_{said.subscript}" if said.subscript else said.name,))
-    if isinstance(said, tuple):
-        return frozenset().union(*(letters_in(each) for each in said))
-    if is_dataclass(said):
-        return frozenset().union(*(letters_in(getattr(said, f.name)) for f in fields(said)))
-    return frozenset()
-
-
-def _letter_facts(problem: Problem) -> Iterator[_Fact]:
-    """The facts about letters that hold throughout."""
-    lets = _lets(problem)
-    constants, _ = _constants(problem)
-    for part, step in problem.steps():
-        if part.label is None and isinstance(step, Given):
-            for relation in step.relations:
-                if not isinstance(relation, Compare) or not is_letter_fact(relation):
-                    continue
-                if not _letters(relation) & lets and _said_positive(relation) not in constants:
-                    yield _Fact(_letters(relation), words(mathematics(relation)))
-
-
-def _natures(problem: Problem) -> Iterator[_Fact]:
-    """Which letters are acute angles, and which are constants."""
-    lets = _lets(problem)
-    for name in sorted(_angles(problem) - lets):
-        if not _wide(problem, name):
-            yield _Fact(frozenset((name,)), words(lay.letter(name), " is acute"), name)
-    positive, any_sign = _constants(problem)
-    for group, word in ((positive - lets, "positive constant"), (any_sign - positive - lets, "constant")):
-        for name in sorted(group):
-            yield _Fact(frozenset((name,)), words(lay.letter(name), f" is a {word}"))
-
-
-def _angles(problem: Problem) -> frozenset[str]:
-    """Letters in the directions of what is given."""
-    found: list[Expression] = []
-    for each in trees(problem):
-        found += [node.angle for node in walk(each) if isinstance(node, Polar)]
-    for sphere in problem.spheres:
-        if isinstance(sphere.velocity, Expression):
-            found += [node for node in walk(sphere.velocity) if _is_ratio(node)]
-    plain = [wall.along for wall in problem.walls]
-    plain += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
-    found += [each for each in plain if isinstance(each, Expression) and not values.is_vector(each)]
-    return frozenset().union(*(letters(each) for each in found))
-
-
-def _is_ratio(tree: Expression) -> bool:
-    """Whether a tree is the sine, cosine or tangent of an angle, or the like."""
-    return isinstance(tree, Apply) and tree.function not in ("sqrt", "abs")
-
-
-def _wide(problem: Problem, name: str) -> bool:
-    """Whether a fact lets an angle be other than acute."""
-    for part, step in problem.steps():
-        if not (isinstance(step, Given) and part.label is None):
-            continue
-        for relation in step.relations:
-            if isinstance(relation, Compare) and Letter(name) in relation.operands:
-                if any(_not_acute(each) for each in relation.operands):
-                    return True
-    return False
-
-
-def _not_acute(tree: Expression) -> bool:
-    match tree:
-        case Degrees(value):
-            return value > 90
-        case Negate():
-            return True
-        case Pi():
-            return True
-    return False
-
-
-def _constants(problem: Problem) -> tuple[frozenset[str], frozenset[str]]:
-    """Letters that stand for numbers: positive ones, and components of either sign."""
-    positive: set[str] = set()
-    signed: set[str] = set()
-    scale = scene_of(problem).scale
-    for sphere in problem.spheres:
-        mass, velocity = sphere.mass, sphere.velocity
-        if isinstance(mass, Expression):
-            positive |= {each for each in letters(mass) if len(letters(mass)) > 1 and each[:1] not in "mM"}
-        if isinstance(velocity, Expression):
-            positive |= {each for each in letters(velocity) if each in _NUMBERS}
-            if scale.fixes(SPEED) and not isinstance(velocity, Polar):
-                signed |= _outside_functions(velocity)
-    for part, step in problem.steps():
-        if isinstance(step, Kick):
-            positive |= {each for each in letters(step.impulse) if each in _NUMBERS}
-        elif isinstance(step, Given) and part.label is None:
-            above = {_said_positive(each) for each in step.relations} & signed
-            positive |= above
-    return frozenset(positive), frozenset(signed)
-
-
-def _said_positive(relation: Relation) -> str | None:
-    """The letter of which a fact says that it is positive."""
-    match relation:
-        case Compare((Letter(name), zero), (">",)) | Compare((zero, Letter(name)), ("<",)):
-            return name if values.is_zero(zero) else None
-    return None
-
-
-def _outside_functions(tree: Expression) -> set[str]:
-    inside = {name for node in walk(tree) if _is_ratio(node) for name in letters(node)}
-    return set(letters(tree)) - inside
-
-
-# --- the axes -------------------------------------------------------------------------------------
 
 
 def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     """The opening, with **i** and **j** and coordinates explained where they are used."""
-    opening = list(drafts[0].opening)
-    everything = [each.blocks for each in drafts]
-    units = _contains(everything, lambda each: each in (lay.Bold("i"), lay.Bold("j")))
-    points = _contains(everything, lambda each: isinstance(each, lay.Coordinates))
-    points = points or _contains(everything, lambda each: isinstance(each, str) and "coordinates" in each)
-    turning = _contains(everything, lambda each: isinstance(each, str) and "clockwise" in each)
-    told_axes: list[Sentence] = []
-    if units or points:
-        sense = ""
-        if turning:
-            told_axes.append(
-                sentence(
-                    "perpendicular unit vectors ", lay.Bold("i"), " and ", lay.Bold("j"),
-                    " lie in the plane, ", lay.Bold("j"), " at 90° anticlockwise from ", lay.Bold("i"),
-                )
-            )
-        else:
-            told_axes.append(
-                sentence(
-                    "perpendicular unit vectors ", lay.Bold("i"), " and ", lay.Bold("j"),
-                    " lie in the plane",
-                )
-            )
-    if points:
-        metres = ", in metres," if scene.scale.fixes(LENGTH) else ""
-        told_axes.append(
-            sentence(
-                f"the coordinates of points{metres} are referred to axes in the directions of ",
-                lay.Bold("i"), " and ", lay.Bold("j"),
-            )
+    opening = drafts[0].opening
+    said = [each.blocks for each in drafts]
+    i, j = lay.Bold("i"), lay.Bold("j")
+    points = _contains(said, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
+    axes: list[Sentence] = []
+    if points or _contains(said, lambda x: x in (i, j)):
+        turning = _contains(said, lambda x: _has(x, "clockwise"))
+        sense = (", with ", j, " at 90° anticlockwise from ", i) if turning else ()
+        axes.append(
+            sentence("perpendicular unit vectors ", i, " and ", j, " lie in the plane", sense)
         )
-    return (*opening[:_bodies_end(scene)], *told_axes, *opening[_bodies_end(scene):])
+    if points:
+        metres = ", in metres," if scene.style.fixes(LENGTH) else ""
+        told_of = f"the coordinates of points{metres} are referred to axes in the directions of "
+        axes.append(sentence(told_of, i, " and ", j))
+    end = _bodies_end(scene)
+    return (*opening[:end], *axes, *opening[end:])
+
+
+def _has(said: Any, text: str) -> bool:
+    return isinstance(said, str) and text in said
 
 
 def _bodies_end(scene: Scene) -> int:

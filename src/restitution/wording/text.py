@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.render.text import NO_BREAK, width, wrapped
 from restitution.render.text import to_text as one_line
-from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
 _INDENT = 5

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.render.typst import to_typst as equation
 from restitution.render.typst import words as text
-from restitution.wording.question import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
 

@@ -31,7 +31,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.problem import Compare, Given, Kick, Problem, trees
+from restitution.problem import Compare, Given, Impact, Kick, Problem, trees
+from restitution.wording.letters import acute_letters
 
 # A dimension by its powers of mass, length and time.
 Dimension: TypeAlias = tuple[int, int, int]
@@ -70,10 +71,14 @@ _OF_QUANTITY = {
 
 
 @dataclass(frozen=True)
-class Scale:
-    """The dimensions for which a statement has numbers."""
+class Style:
+    """How the values of a statement are printed.
+
+    ``fixed`` are the dimensions for which it has numbers, ``acute`` its letters for acute angles.
+    """
 
     fixed: frozenset[Dimension]
+    acute: frozenset[str] = frozenset()
 
     @cached_property
     def _rank(self) -> int:
@@ -93,9 +98,10 @@ class Scale:
         return _UNITS.get(dimension, "")
 
 
-def scale_of(problem: Problem) -> Scale:
-    """The dimensions for which a statement has a value that is a number."""
-    return Scale(frozenset(d for d, tree in _data(problem) if d != NONE and is_number(tree)))
+def style_of(problem: Problem) -> Style:
+    """How the values of a statement are to be printed."""
+    fixed = frozenset(d for d, tree in _data(problem) if d != NONE and is_number(tree))
+    return Style(fixed, acute_letters(problem))
 
 
 def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
@@ -114,6 +120,8 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
     for _, step in problem.steps():
         if isinstance(step, Kick):
             said.append((IMPULSE, step.impulse))
+        elif isinstance(step, Impact):
+            said.append((LENGTH, step.offset))
         elif isinstance(step, Given):
             for relation in step.relations:
                 if isinstance(relation, Compare):

@@ -19,12 +19,12 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.render import layout as lay
-from restitution.wording.question import Named, Words
-from restitution.wording.units import LENGTH, Dimension, Scale
+from restitution.wording.structure import Named, Words
+from restitution.wording.units import LENGTH, Dimension, Style
 from restitution.wording.words import words
 
 _VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
-I = lay.Bold("i")
+EAST = lay.Bold("i")
 
 
 def laid(tree: Expression) -> lay.Layout:
@@ -34,14 +34,12 @@ def laid(tree: Expression) -> lay.Layout:
     return lay.from_tree(tree)
 
 
-def value(scale: Scale, tree: Any, dimension: Dimension | None) -> Words:
+def value(style: Style, tree: Any, dimension: Dimension | None) -> Words:
     """A value with its unit: ``2 kg``, ``(3i − 4j) m s⁻¹``, ``ku``."""
     shown = laid(tree)
-    unit = "" if is_zero(tree) else scale.unit(dimension)
+    unit = "" if is_zero(tree) else style.unit(dimension)
     if isinstance(tree, Polar):
-        return words(
-            value(scale, tree.size, dimension), " ", direction(tree.angle, tree.origin, tree.wall)
-        )
+        return words(value(style, tree.size, dimension), " ", direction(style, tree))
     several = isinstance(shown, lay.Sum) and len(shown.terms) > 1
     if several and (unit or is_vector(tree)):
         shown = lay.Brackets(shown)
@@ -82,22 +80,23 @@ def point(tree: Expression) -> Words:
     return words("the point with position vector ", laid(tree))
 
 
-def length(scale: Scale, tree: Expression) -> Words:
+def length(style: Style, tree: Expression) -> Words:
     """A length with its unit."""
-    return value(scale, tree, LENGTH)
+    return value(style, tree, LENGTH)
 
 
 # --- directions -----------------------------------------------------------------------------------
 
 
-def angle(tree: Expression) -> Words:
+def angle(style: Style, tree: Expression) -> Words:
     """``an angle of 60°``, ``an acute angle α``."""
     if isinstance(tree, Letter):
-        return words("an acute angle ", lay.from_tree(tree))
+        kind = "an acute angle " if tree.name in style.acute else "an angle "
+        return words(kind, lay.from_tree(tree))
     return words("an angle of ", lay.from_tree(tree))
 
 
-def turned(tree: Expression, origin: Any) -> Words:
+def turned(style: Style, tree: Expression, origin: Any = None) -> Words:
     """``at an angle of 60° anticlockwise from i``."""
     sense = "anticlockwise"
     size = tree
@@ -105,53 +104,58 @@ def turned(tree: Expression, origin: Any) -> Words:
         size, sense = tree.operand, "clockwise"
     elif isinstance(tree, Binary) and isinstance(tree.left, Negate) and tree.op in "*/":
         size, sense = replace(tree, left=tree.left.operand), "clockwise"
-    start = I if origin is None else direction_of(origin)
-    return words("at ", angle(size), f" {sense} from ", start)
+    start = EAST if origin is None else direction_of(style, origin)
+    return words("at ", angle(style, size), f" {sense} from ", start)
 
 
-def direction(tree: Expression, origin: Any = None, wall: Any = None) -> Words:
+def direction(style: Style, tree: Polar) -> Words:
     """The direction of a vector that is told by size and direction."""
-    if isinstance(wall, Name):
-        return words("towards ", Named(wall.name), " at ", angle(tree), " to ", Named(wall.name))
-    return turned(tree, origin)
+    if isinstance(tree.wall, Name):
+        wall = Named(tree.wall.name)
+        return words("towards ", wall, " at ", angle(style, tree.angle), " to ", wall)
+    return turned(style, tree.angle, tree.origin)
 
 
-def direction_of(tree: Expression) -> Words:
+def direction_of(style: Style, tree: Expression) -> Words:
     """A direction told by a vector, for ``parallel to …`` and ``from …``."""
     if is_vector(tree):
         shown = laid(tree)
         if isinstance(shown, lay.Sum) and len(shown.terms) > 1:
             shown = lay.Brackets(shown)
         return words(shown)
-    return words("the direction ", turned(tree, None))
+    return words("the direction ", turned(style, tree))
 
 
-def to_the_left(tree: Expression) -> Words:
+def to_the_left(style: Style, tree: Expression) -> Words:
     """The direction at a right angle to another, anticlockwise: for **i** it is **j**."""
     match tree:
         case Unit("i"):
             return (lay.Bold("j"),)
         case Unit("j"):
-            return (lay.negative(I),)
-    return words("the direction at 90° anticlockwise from ", direction_of(tree))
+            return (lay.negative(EAST),)
+    return words("the direction at 90° anticlockwise from ", direction_of(style, tree))
 
 
-def lies_along(tree: Expression) -> Words:
+def lies_along(style: Style, tree: Expression) -> Words:
     """How a wall or a line of centres runs: ``parallel to i``, ``at an angle of 60° …``."""
     if is_vector(tree):
-        return words("parallel to ", direction_of(tree))
-    return turned(tree, None)
+        return words("parallel to ", direction_of(style, tree))
+    return turned(style, tree)
 
 
 def times(factor: Expression) -> Words:
     """A factor without quantities, in front of a quantity in words."""
-    if isinstance(factor, Number):
-        if factor.value == 2:
-            return ("twice ",)
-        percent = 100 * factor.value
-        if 0 < percent < 100 and percent.denominator == 1:
-            return words(lay.Percent(lay.from_tree(Number(percent))), " of ")
     fraction = as_fraction(factor)
+    if fraction == 2:
+        return ("twice ",)
+    if fraction == Fraction(1, 2):
+        return ("half of ",)
+    if (
+        isinstance(factor, Number)
+        and 0 < factor.value < 1
+        and (100 % factor.value.denominator) == 0
+    ):
+        return words(lay.Percent(lay.from_tree(Number(100 * factor.value))), " of ")
     if fraction is not None and 0 < fraction < 1:
         return words(lay.from_tree(factor), " of ")
     shown = lay.from_tree(factor)

@@ -1,0 +1,180 @@
+"""Facts about letters, each told where the last of its letters appears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from itertools import pairwise
+from typing import Any
+
+from restitution.expression.tree import Expression, Letter, Polar, letters, walk
+from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
+from restitution.render import layout as lay
+from restitution.wording import values
+from restitution.wording.clauses import mathematics
+from restitution.wording.letters import is_ratio, named_letters
+from restitution.wording.scene import Scene, is_letter_fact
+from restitution.wording.structure import Sentence, Words
+from restitution.wording.units import SPEED
+from restitution.wording.words import listed, words
+
+# Letters that stand for numbers wherever people write them.
+_NUMBERS = frozenset(("k", "lambda", "mu", "nu"))
+
+
+@dataclass(frozen=True)
+class Fact:
+    """Something to be said of letters once they have appeared.
+
+    ``nature`` is what a letter is (``acute``, ``a constant``); those of one nature are told
+    together. A fact without it has its words in ``said``.
+    """
+
+    letters: frozenset[str]
+    said: Words = ()
+    nature: str = ""
+
+
+def facts_of(scene: Scene) -> list[Fact]:
+    """All there is to say of the letters of a statement, throughout."""
+    problem = scene.problem
+    positive, signed = _constants(scene)
+    natures = [
+        *((name, "acute") for name in sorted(scene.style.acute)),
+        *((name, "a positive constant") for name in sorted(positive)),
+        *((name, "a constant") for name in sorted(signed)),
+    ]
+    return [
+        *(Fact(frozenset((name,)), nature=nature) for name, nature in natures),
+        *(
+            Fact(letters_of(each), words(mathematics(each)))
+            for each in _relations(problem)
+            if _said_positive(each) not in positive
+        ),
+    ]
+
+
+def _relations(problem: Problem) -> Iterator[Compare]:
+    """The relations between letters that hold throughout."""
+    lets = named_letters(problem)
+    for part, step in problem.steps():
+        if part.label is None and isinstance(step, Given):
+            for each in step.relations:
+                if (
+                    isinstance(each, Compare)
+                    and is_letter_fact(each)
+                    and not letters_of(each) & lets
+                ):
+                    yield each
+
+
+def letters_of(relation: Relation) -> frozenset[str]:
+    """The letters of a relation of expressions."""
+    if isinstance(relation, Compare):
+        return frozenset().union(*(letters(each) for each in relation.operands))
+    return frozenset()
+
+
+def told(sentences: Sequence[Sentence], facts: Sequence[Fact]) -> tuple[list[Sentence], list[Fact]]:
+    """The sentences with the facts in them, and the facts that found no place."""
+    acute = frozenset().union(*map(_said_acute, sentences))
+    pending = [each for each in facts if not (each.nature == "acute" and each.letters <= acute)]
+    seen: frozenset[str] = frozenset()
+    out: list[Sentence] = []
+    for each in sentences:
+        here = letters_in(each)
+        seen |= here
+        due = [fact for fact in pending if fact.letters & here and fact.letters <= seen]
+        pending = [fact for fact in pending if fact not in due]
+        out.append(_where(each, due))
+    return out, [each for each in pending if not each.nature]
+
+
+def _where(said: Sentence, facts: Sequence[Fact]) -> Sentence:
+    if not facts:
+        return said
+    *front, last = said
+    assert isinstance(last, str)
+    return words(*front, last.removesuffix("."), ", where ", listed(_phrases(facts)), ".")
+
+
+def _phrases(facts: Sequence[Fact]) -> list[Words]:
+    """Facts in words: ``p and q are constants``, ``tan α = ¾``."""
+    out: list[Words] = []
+    for nature in dict.fromkeys(each.nature for each in facts if each.nature):
+        names = [name for each in facts if each.nature == nature for name in each.letters]
+        noun = nature.removeprefix("a ")
+        several = noun if noun == nature else f"{noun}s"
+        verb = f" is {nature}" if len(names) == 1 else f" are {several}"
+        out.append(words(listed([lay.letter(name) for name in names]), verb))
+    return out + [each.said for each in facts if not each.nature]
+
+
+def _said_acute(said: Sentence) -> frozenset[str]:
+    """The letters that a sentence calls acute angles already."""
+    return frozenset().union(
+        *(
+            letters_in(each)
+            for before, each in pairwise(said)
+            if isinstance(before, str) and before.endswith("acute angle ")
+        )
+    )
+
+
+def letters_in(said: Any) -> frozenset[str]:
+    """The letters in a row of pieces, by their canonical names."""
+    if isinstance(said, lay.Letter):
+        return frozenset((f"{said.name}_{said.subscript}" if said.subscript else said.name,))
+    if isinstance(said, tuple):
+        return frozenset().union(*(letters_in(each) for each in said))
+    if is_dataclass(said):
+        return frozenset().union(*(letters_in(getattr(said, f.name)) for f in fields(said)))
+    return frozenset()
+
+
+# --- constants ------------------------------------------------------------------------------------
+
+
+def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
+    """Letters that stand for numbers: positive ones, and components of either sign."""
+    positive: set[str] = set()
+    signed: set[str] = set()
+    for sphere in scene.problem.spheres:
+        mass, velocity = sphere.mass, sphere.velocity
+        if isinstance(mass, Expression):
+            factors = letters(mass)
+            positive |= {each for each in factors if len(factors) > 1 and each[:1] not in "mM"}
+        if isinstance(velocity, Expression):
+            positive |= letters(velocity) & _NUMBERS
+            if scene.style.fixes(SPEED) and not isinstance(velocity, Polar):
+                signed |= _components(velocity)
+    runs = [wall.along for wall in scene.problem.walls]
+    for _, step in scene.problem.steps():
+        if isinstance(step, Kick):
+            positive |= letters(step.impulse) & _NUMBERS
+        elif isinstance(step, Impact):
+            runs.append(step.along)
+    for run in runs:
+        if isinstance(run, Expression) and values.is_vector(run):
+            signed |= _components(run)
+    signed -= positive
+    bounded = {_said_positive(each) for each in _relations(scene.problem)} - {None}
+    positive, signed = positive | (signed & bounded), signed - bounded
+    # One of which more is said is not called positive as well.
+    more = {name for each in _relations(scene.problem) for name in letters_of(each)} - bounded
+    lets = named_letters(scene.problem)
+    return frozenset(positive - more - lets), frozenset((signed | (positive & more)) - lets)
+
+
+def _components(tree: Expression) -> frozenset[str]:
+    """The letters of a vector but for those of its angles."""
+    inside = {name for node in walk(tree) if is_ratio(node) for name in letters(node)}
+    return letters(tree) - inside
+
+
+def _said_positive(relation: Compare) -> str | None:
+    """The letter of which a fact says that it is positive, and no more."""
+    match relation:
+        case Compare((Letter(name), zero), (">",)) | Compare((zero, Letter(name)), ("<",)):
+            return name if values.is_zero(zero) else None
+    return None
