@@ -15,14 +15,14 @@ from html import escape
 from typing import assert_never
 
 from restitution.draw import style
-from restitution.draw.labels import Placed, PlacedLabel, place, right_angle_points, unit
+from restitution.draw.ink import right_angle_points, unit
+from restitution.draw.labels import Placed, PlacedLabel, place
 from restitution.draw.scene import (
     Arc,
     Arrow,
     Disc,
     Dot,
     Line,
-    LineRole,
     Panel,
     Polyline,
     RightAngle,
@@ -59,21 +59,23 @@ def render(placed: Placed) -> str:
         *(_label(each, glyphs) for each in (*placed.labels, *placed.words)),
     ]
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
-    text = "\n".join(
-        [
-            f'<svg xmlns="http://www.w3.org/2000/svg" id="{_ID}" role="img"'
-            f' aria-labelledby="{_ID}-t {_ID}-d" width="{width}mm" height="{height}mm"'
-            f' viewBox="{_number(left)} {_number(-top)} {width} {height}"'
-            f' color="{INK}" fill="none" stroke="none" stroke-linejoin="round">',
-            f'<title id="{_ID}-t">{escape(placed.scene.title, quote=False)}</title>',
-            f'<desc id="{_ID}-d">{escape(placed.scene.description, quote=False)}</desc>',
-            f"<style>{_STYLE}</style>",
-            *([f"<defs>{outlines}</defs>"] if outlines else []),
-            *body,
-            "</svg>",
-            "",
-        ]
+    root = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" id="{_ID}" role="img"'
+        f' aria-labelledby="{_ID}-t {_ID}-d" width="{width}mm" height="{height}mm"'
+        f' viewBox="{_number(left)} {_number(-top)} {width} {height}"'
+        f' color="{INK}" fill="none" stroke="none" stroke-linejoin="round">'
     )
+    lines = [
+        root,
+        f'<title id="{_ID}-t">{escape(placed.scene.title, quote=False)}</title>',
+        f'<desc id="{_ID}-d">{escape(placed.scene.description, quote=False)}</desc>',
+        f"<style>{_STYLE}</style>",
+        *([f"<defs>{outlines}</defs>"] if outlines else []),
+        *filter(None, body),
+        "</svg>",
+        "",
+    ]
+    text = "\n".join(lines)
     return text.replace(_ID, "r" + hashlib.sha256(text.encode()).hexdigest()[:10])
 
 

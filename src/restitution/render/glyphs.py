@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
-from xml.etree import ElementTree
+from xml.etree import ElementTree as ET
 
 from restitution.render.layout import Layout
 from restitution.render.mathml import to_mathml
@@ -59,7 +59,7 @@ def outline(layout: Layout) -> Outline:
     """The outlines of a layout, in em; empty, with an empty box, if nothing of it is seen."""
     import ziamath  # slow to load, and needed for pictures only
 
-    root = _prepared(ElementTree.fromstring(to_mathml(layout)))
+    root = _prepared(ET.fromstring(to_mathml(layout)))
     root.attrib["displaystyle"] = "false"
     with _LOCK:
         placed = list(_leaves(ziamath.Math(root, size=UNITS).node, 0.0, 0.0))
@@ -89,9 +89,9 @@ def union(boxes: Iterable[Box]) -> Box:
     return min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3])
 
 
-def _prepared(element: ElementTree.Element) -> ElementTree.Element:
+def _prepared(element: ET.Element) -> ET.Element:
     """The same mathematics, spaced for ziamath and without rows in rows, which slow it down."""
-    children: list[ElementTree.Element] = []
+    children: list[ET.Element] = []
     for child in map(_prepared, element):
         if child.tag in ("mo", "mtext") and (child.text or "") in _INVISIBLE:
             continue
@@ -110,11 +110,11 @@ def _prepared(element: ElementTree.Element) -> ElementTree.Element:
     return element
 
 
-def _stretches(row: ElementTree.Element) -> bool:
+def _stretches(row: ET.Element) -> bool:
     return any(child.get("stretchy") == "true" for child in row)
 
 
-def _names_function(element: ElementTree.Element) -> bool:
+def _names_function(element: ET.Element) -> bool:
     if element.tag == "msup":
         element = element[0]
     return element.tag == "mi" and len(element.text or "") > 1
