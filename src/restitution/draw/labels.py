@@ -126,12 +126,21 @@ def place(scene: Scene) -> Placed:
 
 @dataclass(frozen=True, slots=True)
 class _Offer:
-    """A place for a label: its box, the size of its letters, how bad it is, its leader line."""
+    """A place for a label: its box, the size of its letters, how bad it is, its leader line.
+
+    ``reach`` is the box around it all, with the space that other labels have to leave.
+    """
 
     box: Box
     size: float
     cost: float
-    leader: Segment | None = None
+    leader: Segment | None
+    reach: Box
+
+
+def _offered(box: Box, size: float, cost: float, leader: Segment | None = None) -> _Offer:
+    ends = [(*end, *end) for end in leader or ()]
+    return _Offer(box, size, cost, leader, padded(union([box, *ends]), APART / 2))
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +196,7 @@ def _fixed(scene: Scene, pieces: Sequence[Piece], solid: Sequence[Box]) -> dict[
             box = _beside(label.at, label.sides[0], label.gap, _extent(label, label.size))
             others = [*solid, *(each.box for each in found.values())]
             if _Ground(box, pieces, others).is_free(box):
-                found[index] = _Offer(box, label.size, 0.0)
+                found[index] = _offered(box, label.size, 0.0)
     return found
 
 
@@ -258,12 +267,12 @@ def _offer(
         if parted(nearest, point, piece):
             cost += 0.8
     if farther < LEADER_FROM or not lead:
-        return _Offer(box, size, cost)
+        return _offered(box, size, cost)
     way = unit(point - nearest)
     leader = nearest + way * 0.5, point - way * max(0.3, min(gap - 0.4, 0.6 * gap))
     if any(crosses(padded(each, CLEARANCE), *leader) for each in near.solid):
         return None
-    return _Offer(box, size, cost + 2.0, leader)
+    return _offered(box, size, cost + 2.0, leader)
 
 
 def _anywhere(label: Label, ground: _Ground, lead: bool) -> Iterator[_Offer]:
@@ -329,18 +338,17 @@ def _placed(
 
 
 def _clash(one: _Offer, two: _Offer) -> bool:
+    """Whether two labels cannot both stand so: on each other, or with a leader line on one."""
+    if not overlap(one.reach, two.reach):
+        return False
     if overlap(one.box, two.box, APART):
         return True
-    if one.leader is None and two.leader is None:
+    if one.leader is not None and crosses(padded(two.box, CLEARANCE), *one.leader):
+        return True
+    if two.leader is None:
         return False
-    return (
-        (one.leader is not None and crosses(padded(two.box, CLEARANCE), *one.leader))
-        or (two.leader is not None and crosses(padded(one.box, CLEARANCE), *two.leader))
-        or (
-            one.leader is not None
-            and two.leader is not None
-            and parted(*one.leader, stick(*two.leader, 0.0))
-        )
+    return crosses(padded(one.box, CLEARANCE), *two.leader) or (
+        one.leader is not None and parted(*one.leader, stick(*two.leader, 0.0))
     )
 
 
@@ -490,8 +498,9 @@ def _lines(note: Layout, width: float) -> list[Layout]:
 
 def _joined(line: Layout, word: Layout) -> Layout:
     items = line.items if isinstance(line, Phrase) else (line,)
-    if isinstance(items[-1], Words) and isinstance(word, Words):
-        items, word = items[:-1], Words(f"{items[-1].text} {word.text}")
+    last = items[-1]
+    if isinstance(last, Words) and isinstance(word, Words):
+        items, word = items[:-1], Words(f"{last.text} {word.text}")
     return Phrase((*items, word)) if items else word
 
 

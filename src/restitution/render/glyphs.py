@@ -57,12 +57,12 @@ class Outline:
 @lru_cache(maxsize=4096)
 def outline(layout: Layout) -> Outline:
     """The outlines of a layout, in em; empty, with an empty box, if nothing of it is seen."""
-    import ziamath  # slow to load, and needed for pictures only
+    from ziamath.zmath import Math  # slow to load, and needed for pictures only
 
     root = _prepared(ET.fromstring(to_mathml(layout)))
     root.attrib["displaystyle"] = "false"
     with _LOCK:
-        placed = list(_leaves(ziamath.Math(root, size=UNITS).node, 0.0, 0.0))
+        placed = list(_leaves(Math(root, size=UNITS).node, 0.0, 0.0))
     marks, bars, boxes = [], [], []
     for node, x, y in placed:
         if hasattr(node, "glyph"):
