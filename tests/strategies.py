@@ -12,6 +12,7 @@ from typing import Any
 from hypothesis import strategies as st
 
 from restitution import problem as p
+from restitution.draw import scene as scenes
 from restitution.expression.quantities import SIGNATURES
 from restitution.expression.tree import (
     FUNCTIONS,
@@ -30,6 +31,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
+from restitution.render import layout
+from restitution.vector import Vector
 
 
 def once(make: Callable[..., st.SearchStrategy[Any]]) -> Callable[..., st.SearchStrategy[Any]]:
@@ -617,3 +620,108 @@ def tales(
             pair = draw(st.tuples(halves(), halves()).filter(any))
             velocities[name] = said(pair, "u" if letters else "")
     return Tale(masses, velocities, tuple(blows))
+
+
+# --- pictures ---------------------------------------------------------------------------------
+
+_ALPHA, _U, _E = layout.Letter("alpha"), layout.Letter("u"), layout.Letter("e")
+CONTENTS: tuple[layout.Layout, ...] = (
+    _U,
+    _ALPHA,
+    layout.Letter("v", "A"),
+    layout.Bold("j"),
+    layout.Words("A"),
+    layout.Words("2 kg"),
+    layout.Degrees(layout.Number("53.1")),
+    layout.Product((_U, layout.Function("cos", _ALPHA))),
+    layout.Product((_E, _U, layout.Function("sin", _ALPHA, layout.Number("2")))),
+    layout.Product((layout.Fraction(layout.Root(layout.Number("103")), layout.Number("16")), _U)),
+    layout.equation(layout.Letter("theta"), layout.Fraction(_E, layout.Number("7"))),
+)
+ROLES = ("velocity", "component", "impulse", "path", "measure", "line_of_centres", "onward")
+
+
+@once
+def places(width: int, height: int) -> st.SearchStrategy[Vector]:
+    """Points of a picture, on half millimetres."""
+    return st.builds(
+        lambda x, y: Vector(x / 2, y / 2), st.integers(0, 2 * width), st.integers(0, 2 * height)
+    )
+
+
+@once
+def shapes(width: int, height: int) -> st.SearchStrategy[scenes.Shape]:
+    """Shapes of every kind within a picture."""
+    points = places(width, height)
+    roles = st.sampled_from(ROLES)
+    lengths = st.integers(2, 16).map(lambda n: n / 2)
+    angles_ = st.integers(-12, 24).map(lambda n: n * math.pi / 12)
+    return st.one_of(
+        st.builds(scenes.Line, roles, points, points),
+        st.builds(scenes.Arrow, roles, points, points, st.booleans()),
+        st.builds(
+            scenes.Polyline, st.just("path"), st.lists(points, min_size=2, max_size=4).map(tuple)
+        ),
+        st.builds(scenes.Disc, st.just("A"), points, lengths, st.booleans()),
+        st.builds(scenes.Dot, st.just("N"), points),
+        st.builds(scenes.Arc, st.just("angle"), points, lengths, angles_, angles_),
+        st.builds(
+            lambda corner, angle: scenes.RightAngle(
+                corner,
+                Vector(math.cos(angle), math.sin(angle)),
+                Vector(-math.sin(angle), math.cos(angle)),
+            ),
+            points,
+            angles_,
+        ),
+        st.builds(scenes.StraightWall, st.just("W"), points, points, points),
+        st.builds(
+            scenes.RoundWall,
+            st.just("W"),
+            points,
+            lengths,
+            angles_,
+            angles_,
+            st.sampled_from(("inside", "outside")),
+        ),
+    )
+
+
+@once
+def labels(width: int, height: int) -> st.SearchStrategy[scenes.Label]:
+    """Labels that want to stand anywhere, some fixed, some ringed."""
+    points = places(width, height)
+    return st.builds(
+        scenes.Label,
+        st.sampled_from(CONTENTS),
+        points,
+        st.permutations(("ne", "nw", "se", "sw", "n", "s", "e", "w", "centre")).map(
+            lambda sides: tuple(sides[:4])
+        ),
+        st.integers(0, 16).map(lambda n: n / 4),
+        st.sampled_from((2.6, 3.0)),
+        st.booleans(),
+        st.booleans(),
+        st.lists(points, max_size=2).map(tuple),
+    )
+
+
+@once
+def pictures() -> st.SearchStrategy[scenes.Scene]:
+    """Scenes of shapes anywhere, with two panels or none, and up to nine labels."""
+    width, height = 84, 40
+    panels = (
+        scenes.Panel("Before", (0.0, 0.0, 41.0, 40.0)),
+        scenes.Panel("After", (43.0, 0.0, 84.0, 40.0)),
+    )
+    note = layout.Phrase((layout.Words("Drawn for"), layout.equation(_U, layout.Number("1"))))
+    return st.builds(
+        scenes.Scene,
+        st.sampled_from(("A picture", "1 < 2 & 3")),
+        st.just("What it shows."),
+        st.just((0.0, 0.0, float(width), float(height))),
+        st.lists(shapes(width, height), max_size=10).map(tuple),
+        st.lists(labels(width, height), max_size=9).map(tuple),
+        st.sampled_from(((), panels)),
+        st.sampled_from((None, note)),
+    )

@@ -42,10 +42,10 @@ SMALLEST = 0.8  # of the size asked for
 _FARTHER = (0.0, 0.5, 1.1, 1.9, 2.8, 4.0, 5.5, 7.5)
 _SLIDES = (0.0, 0.25, -0.25, 0.5, -0.5)  # of a label's width or height, along its side
 _ENOUGH = 16  # offers, after which none farther off are looked for
-_ALL = 150
+_ALL = 60
 _GRID = 1.6
 _GROWTH = 5.0
-_ROUNDS = 40
+_ROUNDS = 10
 _SIDES: dict[Side, tuple[int, int]] = {
     "e": (1, 0),
     "ne": (1, 1),
@@ -96,10 +96,9 @@ def place(scene: Scene) -> Placed:
     """
     pieces = [piece for shape in scene.shapes for piece in ink(shape)]
     headings = [_heading(panel) for panel in scene.panels]
-    fixed = _fixed(scene, pieces, [each.box for each in headings])
-    for growth in range(_ROUNDS):
-        grown = _grown(scene, growth * _GROWTH)
-        chosen = _placed(grown, pieces, fixed, headings, lead=growth < _ROUNDS // 2)
+    for step in range(_ROUNDS):
+        grown = _grown(scene, _GROWTH * (2**step - 1))
+        chosen = _placed(grown, pieces, headings, lead=step < _ROUNDS // 2)
         if chosen is not None:
             break
     else:
@@ -201,33 +200,46 @@ def _fixed(scene: Scene, pieces: Sequence[Piece], solid: Sequence[Box]) -> dict[
 
 
 def _offers(label: Label, ground: _Ground, enough: int = _ENOUGH) -> list[_Offer]:
-    """Free places for a label, best first: in its own size, or smaller if there is none."""
-    sides = (*label.sides, *_ALL_SIDES) if label.fixed else label.sides
-    found: list[_Offer] = []
-    for share in (1.0, SMALLEST):
-        size = label.size * share
-        extent = _extent(label, size)
-        for farther in _FARTHER:
-            gap = label.gap + farther
-            for place, point in enumerate((label.at, *label.moves)):
-                reach = max(extent) + gap + 1.0
-                x, y = point
-                near = ground.around((x - reach, y - reach, x + reach, y + reach))
-                for rank, side in enumerate(sides):
-                    if side == "centre" and farther:
-                        continue
-                    straight = _beside(point, side, gap, extent)
-                    cost = 0.5 * rank + 0.4 * place + 1.2 * farther + 8 * (1 - share)
-                    for box, slide in _slid(straight, side):
-                        if near.is_free(box):
-                            offer = _offer(box, size, cost + slide, point, label.gap, farther, near)
-                            if offer is not None:
-                                found.append(offer)
-            if len(found) >= enough:
-                break
+    """Free places for a label, best first.
+
+    They are on the sides it asks for; if none is free there, on any side; then for a smaller label.
+    """
+    others = tuple(side for side in _ALL_SIDES if side not in label.sides)
+    for share, sides in (
+        (1.0, dict(enumerate(label.sides))),
+        (1.0, dict(enumerate(others, 4))),
+        (SMALLEST, dict(enumerate((*label.sides, *others)))),
+    ):
+        found = _on_sides(label, ground, label.size * share, sides, enough)
         if found:
+            return sorted(found, key=lambda each: each.cost)
+    return []
+
+
+def _on_sides(
+    label: Label, ground: _Ground, size: float, sides: dict[int, Side], enough: int
+) -> list[_Offer]:
+    """Free places for a label of one size on sides by their ranks, nearer before farther."""
+    extent = _extent(label, size)
+    found: list[_Offer] = []
+    for farther in _FARTHER:
+        gap = label.gap + farther
+        for place, point in enumerate((label.at, *label.moves)):
+            reach = max(extent) + gap + 1.0
+            x, y = point
+            near = ground.around((x - reach, y - reach, x + reach, y + reach))
+            for rank, side in sides.items():
+                if side == "centre" and farther:
+                    continue
+                cost = 0.5 * rank + 0.4 * place + 1.2 * farther
+                for box, slide in _slid(_beside(point, side, gap, extent), side):
+                    if near.is_free(box):
+                        offer = _offer(box, size, cost + slide, point, label.gap, farther, near)
+                        if offer is not None:
+                            found.append(offer)
+        if len(found) >= enough:
             break
-    return sorted(found, key=lambda each: each.cost)
+    return found
 
 
 def _slid(box: Box, side: Side) -> Iterator[tuple[Box, float]]:
@@ -303,14 +315,15 @@ def _anywhere(label: Label, ground: _Ground, lead: bool) -> Iterator[_Offer]:
 def _placed(
     scene: Scene,
     pieces: Sequence[Piece],
-    fixed: dict[int, _Offer],
     headings: Sequence[PlacedLabel],
     *,
     lead: bool,
 ) -> list[_Offer] | None:
     """A place for every label, or None if there is none for one of them."""
     everything = [*pieces, *(each for panel in scene.panels for each in _frame(panel))]
-    solid = [*(each.box for each in fixed.values()), *(each.box for each in headings)]
+    solid = [each.box for each in headings]
+    fixed = _fixed(scene, everything, solid)
+    solid += [each.box for each in fixed.values()]
     grounds = [_Ground(_region(label, scene), everything, solid) for label in scene.labels]
     offers = {
         index: _offers(label, grounds[index])
