@@ -243,7 +243,7 @@ def check(placed: Placed) -> ET.Element:
 
 
 @given(pictures())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_labels_keep_off_everything_in_any_picture(scene: Scene) -> None:
     check(place(scene))
 

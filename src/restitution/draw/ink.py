@@ -6,7 +6,7 @@ Lengths are in millimetres, y up; a box is left, bottom, right, top.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeAlias
@@ -99,13 +99,10 @@ def ink(shape: Shape) -> list[Piece]:
             shift = (across if across.dot(far) > 0 else -across) * half
             edge = style.WALL.width / 2
             return [stick(start, end, edge), stick(start + shift, end + shift, half)]
-        case RoundWall(_, centre, radius, start, end, hatched):
-            depth = style.HATCH_DEPTH / 2
-            middle = radius + (depth if hatched == "outside" else -depth)
-            return [
-                *_sticks(arc_points(centre, radius, start, end), style.WALL.width / 2),
-                *_sticks(arc_points(centre, middle, start, end), depth),
-            ]
+        case RoundWall(_, centre, radius, start, end):
+            curve = _sticks(arc_points(centre, radius, start, end), style.WALL.width / 2)
+            half = style.HATCH.width / 2
+            return [*curve, *(stick(a, b, half) for a, b in round_hatch(shape))]
 
 
 def _ink_of_arrow(role: LineRole, start: Vector, end: Vector, both: bool) -> list[Piece]:
@@ -134,13 +131,44 @@ def unit(way: Vector) -> Vector:
     return way / size if size else Vector(1.0, 0.0)
 
 
+def arc_span(start: float, end: float) -> float:
+    """How far an arc goes, anticlockwise: at most a whole turn."""
+    span = (end - start) % math.tau
+    return math.tau if span < 1e-9 and end != start else span
+
+
 def arc_points(centre: Vector, radius: float, start: float, end: float) -> list[Vector]:
     """Points along an arc, some 10° apart."""
-    while end < start:
-        end += math.tau
-    count = max(2, math.ceil((end - start) / 0.17))
-    angles = (start + (end - start) * k / count for k in range(count + 1))
+    span = arc_span(start, end)
+    count = max(2, math.ceil(span / 0.17))
+    angles = (start + span * k / count for k in range(count + 1))
     return [centre + Vector(math.cos(a), math.sin(a)) * radius for a in angles]
+
+
+def hatch(wall: StraightWall) -> Iterator[Segment]:
+    """Strokes at 45° on the far side, evenly spaced, none beyond the ends of the wall."""
+    length = math.hypot(*(wall.end - wall.start))
+    way = unit(wall.end - wall.start)
+    across = way.turned_left()
+    into = across if across.dot(wall.far) > 0 else -across
+    depth = min(style.HATCH_DEPTH, length)
+    count = max(1, round((length - depth) / style.HATCH_SPACING))
+    for k in range(count + 1):
+        foot = wall.start + way * (depth + (length - depth) * k / count)
+        yield foot, foot + (into - way) * depth
+
+
+def round_hatch(wall: RoundWall) -> Iterator[Segment]:
+    """Strokes at 45° to the radius on the hatched side, evenly spaced from end to end."""
+    span = arc_span(wall.start, wall.end)
+    outward = 1.0 if wall.hatched == "outside" else -1.0
+    depth = min(style.HATCH_DEPTH, 0.4 * wall.radius)
+    count = max(1, round(span * wall.radius / style.HATCH_SPACING))
+    for k in range(count + (span < math.tau)):
+        angle = wall.start + span * k / count
+        radial = Vector(math.cos(angle), math.sin(angle))
+        foot = wall.centre + radial * wall.radius
+        yield foot, foot + (radial * outward - radial.turned_left()) * depth
 
 
 def right_angle_points(shape: RightAngle) -> tuple[Vector, Vector, Vector]:

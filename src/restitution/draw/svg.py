@@ -15,7 +15,7 @@ from html import escape
 from typing import assert_never
 
 from restitution.draw import style
-from restitution.draw.ink import right_angle_points, unit
+from restitution.draw.ink import Segment, arc_span, hatch, right_angle_points, round_hatch, unit
 from restitution.draw.labels import Placed, PlacedLabel, place
 from restitution.draw.scene import (
     Arc,
@@ -134,11 +134,10 @@ def _shape(shape: Shape) -> str:
         case RightAngle():
             data = _polyline(right_angle_points(shape))
             return _path("right-angle", data, style.RIGHT_ANGLE)
-        case StraightWall(_, start, end, far):
-            hatch = "".join(_hatch(start, end, far))
-            return _wall(_polyline((start, end)), hatch)
+        case StraightWall(_, start, end):
+            return _wall(_polyline((start, end)), hatch(shape))
         case RoundWall(_, centre, radius, start, end):
-            return _wall(_arc(centre, radius, start, end), "".join(_round_hatch(shape)))
+            return _wall(_arc(centre, radius, start, end), round_hatch(shape))
     assert_never(shape)
 
 
@@ -146,8 +145,9 @@ def _path(name: str, data: str, stroke: style.Stroke) -> str:
     return f'<path class="{name}" d="{data}"{_stroke(stroke)}/>'
 
 
-def _wall(edge: str, hatch: str) -> str:
-    return _path("hatch", hatch, style.HATCH) + _path("wall", edge, style.WALL)
+def _wall(edge: str, strokes: Iterable[Segment]) -> str:
+    hatching = "".join(map(_polyline, strokes))
+    return _path("hatch", hatching, style.HATCH) + _path("wall", edge, style.WALL)
 
 
 def _frame(panel: Panel) -> str:
@@ -203,32 +203,6 @@ def _double_arrow(start: Vector, end: Vector, head: style.Head) -> str:
             start - side * half,
         )
     )
-
-
-def _hatch(start: Vector, end: Vector, far: Vector) -> Iterator[str]:
-    """Strokes at 45° on the far side, evenly spaced, none beyond the ends of the wall."""
-    way = unit(end - start)
-    across = way.turned_left()
-    into = across if across.dot(far) > 0 else -across
-    depth = min(style.HATCH_DEPTH, math.hypot(*(end - start)))
-    room = math.hypot(*(end - start)) - depth
-    count = max(1, round(room / style.HATCH_SPACING))
-    for k in range(count + 1):
-        foot = start + way * (depth + room * k / count)
-        yield _polyline((foot, foot + (into - way) * depth))
-
-
-def _round_hatch(wall: RoundWall) -> Iterator[str]:
-    outward = 1.0 if wall.hatched == "outside" else -1.0
-    span = (wall.end - wall.start) % math.tau or math.tau
-    count = max(1, round(span * wall.radius / style.HATCH_SPACING))
-    whole = math.isclose(span, math.tau)
-    for k in range(count if whole else count + 1):
-        angle = wall.start + span * k / count
-        radial = Vector(math.cos(angle), math.sin(angle))
-        foot = wall.centre + radial * wall.radius
-        slant = radial * outward - radial.turned_left()
-        yield _polyline((foot, foot + slant * style.HATCH_DEPTH))
 
 
 # --- words ----------------------------------------------------------------------------------------
@@ -290,7 +264,7 @@ def _polyline(points: Iterable[Vector]) -> str:
 
 def _arc(centre: Vector, radius: float, start: float, end: float) -> str:
     """An arc anticlockwise as seen (y up), in at most two pieces of half a turn or less."""
-    span = (end - start) % math.tau or (math.tau if end != start else 0.0)
+    span = arc_span(start, end)
     angles = [start, start + span / 2, start + span]
     points = [centre + Vector(math.cos(a), math.sin(a)) * radius for a in angles]
     r = _number(radius)
