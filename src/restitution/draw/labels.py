@@ -26,7 +26,7 @@ from restitution.draw.ink import (
     touched,
     unit,
 )
-from restitution.draw.scene import Label, Panel, Scene, Side
+from restitution.draw.scene import Disc, Label, Panel, Scene, Side
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout, Phrase, Words
 from restitution.vector import Vector
@@ -95,7 +95,7 @@ def place(scene: Scene) -> Placed:
     A ``fixed`` label that would stand on a line or on another one is placed like any other.
     """
     pieces = [piece for shape in scene.shapes for piece in ink(shape)]
-    headings = [_heading(panel) for panel in scene.panels]
+    headings = [_heading(panel, pieces) for panel in scene.panels]
     for step in range(_ROUNDS):
         grown = _grown(scene, _GROWTH * (2**step - 1))
         chosen = _placed(grown, pieces, headings, lead=step < _ROUNDS // 2)
@@ -144,16 +144,21 @@ def _offered(box: Box, size: float, cost: float, leader: Segment | None = None) 
 
 @dataclass(frozen=True, slots=True)
 class _Ground:
-    """What an offer must keep off (ink, and boxes that stay), and the region it must be in."""
+    """What an offer must keep off (ink, and boxes that stay), and the region it must be in.
+
+    It should keep out of the ``discs`` too, unless it names one.
+    """
 
     region: Box
     pieces: Sequence[Piece]
     solid: Sequence[Box]
+    discs: Sequence[Disc] = ()
 
     def around(self, box: Box) -> _Ground:
         """The same, without what lies apart from a box."""
         pieces = [each for each in self.pieces if overlap(each.box, box)]
-        return _Ground(self.region, pieces, [each for each in self.solid if overlap(each, box)])
+        solid = [each for each in self.solid if overlap(each, box)]
+        return _Ground(self.region, pieces, solid, self.discs)
 
     def is_free(self, box: Box) -> bool:
         """Whether a label may have this box."""
@@ -268,7 +273,7 @@ def _offer(
 ) -> _Offer | None:
     """A free box with its cost, and with a leader line where it is far off; None if that is barred.
 
-    Other ink close by, and ink between the label and its point, make a place worse.
+    Other ink close by, ink between the label and its point, and a disc around it make a place worse.
     """
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))
@@ -278,7 +283,11 @@ def _offer(
             cost += 0.35
         if parted(nearest, point, piece):
             cost += 0.8
-    if farther < LEADER_FROM or not lead:
+    middle = Vector((left + right) / 2, (bottom + top) / 2)
+    for disc in near.discs:
+        if point != disc.centre and math.hypot(*(middle - disc.centre)) < disc.radius:
+            cost += 2.5
+    if not lead or farther < LEADER_FROM or math.hypot(*(point - nearest)) < LEADER_FROM:
         return _offered(box, size, cost)
     way = unit(point - nearest)
     leader = nearest + way * 0.5, point - way * max(0.3, min(gap - 0.4, 0.6 * gap))
@@ -324,7 +333,8 @@ def _placed(
     solid = [each.box for each in headings]
     fixed = _fixed(scene, everything, solid)
     solid += [each.box for each in fixed.values()]
-    grounds = [_Ground(_region(label, scene), everything, solid) for label in scene.labels]
+    discs = [each for each in scene.shapes if isinstance(each, Disc) and not each.ghost]
+    grounds = [_Ground(_region(label, scene), everything, solid, discs) for label in scene.labels]
     offers = {
         index: _offers(label, grounds[index])
         for index, label in enumerate(scene.labels)
@@ -469,8 +479,11 @@ def _baseline(label: Label, offer: _Offer) -> Vector:
     return Vector(x, y)
 
 
-def _heading(panel: Panel) -> PlacedLabel:
+def _heading(panel: Panel, pieces: Sequence[Piece]) -> PlacedLabel:
+    """The name of a panel above it, and above what reaches out of it."""
     left, _, right, top = panel.box
+    column = (left, top, right, math.inf)
+    top = max([top, *(each.box[3] for each in pieces if overlap(each.box, column))])
     return _line(Words(panel.name), Vector((left + right) / 2, top + 1.6), HEADING_SIZE, 0.5)
 
 
