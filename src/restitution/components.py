@@ -27,7 +27,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.problem import Arrival, Impact, Kick, Let, Part, Problem, trees
+from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.letters import POSITIVE, REAL, Role
 from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
@@ -297,6 +297,15 @@ def model(
         if isinstance(step, Impact):
             _in_letters(told, number, step, names, put)
     return told
+
+
+def protected_letters(part: Part) -> frozenset[str]:
+    """Letters that the answers of a part are to be written in."""
+    names: set[str] = set()
+    for step in part.steps:
+        if isinstance(step, Find | Show) and step.in_terms_of:
+            names |= set(step.in_terms_of)
+    return frozenset(names)
 
 
 def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from restitution.components import Model, model, rejected_values
+from restitution.components import Model, model, protected_letters, rejected_values
 from restitution.errors import RestitutionError
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.facts import fact_equations
@@ -17,7 +17,7 @@ from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Quantity, has_quantity, letters
-from restitution.problem import Find, Part, Show, Value
+from restitution.problem import Part, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.solution import ItemResult, PartSolution, Solution
@@ -114,20 +114,11 @@ def _answers(item: ItemResult) -> str:
 
 
 def _models(solution: Solution, part: PartSolution) -> list[Model]:
-    protected = _protected(part.part)
+    protected = protected_letters(part.part)
     return [
         model(solution.problem, part.part, branch, part.roles, protected)
         for branch in part.branches
     ]
-
-
-def _protected(part: Part) -> frozenset[str]:
-    """Letters that the answers of a part are to be written in."""
-    names: set[str] = set()
-    for step in part.steps:
-        if isinstance(step, Find | Show) and step.in_terms_of:
-            names |= set(step.in_terms_of)
-    return frozenset(names)
 
 
 def _worked(
@@ -142,7 +133,7 @@ def _worked(
     work = Working(told, alternatives=others, rejected=rejected)
     work.across = speaks_across(problem, part.part)
     work.asked = _asked(work, part)
-    protected = frozenset(set(lets_of(problem, part.part)) & _protected(part.part))
+    protected = frozenset(set(lets_of(problem, part.part)) & protected_letters(part.part))
     work.facts = fact_equations(work, problem, part.part, protected)
     _silent_letters(work)
     _take_over(work, carried)

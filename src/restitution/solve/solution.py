@@ -92,7 +92,8 @@ class Branch:
     ``values`` maps letters and hidden unknowns, by name, to exact values; ``letters`` gives
     them to a telling of the story; ``sample`` gives every letter and hidden unknown a number that
     satisfies all facts (the letters left free at a representative value); ``numbers`` is the
-    story told with these, in high precision.
+    story told with these, in high precision. ``objection`` says why other numbers are
+    impossible, as (reason, kind), or None where they would do as well.
     """
 
     number: int
@@ -102,6 +103,9 @@ class Branch:
     sample: Mapping[str, Any]
     numbers: Story
     tell: Callable[[Any], Story] = field(compare=False, repr=False)
+    objection: Callable[[Mapping[str, Any]], tuple[str, str] | None] = field(
+        compare=False, repr=False
+    )
 
     @cached_property
     def story(self) -> Story:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -227,6 +228,7 @@ class _Worker:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
         numbers = setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
+        solved = tuple(name for name in trial.found.values if not name.startswith("_"))
         return Branch(
             number,
             trial.found.values,
@@ -235,6 +237,7 @@ class _Worker:
             trial.samples[0],
             numbers,
             setting.tell,
+            partial(setting.examine, solved=solved),
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:

@@ -1,0 +1,325 @@
+"""Numbers to draw by: every letter at a pleasant value that the facts admit.
+
+A picture to scale needs a number for every letter. Letters without values get such as a teacher
+would take (40°, ½, 2), tried in a fixed order; what is solved for follows from them. Numbers that
+show by chance what is not so in general (a sphere brought to rest by just this e) are passed over.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from restitution.components import Model, model, protected_letters
+from restitution.errors import RestitutionError
+from restitution.problem import Impact, Kick
+from restitution.solve.letters import Role
+from restitution.solve.numbers import FIELD, UndefinedError, at
+from restitution.solve.part import Numbers
+from restitution.solve.solution import Branch, PartSolution, Solution
+from restitution.solve.story import Story, lets_of
+from restitution.vector import Vector
+
+# Pleasant values by kind, the best first. Angles are in degrees.
+_ANGLES = (40, 55, 30, 50, 35, 60, 25, 65, 20, 70, 15, 75)
+_COEFFICIENTS = ("1/2", "3/5", "2/5", "3/4", "1/4", "4/5", "1/5", "9/10", "1/10")
+_POSITIVE = ("2", "3", "3/2", "1", "4", "1/2", "5/2", "5", "6", "2/3", "1/4", "8")
+_REAL = ("2", "1", "3", "-1", "-2", "1/2", "4", "-3", "-1/2")
+
+_TRIES = 40
+# A velocity shorter than this share of the longest is hard to see.
+_VISIBLE = 0.12
+_SAME = 1e-9
+# How much more of a letter shows what depends on it.
+_MORE = Fraction(11, 10)
+
+_FAILURES = (RestitutionError, UndefinedError, ArithmeticError, KeyError)
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A letter drawn at a value, which is exact where it was chosen for being pleasant.
+
+    Angles are in degrees.
+    """
+
+    name: str
+    value: Fraction | float
+    angle: bool
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One part of a problem in numbers.
+
+    ``told`` has its expressions, in the letters of the working, ``numbers`` a number for each of
+    these letters, and ``story`` the motion itself. ``free`` are the letters without a value of
+    their own, each with the motion that a little more of it would give (None where there is none).
+    """
+
+    told: Model
+    numbers: Mapping[str, Any]
+    story: Story
+    free: tuple[tuple[Chosen, Story | None], ...]
+    found: tuple[Chosen, ...]
+
+    def number(self, x: Any) -> float:
+        """An expression as a number. Raises UndefinedError or KeyError where it has none."""
+        return float(at(x, self.numbers))
+
+    def vector(self, v: Vector) -> Vector:
+        """A vector of expressions in numbers."""
+        return Vector(self.number(v.x), self.number(v.y))
+
+    def before(self, number: int, body: str) -> Vector:
+        """A velocity just before an event."""
+        return _floats(self.story.happenings[number - 1].before[body])
+
+    def after(self, number: int, body: str) -> Vector:
+        """A velocity just after an event."""
+        return _floats(self.story.happenings[number - 1].after[body])
+
+
+def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
+    """One part by one of its solutions, in numbers that satisfy all that is given."""
+    told = model(solution.problem, part.part, branch, part.roles, protected_letters(part.part))
+    named = frozenset(lets_of(solution.problem, part.part)) - protected_letters(part.part)
+    roles = {name: role for name, role in part.roles.items() if name not in named}
+    pleasant, values, story = _representative(branch, roles)
+    numbers = dict(values)
+    for key, name in told.unknowns.names.items():
+        numbers[name] = values.get(f"_{key}", told.sample.get(name))
+    for (number, body), component in told.components.items():
+        n = told.frames[number].n
+        try:
+            direction = Vector(at(n.x, numbers), at(n.y, numbers))
+            numbers[component.symbol.name] = story.happenings[number - 1].after[body].dot(direction)
+        except (UndefinedError, KeyError):
+            continue
+    free = tuple(
+        (_chosen(name, pleasant.get(name), values[name], roles[name]), moved)
+        for name, moved in _varied(branch, roles, values)
+    )
+    found = tuple(
+        _chosen(name, None, values[name], roles[name])
+        for name in branch.values
+        if len(part.branches) > 1 and name in roles and not name.startswith("_")
+    )
+    return Motion(told, numbers, story, free, found)
+
+
+def drawn_for(motion: Motion, events: Sequence[int]) -> tuple[Chosen, ...]:
+    """The letters by whose values a picture of these events has its shape.
+
+    Where a question has several solutions, what is found counts as well: one of them is drawn.
+    """
+    shaping = [
+        chosen
+        for chosen, moved in motion.free
+        if moved is None
+        or not _same_lines(motion.story, moved, events)
+        or _ratio(_velocities(motion.story, events), _velocities(moved, events)) is None
+    ]
+    return (*shaping, *motion.found)
+
+
+def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
+    """The letter that all speeds in these events are multiples of."""
+    for chosen, moved in motion.free:
+        if moved is None or chosen.angle:
+            continue
+        ratio = _ratio(_velocities(motion.story, events), _velocities(moved, events))
+        if ratio is not None and math.isclose(ratio, float(_MORE)):
+            return chosen.name
+    return None
+
+
+def _chosen(name: str, pleasant: Fraction | None, value: Any, role: Role) -> Chosen:
+    angle = role.kind == "angle"
+    if pleasant is not None:
+        return Chosen(name, pleasant, angle)
+    return Chosen(name, math.degrees(float(value)) if angle else float(value), angle)
+
+
+def _floats(v: Vector) -> Vector:
+    return Vector(float(v.x), float(v.y))
+
+
+# --- representative values ------------------------------------------------------------------------
+
+
+def _representative(
+    branch: Branch, roles: Mapping[str, Role]
+) -> tuple[dict[str, Fraction], dict[str, Any], Story]:
+    """Pleasant numbers for the free letters, with all that follows; else those of the solution."""
+    free = sorted(name for name in roles if name not in branch.values)
+    if not free:
+        return {}, dict(branch.sample), branch.numbers
+    pattern = _pattern(branch.numbers)
+    best: tuple[float, dict[str, Fraction], dict[str, Any], Story] | None = None
+    for picked in _tries(free, roles):
+        values: dict[str, Any] = {
+            name: _radians(x) if roles[name].kind == "angle" else FIELD.number(x)
+            for name, x in picked.items()
+        }
+        try:
+            for name, value in branch.values.items():
+                values[name] = at(value, values)
+            if any(_impossible(name, values[name], roles.get(name)) for name in values):
+                continue
+            if branch.objection(values) is not None:
+                continue
+            story = branch.tell(Numbers(values))
+        except _FAILURES:
+            continue
+        score = _legibility(story) if _pattern(story) == pattern else 0.0
+        if best is None or score > best[0]:
+            best = score, picked, values, story
+        if score >= _VISIBLE:
+            break
+    if best is None or best[0] == 0.0:
+        return {}, dict(branch.sample), branch.numbers
+    return best[1:]
+
+
+def _radians(degrees: Fraction) -> Any:
+    return FIELD.number(degrees / 180) * FIELD.pi
+
+
+def _impossible(name: str, value: Any, role: Role | None) -> bool:
+    """Whether a hidden unknown that is positive by its nature would not be."""
+    positive = role is not None and role.kind == "positive"
+    return name.startswith("_") and positive and not float(value) > 0
+
+
+def _tries(free: Sequence[str], roles: Mapping[str, Role]) -> Iterator[dict[str, Fraction]]:
+    """Pleasant values for all letters together: the best of each first, then mixtures."""
+    lists = [_pleasant(roles[name]) for name in free]
+    kinds = [roles[name].kind for name in free]
+    # Letters of one kind begin at different values: two equal angles would mean something.
+    first = [
+        kinds[:k].count(kind) if kind in ("angle", "restitution") else 0
+        for k, kind in enumerate(kinds)
+    ]
+    yield {n: values[k % len(values)] for n, values, k in zip(free, lists, first)}
+    rng = random.Random(2)
+    for attempt in range(1, _TRIES):
+        reach = 2 + attempt / 4
+        yield {
+            name: values[min(len(values) - 1, int(rng.random() * min(reach, len(values))))]
+            for name, values in zip(free, lists)
+        }
+
+
+def _pleasant(role: Role) -> list[Fraction]:
+    """Pleasant values within the range of a letter; for an angle in degrees."""
+    low = None if role.low is None else float(at(role.low, {}))
+    high = None if role.high is None else float(at(role.high, {}))
+    if role.kind == "angle":
+        low, high = math.degrees(low or 0), math.degrees(math.pi / 2 if high is None else high)
+        listed = [Fraction(x) for x in _ANGLES]
+        spread: tuple[float, ...] = (0.45, 0.6, 0.35, 0.5, 0.4, 0.65, 0.25)
+    else:
+        words = {"restitution": _COEFFICIENTS, "real": _REAL}.get(role.kind, _POSITIVE)
+        listed = [Fraction(x) for x in words]
+        spread = (0.5, 0.6, 0.4, 0.75, 0.25)
+    inside = [x for x in listed if (low is None or x > low) and (high is None or x < high)]
+    if low is not None and high is not None:
+        between = [Fraction(round((low + (high - low) * s) * 100), 100) for s in spread]
+        inside += [x for x in between if low < x < high and x not in inside]
+    elif low is not None and low != 0:
+        inside += [Fraction(round((low + 1) * 10), 10), Fraction(round((low + 3) * 10), 10)]
+    elif high is not None:
+        inside += [Fraction(round((high - 1) * 10), 10), Fraction(round((high - 3) * 10), 10)]
+    return inside or [Fraction(1)]
+
+
+# --- what numbers show ----------------------------------------------------------------------------
+
+
+def _velocities(story: Story, events: Sequence[int]) -> list[Vector]:
+    return [
+        _floats(v)
+        for each in story.happenings
+        if each.number in events
+        for v in (*each.before.values(), *each.after.values())
+    ]
+
+
+def _components(story: Story) -> list[float]:
+    """Every component of every velocity, along and across the line of centres."""
+    found = []
+    for each in story.happenings:
+        c = each.centres if each.centres is not None else each.impulse
+        if c is None:
+            continue
+        n = _floats(c)
+        size = math.hypot(*n) or 1.0
+        for v in (*each.before.values(), *each.after.values()):
+            u = _floats(v)
+            found += [u.dot(n) / size, u.cross(n) / size, math.hypot(*u)]
+    return found
+
+
+def _pattern(story: Story) -> tuple[bool, ...]:
+    """Which components vanish: what is zero in general, and no more, may be zero in a picture."""
+    values = _components(story)
+    largest = max(map(abs, values), default=0.0)
+    return tuple(abs(x) <= 1e-12 * (largest or 1.0) for x in values)
+
+
+def _legibility(story: Story) -> float:
+    """The shortest velocity of an event as a share of the longest, for the worst of the events."""
+    worst = 1.0
+    for each in story.happenings:
+        if not isinstance(each.step, Impact | Kick):
+            continue
+        sizes = [math.hypot(*_floats(v)) for v in (*each.before.values(), *each.after.values())]
+        largest = max(sizes, default=0.0)
+        moving = [x for x in sizes if x > 1e-12 * (largest or 1.0)]
+        if moving:
+            worst = min(worst, min(moving) / largest)
+    return worst
+
+
+def _varied(
+    branch: Branch, roles: Mapping[str, Role], values: Mapping[str, Any]
+) -> Iterator[tuple[str, Story | None]]:
+    """Every free letter with the motion for a little more of it."""
+    for name in sorted(name for name in roles if name not in branch.values):
+        if name.startswith("_"):
+            continue
+        changed = {**values, name: values[name] * FIELD.number(_MORE)}
+        try:
+            for other, value in branch.values.items():
+                changed[other] = at(value, changed)
+            yield name, branch.tell(Numbers(changed))
+        except _FAILURES:
+            yield name, None
+
+
+def _ratio(first: Sequence[Vector], second: Sequence[Vector]) -> float | None:
+    """The number by which all vectors are multiplied, if there is one."""
+    largest = max(first, key=lambda v: math.hypot(*v), default=Vector(0.0, 0.0))
+    size = math.hypot(*largest)
+    if size == 0:
+        return 1.0
+    factor = math.hypot(*second[first.index(largest)]) / size
+    close = all(math.hypot(*(w - v * factor)) <= _SAME * size for v, w in zip(first, second))
+    return factor if close else None
+
+
+def _same_lines(first: Story, second: Story, events: Sequence[int]) -> bool:
+    """Whether the lines of centres are the same lines."""
+    for number in events:
+        a, b = first.happenings[number - 1].centres, second.happenings[number - 1].centres
+        if a is None or b is None:
+            continue
+        one, other = _floats(a), _floats(b)
+        if abs(one.cross(other)) > _SAME * math.hypot(*one) * math.hypot(*other):
+            return False
+    return True
