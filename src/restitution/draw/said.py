@@ -1,0 +1,336 @@
+"""What a statement says of each velocity, each impulse and each deflection, for their labels.
+
+A velocity is known by its sphere and by the latest event that changed it (0 is the start).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Literal
+
+from restitution.draw.values import Motion
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    walk,
+)
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Show,
+    Sphere,
+)
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solve.letters import trees_of_relation
+from restitution.vector import Vector
+
+_GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
+_IMPULSES = ("J", "I", "K", "Q", "R", "S")
+_UNREADABLE = (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError)
+
+
+@dataclass(frozen=True)
+class Angle:
+    """An angle between a velocity and a reference, with its label.
+
+    ``reference`` is a vector in numbers. It is a line (``line``) where either sense of it will
+    do; otherwise the angle is from the direction of the vector itself.
+    """
+
+    reference: Vector
+    line: bool
+    label: Layout
+
+
+@dataclass
+class Words:
+    """What is said of one velocity: its size, itself as a vector, its angles."""
+
+    size: Layout | None = None
+    vector: Layout | None = None
+    known: bool = False
+    angles: list[Angle] = field(default_factory=list)
+
+
+Key = tuple[str, int]
+
+
+@dataclass
+class Sayings:
+    """What a statement says, by velocity and by event.
+
+    ``deflections`` and ``impulses`` are those that are given or asked for; ``new`` are letters
+    that the statement does not have, each with what it stands for.
+    """
+
+    velocities: dict[Key, Words]
+    deflections: dict[tuple[int, str], Layout]
+    impulses: dict[int, Layout]
+    new: list[tuple[Letter, Literal["angle", "deflection", "impulse"], Key]]
+
+    def of(self, body: str, state: int) -> Words:
+        """What is said of a velocity; nothing, where nothing is."""
+        return self.velocities.get((body, state), Words())
+
+
+def state_after(motion: Motion, body: str, stage: int) -> int:
+    """The latest event up to a stage that changed the velocity of a sphere."""
+    for happening in reversed(motion.story.happenings[:stage]):
+        if body in happening.bodies and not isinstance(happening.step, Arrival):
+            return happening.number
+    return 0
+
+
+def sayings(motion: Motion) -> Sayings:
+    """Everything that is said, read once for a part of a problem."""
+    reader = _Reader(motion)
+    for sphere in motion.told.problem.spheres:
+        reader.start(sphere)
+    asked: list[tuple[Expression, int]] = []
+    for trees, now, fact in _lines(motion):
+        if fact and len(trees) == 2:
+            reader.equal(trees[0], trees[1], now)
+            reader.equal(trees[1], trees[0], now)
+        asked += [(tree, now) for tree in trees]
+    for tree, now in asked:
+        for node in walk(tree):
+            if isinstance(node, Quantity):
+                reader.asked(node, now)
+    for happening in motion.story.happenings:
+        if isinstance(happening.step, Kick):
+            reader.kick(happening.number, happening.step)
+    return reader.found
+
+
+def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
+    """Expressions of facts (equal ones together) and of questions, with the events told before."""
+    problem, part = motion.told.problem, motion.told.part
+    now = 0
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        in_force = each.label is None or each is part
+        for step in each.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif isinstance(step, Given) and in_force:
+                for relation in step.relations:
+                    if isinstance(relation, Compare) and set(relation.operators) == {"="}:
+                        for pair in zip(relation.operands, relation.operands[1:]):
+                            yield pair, now, True
+                    elif isinstance(relation, Compare | Aligned):
+                        yield tuple(trees_of_relation(relation)), now, False
+            elif isinstance(step, Let) and in_force:
+                yield (Letter(step.letter), step.expression), now, True
+            elif isinstance(step, Find) and each is part:
+                for item in step.items:
+                    yield (item.expression,), now, False
+            elif isinstance(step, Show) and each is part:
+                yield tuple(trees_of_relation(step.relation)), now, False
+                if isinstance(step.subject, Extremum):
+                    yield (step.subject.expression,), now, False
+
+
+class _Reader:
+    def __init__(self, motion: Motion) -> None:
+        self.motion = motion
+        self.found = Sayings({}, {}, {}, [])
+        self.taken = set(motion.told.unknowns.taken)
+
+    def words(self, key: Key) -> Words:
+        return self.found.velocities.setdefault(key, Words())
+
+    # --- what is given ----------------------------------------------------------------------
+
+    def start(self, sphere: Sphere) -> None:
+        if isinstance(sphere.velocity, Expression):
+            self.velocity((sphere.name, 0), sphere.velocity, 0)
+
+    def velocity(self, key: Key, tree: Expression, now: int) -> None:
+        """A velocity given by a tree: by size and direction, or by components."""
+        words = self.words(key)
+        words.known = True
+        if isinstance(tree, Polar):
+            words.size = lay.from_tree(tree.size)
+            self.polar(words, tree, now)
+        elif any(isinstance(node, Unit | Pair) for node in walk(tree)):
+            words.vector = _vector(tree)
+
+    def polar(self, words: Words, tree: Polar, now: int) -> None:
+        if tree.wall is not None:
+            reference = self.number_vector(Quantity("direction", (tree.wall,)), now)
+        elif tree.origin is not None:
+            reference = self.number_vector(tree.origin, now)
+        else:
+            reference = Vector(1.0, 0.0)
+        if reference is not None:
+            words.angles.append(Angle(reference, tree.wall is not None, _measure(tree.angle)))
+
+    def equal(self, left: Expression, right: Expression, now: int) -> None:
+        """``left = right``, where the left side speaks of the motion and the right side is known."""
+        if not isinstance(left, Quantity) or has_quantity(right):
+            return
+        key = self.key(left, now)
+        match left.kind:
+            case "velocity" if key is not None:
+                self.velocity(key, right, now)
+            case "speed" if key is not None and not (isinstance(right, Number) and not right.value):
+                self.words(key).size = self.words(key).size or lay.from_tree(right)
+            case "direction" if key is not None:
+                self.words(key).angles.append(Angle(Vector(1.0, 0.0), False, _measure(right)))
+            case "deflection":
+                event = self.event(left, now)
+                if event is not None:
+                    self.found.deflections[event] = _measure(right)
+            case "impulse" if not left.arguments:
+                number = left.stage if isinstance(left.stage, int) else self.latest_event(now)
+                if number:
+                    self.found.impulses[number] = lay.from_tree(right)
+            case "angle":
+                self.angle(left, now, _measure(right))
+
+    def kick(self, number: int, step: Kick) -> None:
+        tree = step.impulse
+        size = tree.size if isinstance(tree, Polar) else tree
+        self.found.impulses[number] = _vector(size)
+
+    # --- what is asked ----------------------------------------------------------------------
+
+    def asked(self, node: Quantity, now: int) -> None:
+        match node.kind:
+            case "deflection":
+                event = self.event(node, now)
+                if event is not None and event not in self.found.deflections:
+                    letter = self.letter(("delta", *_GREEK), "deflection", (event[1], event[0]))
+                    if letter is not None:
+                        self.found.deflections[event] = letter
+            case "impulse":
+                number = node.stage if isinstance(node.stage, int) else self.latest_event(now, node)
+                if number and number not in self.found.impulses:
+                    letter = self.letter(_IMPULSES, "impulse", ("", number))
+                    if letter is not None:
+                        self.found.impulses[number] = letter
+            case "angle":
+                self.angle(node, now, None)
+
+    def angle(self, node: Quantity, now: int, label: Layout | None) -> None:
+        """The angle between a velocity and a wall, a line of centres or a vector."""
+        for one, other in (node.arguments, node.arguments[::-1]):
+            key = self.key(one, now) if isinstance(one, Quantity) else None
+            if key is None or not isinstance(one, Quantity) or one.kind != "velocity":
+                continue
+            if any(isinstance(x, Quantity) and x.kind != "line_of_centres" for x in walk(other)):
+                continue
+            line = isinstance(other, Name | Quantity)
+            wall = isinstance(other, Name)
+            tree = Quantity("direction", (other,)) if wall else other
+            reference = self.number_vector(tree, now)
+            if reference is None:
+                continue
+            angles = self.words(key).angles
+            if any(_alike(each.reference, reference) for each in angles):
+                continue
+            if label is None:
+                label = self.letter(_GREEK, "angle", key)
+            if label is not None:
+                angles.append(Angle(reference, line, label))
+            return
+
+    def letter(
+        self, names: Iterable[str], kind: Literal["angle", "deflection", "impulse"], key: Key
+    ) -> Layout | None:
+        name = next((each for each in names if each not in self.taken), None)
+        if name is None:
+            return None
+        self.taken.add(name)
+        self.found.new.append((Letter(name), kind, key))
+        return lay.letter(name)
+
+    # --- whose, and when --------------------------------------------------------------------
+
+    def latest_event(self, now: int, node: Quantity | None = None) -> int:
+        """The latest impact or blow, of the body named if one is."""
+        body = node.arguments[0].name if node and node.arguments else None  # type: ignore[union-attr]
+        for happening in reversed(self.motion.story.happenings[:now]):
+            if not isinstance(happening.step, Arrival) and body in (None, *happening.bodies):
+                return happening.number
+        return 0
+
+    def event(self, node: Quantity, now: int) -> tuple[int, str] | None:
+        name = node.arguments[0]
+        if not isinstance(name, Name):
+            return None
+        number = node.stage if isinstance(node.stage, int) else self.latest_event(now, node)
+        return (number, name.name) if number else None
+
+    def key(self, node: Quantity, now: int) -> Key | None:
+        """The velocity that a quantity of one sphere speaks of."""
+        name = node.arguments[0] if node.arguments else None
+        if not isinstance(name, Name) or name.name not in self.motion.story.spheres:
+            return None
+        stage = node.stage if isinstance(node.stage, int) else now
+        state = state_after(self.motion, name.name, stage)
+        if node.stage == "before":
+            state = state_after(self.motion, name.name, state - 1) if state else 0
+        return name.name, state
+
+    def number_vector(self, tree: Expression, now: int) -> Vector | None:
+        try:
+            x, y = self.motion.story.evaluator(now).direction(tree)
+            size = math.hypot(float(x), float(y))
+            return Vector(float(x) / size, float(y) / size)
+        except _UNREADABLE:
+            return None
+
+
+def _alike(a: Vector, b: Vector) -> bool:
+    return abs(a.cross(b)) < 1e-9
+
+
+def _vector(tree: Expression) -> Layout:
+    """A vector as it is written, a pair by **i** and **j**."""
+    if isinstance(tree, Pair):
+        return lay.vector(lay.from_tree(tree.x), lay.from_tree(tree.y))
+    return lay.from_tree(tree)
+
+
+def _measure(tree: Expression) -> Layout:
+    """An angle without its sign."""
+    while isinstance(tree, Negate):
+        tree = tree.operand
+    return lay.from_tree(tree)
+
+
+def supplement(label: Layout) -> Layout:
+    """180° less an angle: α for 180° − α, 60° for 120°."""
+    half_turn = lay.Degrees(lay.Number("180"))
+    if isinstance(label, lay.Sum) and label.terms[0] == ("+", half_turn) and len(label.terms) == 2:
+        sign, rest = label.terms[1]
+        if sign == "-":
+            return rest
+    if isinstance(label, lay.Degrees) and isinstance(label.inside, lay.Number):
+        digits = f"{180 - float(label.inside.digits):g}"
+        return lay.Degrees(lay.Number(digits))
+    return lay.Sum((("+", half_turn), ("-", lay.bracketed(label))))
+
+
+__all__ = ["Angle", "Binary", "Degrees", "Sayings", "Words", "sayings", "state_after", "supplement"]
