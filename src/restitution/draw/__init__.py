@@ -11,7 +11,7 @@ from restitution.solve.solution import Solution
 
 
 def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
-    """x"""
+    """X"""
     made = []
     done = set()
     for label, each in solution.parts.items():

@@ -9,7 +9,7 @@ two panels are then laid side by side.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -32,13 +32,12 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.draw.values import Motion, drawn_for
-from restitution.expression.tree import Letter, Pair, Unit, walk
+from restitution.expression.tree import Expression, Letter, Pair, Unit, walk
 from restitution.problem import Find, Impact, Kick
 from restitution.render import layout as lay
-from restitution.render.glyphs import outline, union
+from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
 from restitution.solve.letters import trees_of_step
-from restitution.solve.numbers import UndefinedError
 from restitution.vector import Vector
 
 When = Literal["before", "after"]
@@ -48,14 +47,23 @@ LONGEST = 15.0  # of an arrow of velocity
 IMPULSE = 9.0  # the length of every arrow of an impulse
 GAP = 2.0  # between the panels
 PANEL = (WIDTH - GAP) / 2
-ROOM = 5.0  # around what is drawn, for labels
+MARGIN = 2.4  # above and below what is drawn
+EDGE = 1.2  # between what is drawn and the frame of its panel
+SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels elsewhere
 _WIDEST = 5.6  # of a label of a component, in em
 _ZERO = 1e-9
 
 _I, _J = Vector(1.0, 0.0), Vector(0.0, 1.0)
-_COMPASS: tuple[tuple[Side, Vector], ...] = tuple(
-    (side, Vector(math.cos(k * math.pi / 4), math.sin(k * math.pi / 4)))
-    for k, side in enumerate(("e", "ne", "n", "nw", "w", "sw", "s", "se"))  # type: ignore[arg-type]
+_DIAGONAL = math.sqrt(0.5)
+_COMPASS: tuple[tuple[Side, Vector], ...] = (
+    ("e", Vector(1.0, 0.0)),
+    ("ne", Vector(_DIAGONAL, _DIAGONAL)),
+    ("n", Vector(0.0, 1.0)),
+    ("nw", Vector(-_DIAGONAL, _DIAGONAL)),
+    ("w", Vector(-1.0, 0.0)),
+    ("sw", Vector(-_DIAGONAL, -_DIAGONAL)),
+    ("s", Vector(0.0, -1.0)),
+    ("se", Vector(_DIAGONAL, -_DIAGONAL)),
 )
 
 
@@ -96,8 +104,10 @@ class _Drawing:
     shapes: list[Shape]
     labels: list[Label]
 
-    def box(self) -> tuple[float, float, float, float]:
-        return union(piece.box for piece in self.ink())
+    def box(self) -> Box:
+        """What is drawn, and about where the labels beside it will stand."""
+        boxes = [_expected(label) for label in self.labels if not label.fixed]
+        return union([*(piece.box for piece in self.ink()), *boxes])
 
     def ink(self) -> Iterator[Stick | Ring]:
         return (piece for shape in self.shapes for piece in ink(shape))
@@ -117,16 +127,16 @@ def before_and_after(motion: Motion, said: Sayings, number: int) -> Scene:
         scale = longest / fastest if fastest else 1.0
         drawings = {when: _panel(view, when, scale) for when in ("before", "after")}
         left, bottom, right, top = union(each.box() for each in drawings.values())
-        if right - left <= PANEL - ROOM or longest < LONGEST / 3:
+        if right - left <= PANEL - 2 * EDGE or longest < SHORTEST:
             break
         longest *= 0.93
-    height = top - bottom + 2 * ROOM
+    height = top - bottom + 2 * MARGIN
     panels = []
     shapes: list[Shape] = []
     labels: list[Label] = []
     for index, (name, drawing) in enumerate(zip(("Before", "After"), drawings.values())):
         x = index * (PANEL + GAP)
-        shift = Vector(x + PANEL / 2 - (left + right) / 2, ROOM - bottom)
+        shift = Vector(x + PANEL / 2 - (left + right) / 2, MARGIN - bottom)
         moved = [_moved(shape, shift) for shape in drawing.shapes]
         shapes += moved
         labels += [
@@ -203,10 +213,9 @@ def _lines(view: _View, drawing: _Drawing) -> None:
         return
     reach = RADIUS + 5.5
     if view.kind == "wall":
-        foot, centre = Vector(0.0, 0.0), view.bodies[0].centre
+        centre = view.bodies[0].centre
         top = centre + view.n * (reach + 1)
         drawing.shapes.append(Line("across", centre + view.n * RADIUS, top))
-        del foot
         return
     first, second = view.bodies
     for body in (first, second):
@@ -222,7 +231,7 @@ def _wall(view: _View, drawing: _Drawing) -> None:
     """The wall at the place of impact; of a round one, an arc."""
     name = view.motion.told.frames[view.number].wall or ""
     wall = view.motion.story.walls[name]
-    half = 13.0
+    half = 12.0
     if wall.centre is None:
         ends = view.t * half
         drawing.shapes.append(StraightWall(name, -ends, ends, -view.n))
@@ -257,7 +266,7 @@ def _inside(view: _View, name: str) -> bool:
     if known is None:
         return True
     inwards = centre - known[0]
-    return _floats(inwards).dot(view.n) > 0
+    return bool(_floats(inwards).dot(view.n) > 0)
 
 
 def _names(view: _View, body: _Body, drawing: _Drawing) -> None:
@@ -289,7 +298,7 @@ def arrives(body_towards: Vector | None, velocity: Vector, when: When) -> bool:
     """
     if when == "after" or body_towards is None:
         return False
-    return velocity.dot(body_towards) > _ZERO * math.hypot(*velocity)
+    return bool(velocity.dot(body_towards) > _ZERO * math.hypot(*velocity))
 
 
 def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Drawing) -> None:
@@ -300,69 +309,104 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
         drawing.labels.append(
             Label(lay.Words("at rest"), body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
         )
-        _sense_at_rest(view, body, when, drawing)
+        _sense_of_nothing(view, body, when, body.centre + _J * (RADIUS + 1.4), drawing)
         return
     way, length = v / size, size * scale
     arriving = arrives(body.towards, v, when)
-    if arriving:
-        tip = body.centre - way * RADIUS
-        tail = tip - way * length
-    else:
-        tail = body.centre + way * RADIUS
-        tip = tail + way * length
-    lifted = _lift(view, body, way, when, length)
-    tail, tip = tail + lifted, tip + lifted
+    tail = body.centre - way * (RADIUS + length) if arriving else body.centre + way * RADIUS
+    lifted = None if arriving else _lifted(view, body, way, length)
+    tail = tail if lifted is None else lifted
+    tip = tail + way * length
     drawing.shapes.append(Arrow("velocity", tail, tip))
     along, across = v.dot(view.n) * scale, v.dot(view.t) * scale
-    parts = _components(view, body, when)
     if abs(along) < 1e-6 or abs(across) < 1e-6:
-        axis, part = (view.t, parts[1]) if abs(along) < 1e-6 else (view.n, parts[0])
-        value = across if abs(along) < 1e-6 else along
-        label = words.size if words.size is not None else words.vector
-        outward = _clear_side(view, body, way)
-        if label is None and part is not None:
-            label = _directed(part, axis, value, (tail + tip) / 2, outward, drawing)
-        if label is not None:
-            drawing.labels.append(_beside(label, tail, tip, outward))
+        _in_one_direction(view, body, when, tail, tip, drawing)
         if abs(along) < 1e-6:
-            _sense_at_rest(view, body, when, drawing)
+            end = tail if arriving else tip
+            _sense_of_nothing(view, body, when, end + unit(end - body.centre) * 1.5, drawing)
     else:
-        corner = tail + view.n * along if arriving else tail + view.t * across
-        legs = (
-            ((tail, corner, view.n, along, parts[0]), (corner, tip, view.t, across, parts[1]))
-            if arriving
-            else ((tail, corner, view.t, across, parts[1]), (corner, tip, view.n, along, parts[0]))
-        )
-        inside = (tail + tip + corner) / 3
-        for start, end, axis, value, part in legs:
-            drawing.shapes.append(Arrow("component", start, end))
-            outward = unit((start + end) / 2 - inside)
-            across_leg = axis.turned_left()
-            outward = across_leg if across_leg.dot(outward) > 0 else -across_leg
-            label = None
-            if part is not None:
-                label = _directed(part, axis, value, (start + end) / 2, outward, drawing)
-            if label is not None:
-                drawing.labels.append(_beside(label, start, end, outward))
-        drawing.shapes.append(
-            RightAngle(corner, unit(tail - corner), unit(tip - corner), min(1.6, abs(along) / 2, abs(across) / 2))
-        )
-        label = words.size
-        if label is None and words.vector is not None and not _on_axes(view):
-            label = words.vector
-        if label is None and view.kind == "blow" and when == "after":
-            label = lay.Bold("v")
-        if label is not None:
-            drawing.labels.append(_beside(label, tail, tip, unit((tail + tip) / 2 - corner)))
+        _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
+    at_centre = view.kind == "spheres" and lifted is None
     for index, angle in enumerate(words.angles):
-        _angle(view, body, angle, way, arriving, RADIUS + 2.6 + 2.4 * index, drawing)
+        if at_centre:
+            vertex, radius = body.centre, RADIUS + 2.6 + 2.4 * index
+        else:
+            vertex, radius = (tip if arriving else tail), max(3.4, min(5.0, 0.6 * length))
+            radius += 2.4 * index
+        leg = view.t if not at_centre and abs(across) >= radius else None
+        _angle(view, vertex, radius, angle, way, arriving, leg, drawing)
+
+
+def _in_one_direction(
+    view: _View, body: _Body, when: When, tail: Vector, tip: Vector, drawing: _Drawing
+) -> None:
+    """The label of a velocity along the line of centres, or across it."""
+    words = view.words(body.name, when)
+    parts = _components(view, body, when)
+    way = unit(tip - tail)
+    along = abs(way.dot(view.n)) > abs(way.dot(view.t))
+    axis, part = (view.n, parts[0]) if along else (view.t, parts[1])
+    outward = _clear_side(body, way)
+    label = words.size
+    if label is None and view.kind == "blow":
+        label = words.vector
+    if label is None and part is not None:
+        value = (tip - tail).dot(axis)
+        label = _directed(part, axis, value, (tail + tip) / 2, outward, drawing)
+    elif label is None:
+        label = words.vector
+    if label is not None:
+        drawing.labels.append(_beside(label, tail, tip, outward))
+
+
+def _triangle(
+    view: _View,
+    body: _Body,
+    when: When,
+    tail: Vector,
+    tip: Vector,
+    parts: Vector,
+    drawing: _Drawing,
+) -> None:
+    """The components of a velocity, from its tail to its tip, with their labels and its own.
+
+    Next to the sphere stands the component across, so that no other lies on the line of centres.
+    """
+    along, across = parts
+    labels = _components(view, body, when)
+    legs = [(view.t, across, labels[1]), (view.n, along, labels[0])]
+    if math.hypot(*(tip - body.centre)) < math.hypot(*(tail - body.centre)):
+        legs.reverse()
+    corner = tail + legs[0][0] * legs[0][1]
+    inside = (tail + tip + corner) / 3
+    for start, end, (axis, value, part) in zip((tail, corner), (corner, tip), legs):
+        drawing.shapes.append(Arrow("component", start, end))
+        middle = (start + end) / 2
+        outward = axis.turned_left()
+        outward = outward if outward.dot(middle - inside) > 0 else -outward
+        if part is None:
+            continue
+        label = _directed(part, axis, value, middle, outward, drawing)
+        if label is not None:
+            drawing.labels.append(_beside(label, start, end, outward))
+    if min(abs(along), abs(across)) > 2.5:
+        sides = unit(tail - corner), unit(tip - corner)
+        drawing.shapes.append(RightAngle(corner, *sides, 1.3))
+    words = view.words(body.name, when)
+    label = words.size
+    if label is None and not _on_axes(view):
+        label = words.vector
+    if label is None and view.kind == "blow":
+        label = words.vector or lay.Bold("u" if when == "before" else "v")
+    if label is not None:
+        drawing.labels.append(_beside(label, tail, tip, unit((tail + tip) / 2 - corner)))
 
 
 def _on_axes(view: _View) -> bool:
     return any(abs(abs(view.n.dot(axis)) - 1) < _ZERO for axis in (_I, _J))
 
 
-def _clear_side(view: _View, body: _Body, way: Vector) -> Vector:
+def _clear_side(body: _Body, way: Vector) -> Vector:
     """The side of an arrow on which its label has room: above, or away from what is struck."""
     left = way.turned_left()
     if body.towards is not None and abs(left.dot(body.towards)) > 0.3:
@@ -370,13 +414,20 @@ def _clear_side(view: _View, body: _Body, way: Vector) -> Vector:
     return left if left.y > 0 or (abs(left.y) < _ZERO and left.x < 0) else -left
 
 
-def _lift(view: _View, body: _Body, way: Vector, when: When, length: float) -> Vector:
-    """An arrow along the line of centres, towards the other body: moved to run beside the circles."""
-    if body.towards is None or when == "before" or way.dot(body.towards) < 0.97:
-        return Vector(0.0, 0.0)
-    side = way.turned_left()
-    side = side if side.y > 0 or (abs(side.y) < _ZERO and side.x < 0) else -side
-    return side * (RADIUS + 1.6) - way * RADIUS
+def _lifted(view: _View, body: _Body, way: Vector, length: float) -> Vector | None:
+    """Where an arrow starts that would else run over the other sphere: beside its own."""
+    if view.kind != "spheres" or body.towards is None:
+        return None
+    start, other = body.centre + way * RADIUS, body.centre + body.towards * (2 * RADIUS)
+    share = min(length, max(0.0, (other - start).dot(way)))
+    if math.hypot(*(start + way * share - other)) > RADIUS + 0.5:
+        return None
+    side = body.towards.turned_left()
+    if abs(side.dot(way)) > 1e-6:
+        side = side if side.dot(way) > 0 else -side
+    else:
+        side = side if side.y > 0 or (abs(side.y) < _ZERO and side.x < 0) else -side
+    return body.centre + side * (RADIUS + 1.5)
 
 
 def _components(view: _View, body: _Body, when: When) -> tuple[Layout | None, Layout | None]:
@@ -384,10 +435,11 @@ def _components(view: _View, body: _Body, when: When) -> tuple[Layout | None, La
     told, number, name = view.motion.told, view.number, body.name
     known = view.words(name, when).known
     if view.kind == "blow":
-        happening = told.happening(number)
-        v = happening.before[name] if when == "before" else happening.after[name]
         if when == "after" and not known:
             return None, None
+        v = told.happening(number).before[name]
+        if known:
+            v = told.branch.story.velocity(name, number if when == "after" else number - 1)
         return _laid(told.presentable(v.x)), _laid(told.presentable(v.y))
     along, across = told.before(number, name)
     if when == "after":
@@ -439,63 +491,58 @@ def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: _
     drawing.labels.append(_beside(label, start, end, outward))
 
 
-def _sense_at_rest(view: _View, body: _Body, when: When, drawing: _Drawing) -> None:
-    """The letter of a component that is zero, with its sense."""
+def _sense_of_nothing(view: _View, body: _Body, when: When, at: Vector, drawing: _Drawing) -> None:
+    """The letter of a component that is found to be zero, with its sense."""
     if when == "before" or view.kind == "blow" or view.words(body.name, when).known:
         return
     part = _components(view, body, when)[0]
     sign, size = lay.split_sign(part) if part is not None else ("+", lay.Number("0"))
-    if not isinstance(size, lay.Letter):
-        return
-    sense = view.n if sign == "+" else -view.n
-    side = view.n.turned_left()
-    side = side if side.y > 0 or (abs(side.y) < _ZERO and side.x > 0) else -side
-    v = view.velocity(body.name, when)
-    side = -side if v.dot(side) > 0 else side
-    _sense(size, sense, body.centre + side * (RADIUS + 1.4), side, drawing)
+    if isinstance(size, lay.Letter):
+        _sense(size, view.n if sign == "+" else -view.n, at, unit(at - body.centre), drawing)
 
 
 def _angle(
     view: _View,
-    body: _Body,
+    vertex: Vector,
+    radius: float,
     angle: Angle,
     way: Vector,
     arriving: bool,
-    radius: float,
+    leg: Vector | None,
     drawing: _Drawing,
 ) -> None:
-    """An arc from the reference to the arrow, with the reference line where none is drawn."""
+    """An arc from the reference to the arrow, with the reference line where none is drawn.
+
+    ``leg`` is the direction of a component that starts or ends at the vertex.
+    """
     reference, label = unit(angle.reference), angle.label
     if angle.line and reference.dot(way) < 0:
         reference = -reference
     elif not angle.line and reference.dot(way) < -0.03:
         reference, label = -reference, supplement(label)
     between = math.atan2(reference.cross(way), reference.dot(way))
-    if abs(between) < 0.02:
+    right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
+    if abs(between) < 0.02 or right:
         return
-    side = -1.0 if arriving else 1.0
-    line, arrow = reference * side, way * side
-    if not _is_drawn(view, body, line):
-        start, end = body.centre + line * RADIUS, body.centre + line * (radius + 3.0)
-        drawing.shapes.append(Line("across", start, end))
-    if abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90")):
-        return
-    a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
-    start_angle, end_angle = (a, b) if between > 0 else (b, a)
-    drawing.shapes.append(Arc("angle", body.centre, radius, start_angle, end_angle))
-    middle = unit(line + arrow)
-    drawing.labels.append(
-        Label(label, body.centre + middle * radius, _sides(middle), 0.8, 2.8)
+    line, arrow = (-reference, -way) if arriving else (reference, way)
+    drawn = (
+        abs(line.dot(leg)) > 1 - 1e-6
+        if leg is not None
+        else view.kind == "spheres" and abs(line.dot(_centres(view))) > 1 - 1e-6
     )
+    if not drawn:
+        at_centre = any(vertex == body.centre for body in view.bodies)
+        start = vertex + line * (RADIUS if at_centre else 0.0)
+        drawing.shapes.append(Line("across", start, vertex + line * (radius + 2.5)))
+    a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
+    middle = unit(line + arrow)
+    drawing.labels.append(Label(label, vertex + middle * radius, _sides(middle), 0.8, 2.8))
 
 
-def _is_drawn(view: _View, body: _Body, line: Vector) -> bool:
-    """Whether the picture already has this line outwards from the centre."""
-    if view.kind == "wall":
-        return line.dot(view.n) > 1 - 1e-6
-    if view.kind == "spheres" and body.towards is not None:
-        return abs(line.dot(body.towards)) > 1 - 1e-6
-    return False
+def _centres(view: _View) -> Vector:
+    first, second = view.bodies
+    return unit(second.centre - first.centre)
 
 
 def _deflection(view: _View, body: _Body, scale: float, drawing: _Drawing) -> None:
@@ -512,50 +559,59 @@ def _deflection(view: _View, body: _Body, scale: float, drawing: _Drawing) -> No
     start = body.centre + first * RADIUS
     drawing.shapes.append(Line("onward", start, body.centre + first * (radius + 4.0)))
     a, b = math.atan2(first.y, first.x), math.atan2(second.y, second.x)
-    drawing.shapes.append(
-        Arc("angle", body.centre, radius, *((a, b) if between > 0 else (b, a)))
-    )
+    drawing.shapes.append(Arc("angle", body.centre, radius, *((a, b) if between > 0 else (b, a))))
     middle = Vector(math.cos(a + between / 2), math.sin(a + between / 2))
-    drawing.labels.append(
-        Label(label, body.centre + middle * radius, _sides(middle), 0.8, 2.8)
-    )
+    drawing.labels.append(Label(label, body.centre + middle * radius, _sides(middle), 0.8, 2.8))
 
 
 def _impulses(view: _View, drawing: _Drawing) -> None:
-    """The impulse on each sphere, beside it, along the line of centres."""
-    label = view.said.impulses.get(view.number)
-    if label is None:
-        return
-    if view.kind == "blow":
-        body = view.bodies[0]
-        happening = view.motion.story.happenings[view.number - 1]
-        assert happening.impulse is not None
-        way = unit(_floats(happening.impulse))
-        offset = way.turned_left() * _free_side(way.turned_left(), body, drawing, RADIUS + 2.0)
-        start = body.centre + offset * (RADIUS + 2.0) - way * IMPULSE / 2
-        _impulse(label, start, way, offset, drawing)
-        return
-    side = view.n.turned_left()
-    sums = sum(_free_side(side, body, drawing, RADIUS + 2.2) for body in view.bodies)
-    side = side if sums >= 0 else -side
-    for body in view.bodies:
-        assert body.towards is not None
-        way = -body.towards
-        start = body.centre + side * (RADIUS + 2.2) - way * (RADIUS - 1.0 if view.kind == "spheres" else RADIUS)
-        _impulse(label, start, way, side, drawing)
+    """The impulse on each sphere, beside it, along the line of centres.
 
-
-def _free_side(side: Vector, body: _Body, drawing: _Drawing, off: float) -> float:
-    """1 where there is more room on this side of a sphere than on the other, −1 where less."""
-    spots = [body.centre + side * (off * sign) for sign in (1.0, -1.0)]
-    rooms = [
-        min(
-            (_distance(spot, shape) for shape in drawing.shapes if not isinstance(shape, Disc)),
-            default=99.0,
-        )
-        for spot in spots
+    Its label stands beside it where the impulse is given or asked for.
+    """
+    happening = view.motion.story.happenings[view.number - 1]
+    if happening.impulse is None or not math.hypot(*_floats(happening.impulse)):
+        return
+    ways = [
+        unit(_floats(happening.impulse)) if body.towards is None else -body.towards
+        for body in view.bodies
     ]
-    return 1.0 if rooms[0] > rooms[1] + 0.1 else -1.0
+    side = ways[0].turned_left()
+    best: tuple[float, list[Arrow], Vector] | None = None
+    for off in (2.2, 4.2, 6.2):
+        for outward in (side, -side):
+            arrows = [
+                _impulse(body, way, outward * (RADIUS + off))
+                for body, way in zip(view.bodies, ways)
+            ]
+            room = min(_room(arrow, drawing) for arrow in arrows)
+            if best is None or room > best[0] + 0.2:
+                best = room, arrows, outward
+        if best is not None and best[0] >= 1.3:
+            break
+    assert best is not None
+    _, arrows, outward = best
+    label = view.said.impulses.get(view.number)
+    angle = view.said.blows.get(view.number)
+    if angle is not None:
+        (arrow,) = arrows
+        _angle(view, arrow.start, 5.0, angle, ways[0], False, None, drawing)
+    for arrow in arrows:
+        drawing.shapes.append(arrow)
+        if label is not None:
+            drawing.labels.append(_beside(label, arrow.start, arrow.end, outward))
+
+
+def _impulse(body: _Body, way: Vector, offset: Vector) -> Arrow:
+    back = IMPULSE / 2 if body.towards is None else RADIUS - 1.0
+    start = body.centre + offset - way * back
+    return Arrow("impulse", start, start + way * IMPULSE)
+
+
+def _room(arrow: Arrow, drawing: _Drawing) -> float:
+    """The distance from an arrow to the nearest thing drawn."""
+    points = [arrow.start + (arrow.end - arrow.start) * (k / 6) for k in range(7)]
+    return min(_distance(point, shape) for point in points for shape in drawing.shapes)
 
 
 def _distance(point: Vector, shape: Shape) -> float:
@@ -570,12 +626,6 @@ def _distance(point: Vector, shape: Shape) -> float:
         share = min(1.0, max(0.0, (point - piece.start).dot(way) / size)) if size else 0.0
         found = min(found, math.hypot(*(point - piece.start - way * share)))
     return found
-
-
-def _impulse(label: Layout, start: Vector, way: Vector, side: Vector, drawing: _Drawing) -> None:
-    end = start + way * IMPULSE
-    drawing.shapes.append(Arrow("impulse", start, end))
-    drawing.labels.append(_beside(label, start, end, side))
 
 
 # --- labels ---------------------------------------------------------------------------------------
@@ -595,34 +645,43 @@ def _beside(label: Layout, start: Vector, end: Vector, outward: Vector) -> Label
     )
 
 
+def _expected(label: Label) -> Box:
+    """Where a label stands if its first wish is granted."""
+    left, bottom, right, top = (label.size * x for x in outline(label.content).box)
+    way = dict(_COMPASS)[label.sides[0]]
+    centre = label.at + Vector(
+        way.x * (label.gap + (right - left) / 2), way.y * (label.gap + (top - bottom) / 2)
+    )
+    half = Vector((right - left) / 2, (top - bottom) / 2)
+    return centre.x - half.x, centre.y - half.y, centre.x + half.x, centre.y + half.y
+
+
 # --- axes, note -----------------------------------------------------------------------------------
 
 
 def _needs_axes(view: _View) -> bool:
-    """Whether **i** and **j** are spoken of, other than to say how a line or a wall lies."""
+    """Whether the picture is to show **i** and **j**.
+
+    Not where they only say how the line of centres lies, which is drawn horizontally.
+    """
     problem = view.motion.told.problem
-    if view.kind != "blow" and not _on_axes(view):
+    if view.kind == "blow" or not _on_axes(view):
         return True
-    trees = [sphere.velocity for sphere in problem.spheres]
+    trees: list[Any] = [sphere.velocity for sphere in problem.spheres]
     for _, step in problem.steps():
         if not isinstance(step, Impact):
-            trees += list(trees_of_step(step))
+            trees += trees_of_step(step)
         if isinstance(step, Find) and any(
-            getattr(node, "kind", "") in ("velocity", "direction", "momentum")
+            getattr(item.expression, "kind", "") in ("velocity", "direction", "momentum")
             for item in step.items
-            for node in walk(item.expression)
         ):
             return True
-    return any(
-        isinstance(node, Unit | Pair)
-        for tree in trees
-        if hasattr(tree, "__dataclass_fields__")
-        for node in walk(tree)
-    )
+    nodes = [n for tree in trees if isinstance(tree, Expression) for n in walk(tree)]
+    return any(isinstance(node, Pair) or node == Unit("j") for node in nodes)
 
 
 def _with_axes(shapes: list[Shape], labels: list[Label], height: float) -> float:
-    """Adds **i** and **j** in a free corner of the first panel; what the panel grows below for it."""
+    """Adds **i** and **j** in a free corner of the first panel; returns how much it grows."""
     size, edge = 5.5, 2.2
     pieces = [piece for shape in shapes for piece in ink(shape)]
     lowered = 0.0
@@ -660,8 +719,6 @@ def _note(view: _View) -> Layout | None:
             last = index == len(chosen) - 1
             end = "." if last else " and" if index == len(chosen) - 2 else ","
             words.append(lay.Phrase((relation, lay.Words(end)), ""))
-    used = {label.content for label in ()}
-    del used
     return lay.Phrase(tuple(words)) if words else None
 
 
@@ -678,7 +735,3 @@ def _moved(shape: Shape, by: Vector) -> Shape:
             return replace(shape, centre=shape.centre + by)
     message = f"no such shape in this picture: {shape!r}"
     raise TypeError(message)
-
-
-def labels_of(drawing: Sequence[Label]) -> list[Layout]:
-    return [each.content for each in drawing]

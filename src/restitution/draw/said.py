@@ -7,14 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from restitution.draw.values import Motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
-    Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -30,6 +28,7 @@ from restitution.expression.tree import (
 from restitution.problem import (
     Aligned,
     Arrival,
+    AtRest,
     Compare,
     Extremum,
     Find,
@@ -80,14 +79,14 @@ Key = tuple[str, int]
 class Sayings:
     """What a statement says, by velocity and by event.
 
-    ``deflections`` and ``impulses`` are those that are given or asked for; ``new`` are letters
-    that the statement does not have, each with what it stands for.
+    ``deflections`` and ``impulses`` are those that are given or asked for, ``blows`` the angles
+    of impulses from outside.
     """
 
     velocities: dict[Key, Words]
     deflections: dict[tuple[int, str], Layout]
     impulses: dict[int, Layout]
-    new: list[tuple[Letter, Literal["angle", "deflection", "impulse"], Key]]
+    blows: dict[int, Angle]
 
     def of(self, body: str, state: int) -> Words:
         """What is said of a velocity; nothing, where nothing is."""
@@ -120,6 +119,7 @@ def sayings(motion: Motion) -> Sayings:
     for happening in motion.story.happenings:
         if isinstance(happening.step, Kick):
             reader.kick(happening.number, happening.step)
+    reader.name_what_is_asked()
     return reader.found
 
 
@@ -137,6 +137,9 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
                     if isinstance(relation, Compare) and set(relation.operators) == {"="}:
                         for pair in zip(relation.operands, relation.operands[1:]):
                             yield pair, now, True
+                    elif isinstance(relation, AtRest):
+                        velocity = Quantity("velocity", (relation.body,))
+                        yield (velocity, Number(Fraction(0))), now, True
                     elif isinstance(relation, Compare | Aligned):
                         yield tuple(trees_of_relation(relation)), now, False
             elif isinstance(step, Let) and in_force:
@@ -153,8 +156,10 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
 class _Reader:
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
-        self.found = Sayings({}, {}, {}, [])
+        self.found = Sayings({}, {}, {}, {})
         self.taken = set(motion.told.unknowns.taken)
+        self.deflections: list[tuple[int, str]] = []
+        self.impulses: list[int] = []
 
     def words(self, key: Key) -> Words:
         return self.found.velocities.setdefault(key, Words())
@@ -171,22 +176,25 @@ class _Reader:
         words.known = True
         if isinstance(tree, Polar):
             words.size = lay.from_tree(tree.size)
-            self.polar(words, tree, now)
+            angle = self.polar(tree, now)
+            words.angles += [angle] if angle is not None else []
         elif any(isinstance(node, Unit | Pair) for node in walk(tree)):
             words.vector = _vector(tree)
 
-    def polar(self, words: Words, tree: Polar, now: int) -> None:
+    def polar(self, tree: Polar, now: int) -> Angle | None:
+        """The angle of a vector given by size and direction."""
         if tree.wall is not None:
             reference = self.number_vector(Quantity("direction", (tree.wall,)), now)
         elif tree.origin is not None:
             reference = self.number_vector(tree.origin, now)
         else:
             reference = Vector(1.0, 0.0)
-        if reference is not None:
-            words.angles.append(Angle(reference, tree.wall is not None, _measure(tree.angle)))
+        if reference is None:
+            return None
+        return Angle(reference, tree.wall is not None, _measure(tree.angle))
 
     def equal(self, left: Expression, right: Expression, now: int) -> None:
-        """``left = right``, where the left side speaks of the motion and the right side is known."""
+        """``left = right``, where left speaks of the motion and right is known."""
         if not isinstance(left, Quantity) or has_quantity(right):
             return
         key = self.key(left, now)
@@ -212,6 +220,9 @@ class _Reader:
         tree = step.impulse
         size = tree.size if isinstance(tree, Polar) else tree
         self.found.impulses[number] = _vector(size)
+        angle = self.polar(tree, number - 1) if isinstance(tree, Polar) else None
+        if angle is not None:
+            self.found.blows[number] = angle
 
     # --- what is asked ----------------------------------------------------------------------
 
@@ -220,15 +231,11 @@ class _Reader:
             case "deflection":
                 event = self.event(node, now)
                 if event is not None and event not in self.found.deflections:
-                    letter = self.letter(("delta", *_GREEK), "deflection", (event[1], event[0]))
-                    if letter is not None:
-                        self.found.deflections[event] = letter
+                    self.deflections.append(event)
             case "impulse":
                 number = node.stage if isinstance(node.stage, int) else self.latest_event(now, node)
                 if number and number not in self.found.impulses:
-                    letter = self.letter(_IMPULSES, "impulse", ("", number))
-                    if letter is not None:
-                        self.found.impulses[number] = letter
+                    self.impulses.append(number)
             case "angle":
                 self.angle(node, now, None)
 
@@ -250,19 +257,35 @@ class _Reader:
             if any(_alike(each.reference, reference) for each in angles):
                 continue
             if label is None:
-                label = self.letter(_GREEK, "angle", key)
+                label = self.letter(_GREEK)
             if label is not None:
                 angles.append(Angle(reference, line, label))
             return
 
-    def letter(
-        self, names: Iterable[str], kind: Literal["angle", "deflection", "impulse"], key: Key
-    ) -> Layout | None:
+    def name_what_is_asked(self) -> None:
+        """One letter for all impulses asked for, and one for all angles of deflection.
+
+        Where an event turns two spheres, their names tell the angles apart.
+        """
+        number = self.letter(_IMPULSES) if self.impulses else None
+        for event in self.impulses:
+            if number is not None:
+                self.found.impulses.setdefault(event, number)
+        turned = [each for each in self.deflections if each not in self.found.deflections]
+        letter = self.letter(("delta", *_GREEK)) if turned else None
+        for event, body in turned:
+            if letter is not None:
+                both = any(e == event and b != body for e, b in turned)
+                self.found.deflections[event, body] = replace(
+                    letter, subscript=body if both else ""
+                )
+
+    def letter(self, names: Iterable[str]) -> lay.Letter | None:
+        """A letter that the statement and the working do not use."""
         name = next((each for each in names if each not in self.taken), None)
         if name is None:
             return None
         self.taken.add(name)
-        self.found.new.append((Letter(name), kind, key))
         return lay.letter(name)
 
     # --- whose, and when --------------------------------------------------------------------
@@ -303,7 +326,7 @@ class _Reader:
 
 
 def _alike(a: Vector, b: Vector) -> bool:
-    return abs(a.cross(b)) < 1e-9
+    return bool(abs(a.cross(b)) < 1e-9)
 
 
 def _vector(tree: Expression) -> Layout:
@@ -331,6 +354,3 @@ def supplement(label: Layout) -> Layout:
         digits = f"{180 - float(label.inside.digits):g}"
         return lay.Degrees(lay.Number(digits))
     return lay.Sum((("+", half_turn), ("-", lay.bracketed(label))))
-
-
-__all__ = ["Angle", "Binary", "Degrees", "Sayings", "Words", "sayings", "state_after", "supplement"]

@@ -142,7 +142,9 @@ def _chosen(name: str, pleasant: Fraction | None, value: Any, role: Role) -> Cho
     angle = role.kind == "angle"
     if pleasant is not None:
         return Chosen(name, pleasant, angle)
-    return Chosen(name, math.degrees(float(value)) if angle else float(value), angle)
+    number = math.degrees(float(value)) if angle else float(value)
+    near = Fraction(number).limit_denominator(1 if angle else 60)
+    return Chosen(name, near if abs(number - near) < 1e-9 else number, angle)
 
 
 def _floats(v: Vector) -> Vector:
