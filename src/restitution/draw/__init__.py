@@ -2,27 +2,93 @@
 
 from __future__ import annotations
 
-from restitution.draw.before_after import before_and_after
-from restitution.draw.said import sayings
-from restitution.draw.scene import Scene
-from restitution.draw.values import motion
-from restitution.problem import Impact, Kick
-from restitution.solve.solution import Solution
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from restitution.draw.describe import When
+    from restitution.draw.scene import Scene
+    from restitution.solve.solution import PartSolution, Solution
+
+__all__ = ["Drawings", "draw", "figure", "scenes"]
+
+
+@dataclass(frozen=True)
+class Drawings:
+    """The pictures of a solved problem, in the order of its events. They show themselves in
+    Jupyter.
+    """
+
+    scenes: tuple[Scene, ...]
+
+    @property
+    def svgs(self) -> tuple[str, ...]:
+        """Each picture as the text of an SVG file."""
+        from restitution.draw.svg import to_svg
+
+        return tuple(to_svg(scene) for scene in self.scenes)
+
+    def _repr_html_(self) -> str:
+        return "\n".join(f"<figure>{svg}</figure>" for svg in self.svgs)
+
+
+def draw(solution: Solution, part: str | None = None) -> Drawings:
+    """The pictures of a solved problem, or of the part with that label: see ``scenes``."""
+    return Drawings(scenes(solution, part))
 
 
 def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
-    """X"""
-    made = []
-    done = set()
-    for label, each in solution.parts.items():
-        if part is not None and label != part:
+    """For each impact, and each blow from outside, a picture of before and after.
+
+    An event is drawn by the values of the first part that is solved with it; with ``part``, all
+    events up to that part by its values. Raises KeyError for a part that is not there, and what
+    kept it from being solved (ContradictionError, ImpossibleError, …) where nothing can be drawn.
+    """
+    return tuple(_pictures(solution, _parts(solution, part), ("before", "after")))
+
+
+def figure(solution: Solution) -> Scene | None:
+    """What the question tells: the first event as it is before, and nothing of its answers.
+
+    None where nothing can be drawn.
+    """
+    solved = [each for each in solution.parts.values() if each.branches]
+    return next(_pictures(solution, solved, ("before",)), None)
+
+
+def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
+    """The parts to be drawn: those that have values."""
+    if part is not None and part not in solution.parts:
+        known = ", ".join(str(label) for label in solution.parts)
+        raise KeyError(f"there is no part {part!r}; parts: {known}")
+    parts = [each for label, each in solution.parts.items() if part in (None, label)]
+    solved = [each for each in parts if each.branches]
+    errors = [each.error for each in parts if each.error is not None]
+    if errors and not solved:
+        raise errors[0]
+    return solved
+
+
+def _pictures(
+    solution: Solution, parts: Iterable[PartSolution], panels: Sequence[When]
+) -> Iterator[Scene]:
+    """A picture of each event, by the values of the first part that has it."""
+    from restitution.draw.before_after import before_and_after
+    from restitution.draw.said import sayings
+    from restitution.draw.values import motion
+    from restitution.problem import Impact, Kick
+
+    drawn = 0
+    for part in parts:
+        branch = part.branches[0]
+        if len(branch.numbers.happenings) == drawn:
             continue
-        if not each.branches:
-            continue
-        told = motion(solution, each, each.branches[0])
+        told = motion(solution, part, branch)
         said = sayings(told)
-        for h in told.story.happenings:
-            if isinstance(h.step, Impact | Kick) and h.number not in done:
-                made.append(before_and_after(told, said, h.number))
-                done.add(h.number)
-    return tuple(made)
+        for happening in told.story.happenings[drawn:]:
+            if isinstance(happening.step, Impact | Kick):
+                scene = before_and_after(told, said, happening.number, panels)
+                yield replace(scene, part=part.part.label, event=happening.number)
+        drawn = len(told.story.happenings)

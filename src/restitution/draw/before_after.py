@@ -9,12 +9,14 @@ two panels are then laid side by side.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.draw import describe
-from restitution.draw.labels import Ring, Stick, ink, overlap, unit
+from restitution.draw.describe import When
+from restitution.draw.ink import Ring, Stick, ink, overlap, unit
 from restitution.draw.said import Angle, Sayings, Words, state_after, supplement
 from restitution.draw.scene import (
     WIDTH,
@@ -32,7 +34,7 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.draw.values import Motion, drawn_for
-from restitution.expression.tree import Expression, Letter, Pair, Unit, walk
+from restitution.expression.tree import Expression, Letter, Number, Pair, Unit, walk
 from restitution.problem import Find, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.glyphs import Box, outline, union
@@ -40,13 +42,12 @@ from restitution.render.layout import Layout
 from restitution.solve.letters import trees_of_step
 from restitution.vector import Vector
 
-When = Literal["before", "after"]
-
 RADIUS = 4.2  # of a sphere on paper
-LONGEST = 15.0  # of an arrow of velocity
+LONGEST = 17.0  # of an arrow of velocity
 IMPULSE = 9.0  # the length of every arrow of an impulse
 GAP = 2.0  # between the panels
-PANEL = (WIDTH - GAP) / 2
+FRAME = 0.2  # of room around them for their frames
+PANEL = (WIDTH - GAP) / 2 - FRAME
 MARGIN = 2.4  # above and below what is drawn
 EDGE = 1.2  # between what is drawn and the frame of its panel
 SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels elsewhere
@@ -113,55 +114,56 @@ class _Drawing:
         return (piece for shape in self.shapes for piece in ink(shape))
 
 
-def before_and_after(motion: Motion, said: Sayings, number: int) -> Scene:
+def before_and_after(
+    motion: Motion, said: Sayings, number: int, panels: Sequence[When] = ("before", "after")
+) -> Scene:
     """The picture of one impact, or of one blow from outside. ``number`` is that of the event."""
     view = _view(motion, said, number)
-    speeds = [
-        math.hypot(*view.velocity(body.name, when))
-        for body in view.bodies
-        for when in ("before", "after")
-    ]
-    fastest = max(speeds)
+    drawings = _fitted(view, panels)
+    boxes = [each.box() for each in drawings]
+    bottom, top = min(box[1] for box in boxes), max(box[3] for box in boxes)
+    height = top - bottom + 2 * MARGIN
+    edge = (WIDTH - len(panels) * (PANEL + GAP) + GAP) / 2
+    shapes: list[Shape] = []
+    labels: list[Label] = []
+    frames: list[Box] = []
+    for index, (drawing, box) in enumerate(zip(drawings, boxes)):
+        x = edge + index * (PANEL + GAP)
+        shift = Vector(x + PANEL / 2 - (box[0] + box[2]) / 2, MARGIN - bottom)
+        shapes += [_moved(shape, shift) for shape in drawing.shapes]
+        labels += [
+            replace(each, at=each.at + shift, moves=tuple(move + shift for move in each.moves))
+            for each in drawing.labels
+        ]
+        frames.append((x, 0.0, x + PANEL, height))
+    lowered = _with_axes(shapes, labels, frames[0]) if _needs_axes(view) else 0.0
+    return Scene(
+        describe.title(motion, number, panels),
+        describe.description(motion, number, panels),
+        (0.0, -lowered - FRAME, WIDTH, height + FRAME),
+        tuple(shapes),
+        tuple(labels),
+        tuple(
+            Panel(when.capitalize(), (box[0], -lowered, *box[2:]))
+            for when, box in zip(panels, frames)
+        ),
+        _note(view),
+    )
+
+
+def _fitted(view: _View, panels: Sequence[When]) -> list[_Drawing]:
+    """The panels to one scale, the largest at which they fit."""
+    fastest = max(
+        math.hypot(*view.velocity(body.name, when)) for body in view.bodies for when in panels
+    )
     longest = LONGEST
     while True:
         scale = longest / fastest if fastest else 1.0
-        drawings = {when: _panel(view, when, scale) for when in ("before", "after")}
-        left, bottom, right, top = union(each.box() for each in drawings.values())
-        if right - left <= PANEL - 2 * EDGE or longest < SHORTEST:
-            break
+        drawings = [_panel(view, when, scale) for when in panels]
+        boxes = [each.box() for each in drawings]
+        if max(b[2] - b[0] for b in boxes) <= PANEL - 2 * EDGE or longest < SHORTEST:
+            return drawings
         longest *= 0.93
-    height = top - bottom + 2 * MARGIN
-    panels = []
-    shapes: list[Shape] = []
-    labels: list[Label] = []
-    for index, (name, drawing) in enumerate(zip(("Before", "After"), drawings.values())):
-        x = index * (PANEL + GAP)
-        shift = Vector(x + PANEL / 2 - (left + right) / 2, MARGIN - bottom)
-        moved = [_moved(shape, shift) for shape in drawing.shapes]
-        shapes += moved
-        labels += [
-            replace(
-                each,
-                at=each.at + shift,
-                moves=tuple(move + shift for move in each.moves),
-            )
-            for each in drawing.labels
-        ]
-        panels.append(Panel(name, (x, 0.0, x + PANEL, height)))
-    if _needs_axes(view):
-        lowered = _with_axes(shapes, labels, height)
-        panels = [replace(p, box=(p.box[0], -lowered, p.box[2], p.box[3])) for p in panels]
-    else:
-        lowered = 0.0
-    return Scene(
-        describe.title(motion, number),
-        describe.description(motion, number),
-        (0.0, -lowered, WIDTH, height),
-        tuple(shapes),
-        tuple(labels),
-        tuple(panels),
-        _note(view),
-    )
 
 
 # --- what is drawn, and where ---------------------------------------------------------------------
@@ -231,7 +233,7 @@ def _wall(view: _View, drawing: _Drawing) -> None:
     """The wall at the place of impact; of a round one, an arc."""
     name = view.motion.told.frames[view.number].wall or ""
     wall = view.motion.story.walls[name]
-    half = 12.0
+    half = 9.5
     if wall.centre is None:
         ends = view.t * half
         drawing.shapes.append(StraightWall(name, -ends, ends, -view.n))
@@ -578,8 +580,12 @@ def _impulses(view: _View, drawing: _Drawing) -> None:
     ]
     side = ways[0].turned_left()
     best: tuple[float, list[Arrow], Vector] | None = None
+    angle = view.said.blows.get(view.number)
+    outwards = [side, -side]
+    if angle is not None:  # whose arc is to be on the far side of the arrow
+        outwards = [each for each in outwards if each.dot(angle.reference) > 0] or outwards
     for off in (2.2, 4.2, 6.2):
-        for outward in (side, -side):
+        for outward in outwards:
             arrows = [
                 _impulse(body, way, outward * (RADIUS + off))
                 for body, way in zip(view.bodies, ways)
@@ -592,7 +598,6 @@ def _impulses(view: _View, drawing: _Drawing) -> None:
     assert best is not None
     _, arrows, outward = best
     label = view.said.impulses.get(view.number)
-    angle = view.said.blows.get(view.number)
     if angle is not None:
         (arrow,) = arrows
         _angle(view, arrow.start, 5.0, angle, ways[0], False, None, drawing)
@@ -603,7 +608,7 @@ def _impulses(view: _View, drawing: _Drawing) -> None:
 
 
 def _impulse(body: _Body, way: Vector, offset: Vector) -> Arrow:
-    back = IMPULSE / 2 if body.towards is None else RADIUS - 1.0
+    back = IMPULSE / 2 if body.towards is None else RADIUS - 2.0
     start = body.centre + offset - way * back
     return Arrow("impulse", start, start + way * IMPULSE)
 
@@ -667,7 +672,8 @@ def _needs_axes(view: _View) -> bool:
     problem = view.motion.told.problem
     if view.kind == "blow" or not _on_axes(view):
         return True
-    trees: list[Any] = [sphere.velocity for sphere in problem.spheres]
+    rest = Pair(Number(Fraction(0)), Number(Fraction(0)))
+    trees: list[Any] = [s.velocity for s in problem.spheres if s.velocity != rest]
     for _, step in problem.steps():
         if not isinstance(step, Impact):
             trees += trees_of_step(step)
@@ -680,25 +686,24 @@ def _needs_axes(view: _View) -> bool:
     return any(isinstance(node, Pair) or node == Unit("j") for node in nodes)
 
 
-def _with_axes(shapes: list[Shape], labels: list[Label], height: float) -> float:
-    """Adds **i** and **j** in a free corner of the first panel; returns how much it grows."""
+def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
+    """Adds **i** and **j** in a free corner of a panel; returns how much it has to grow."""
     size, edge = 5.5, 2.2
-    pieces = [piece for shape in shapes for piece in ink(shape)]
+    taken = [piece.box for shape in shapes for piece in ink(shape)]
+    taken += [_expected(label) for label in labels]
     lowered = 0.0
     room = size + 3.5
+    left, _, right, top = panel
     corners = [
-        Vector(edge, edge),
-        Vector(edge, height - edge - room),
-        Vector(PANEL - edge - room, edge),
-        Vector(PANEL - edge - room, height - edge - room),
+        Vector(x, y) for x in (left + edge, right - edge - room) for y in (edge, top - edge - room)
     ]
     for corner in corners:
         box = (corner.x, corner.y, corner.x + room, corner.y + room)
-        if not any(overlap(box, piece.box, 0.5) for piece in pieces):
+        if not any(overlap(box, each, 0.5) for each in taken):
             break
     else:
         lowered = size + 2.0
-        corner = Vector(edge, edge - lowered)
+        corner = Vector(left + edge, edge - lowered)
     origin = corner + Vector(0.5, 0.5)
     for axis, name, side in ((_I, "i", "e"), (_J, "j", "n")):
         tip = origin + axis * size

@@ -163,6 +163,8 @@ class Scene:
 
     ``title`` and ``description`` say it in words, for those who do not see it; ``note`` is printed
     beneath, and says at which values letters are drawn. ``box`` is left, bottom, right, top.
+    ``part`` is the label of the part that the picture belongs to, ``event`` the number of the one
+    event that it shows.
     """
 
     title: str
@@ -172,3 +174,5 @@ class Scene:
     labels: tuple[Label, ...] = ()
     panels: tuple[Panel, ...] = ()
     note: Layout | None = field(default=None)
+    part: str | None = None
+    event: int | None = None
