@@ -328,15 +328,8 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
             _sense_of_nothing(view, body, when, end + unit(end - body.centre) * 1.5, drawing)
     else:
         _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
-    at_centre = view.kind == "spheres" and lifted is None
     for index, angle in enumerate(words.angles):
-        if at_centre:
-            vertex, radius = body.centre, RADIUS + 2.6 + 2.4 * index
-        else:
-            vertex, radius = (tip if arriving else tail), max(3.4, min(5.0, 0.6 * length))
-            radius += 2.4 * index
-        leg = view.t if not at_centre and abs(across) >= radius else None
-        _angle(view, vertex, radius, angle, way, arriving, leg, drawing)
+        _angle(view, body, angle, (tail, tip), arriving, abs(across), index, drawing)
 
 
 def _in_one_direction(
@@ -505,46 +498,72 @@ def _sense_of_nothing(view: _View, body: _Body, when: When, at: Vector, drawing:
 
 def _angle(
     view: _View,
+    body: _Body,
+    angle: Angle,
+    arrow: tuple[Vector, Vector],
+    arriving: bool,
+    leg: float,
+    index: int,
+    drawing: _Drawing,
+) -> None:
+    """An angle of a velocity: around the centre of its sphere, or where the arrow meets the rim.
+
+    It is around the centre where it is with a line of centres that is drawn there. ``leg`` is the
+    length of the component across, which starts or ends at the rim; ``index`` counts the angles.
+    """
+    tail, tip = arrow
+    way = unit(tip - tail)
+    line = _reference(angle, way)[0] * (-1.0 if arriving else 1.0)
+    beside = math.hypot(*((tip if arriving else tail) - body.centre)) > RADIUS + 1e-6
+    inwards = 1.0 if body.towards is None else line.dot(body.towards)
+    if view.kind == "spheres" and not beside and inwards < 1e-6:
+        radius, drawn = RADIUS + 2.6 + 2.4 * index, inwards < -1 + 1e-6
+        _arc(body.centre, RADIUS, radius, angle, way, arriving, drawn, drawing)
+        return
+    between = abs(math.atan2(line.cross(way), abs(line.dot(way))))
+    length = math.hypot(*(tip - tail))
+    radius = max(5.0, 1.5 / math.tan(between / 2)) if between > 0.02 else 5.0
+    radius = max(3.4, min(radius, 0.6 * length)) + 2.4 * index
+    drawn = leg >= radius and abs(line.dot(view.t)) > 1 - 1e-6
+    _arc(tip if arriving else tail, 0.0, radius, angle, way, arriving, drawn, drawing)
+
+
+def _reference(angle: Angle, way: Vector) -> tuple[Vector, Layout]:
+    """The unit vector from which an angle is drawn, and its label: no obtuse ones."""
+    reference = unit(angle.reference)
+    if angle.line and reference.dot(way) < 0:
+        return -reference, angle.label
+    if not angle.line and reference.dot(way) < -0.03:
+        return -reference, supplement(angle.label)
+    return reference, angle.label
+
+
+def _arc(
     vertex: Vector,
+    clear: float,
     radius: float,
     angle: Angle,
     way: Vector,
     arriving: bool,
-    leg: Vector | None,
+    drawn: bool,
     drawing: _Drawing,
 ) -> None:
-    """An arc from the reference to the arrow, with the reference line where none is drawn.
+    """An arc from the reference to an arrow, its label, and the reference line unless ``drawn``.
 
-    ``leg`` is the direction of a component that starts or ends at the vertex.
+    The reference line starts at the distance ``clear`` from the vertex.
     """
-    reference, label = unit(angle.reference), angle.label
-    if angle.line and reference.dot(way) < 0:
-        reference = -reference
-    elif not angle.line and reference.dot(way) < -0.03:
-        reference, label = -reference, supplement(label)
+    reference, label = _reference(angle, way)
     between = math.atan2(reference.cross(way), reference.dot(way))
     right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
     if abs(between) < 0.02 or right:
         return
     line, arrow = (-reference, -way) if arriving else (reference, way)
-    drawn = (
-        abs(line.dot(leg)) > 1 - 1e-6
-        if leg is not None
-        else view.kind == "spheres" and abs(line.dot(_centres(view))) > 1 - 1e-6
-    )
     if not drawn:
-        at_centre = any(vertex == body.centre for body in view.bodies)
-        start = vertex + line * (RADIUS if at_centre else 0.0)
-        drawing.shapes.append(Line("across", start, vertex + line * (radius + 2.5)))
+        drawing.shapes.append(Line("across", vertex + line * clear, vertex + line * (radius + 2.5)))
     a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
     drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
     middle = unit(line + arrow)
     drawing.labels.append(Label(label, vertex + middle * radius, _sides(middle), 0.8, 2.8))
-
-
-def _centres(view: _View) -> Vector:
-    first, second = view.bodies
-    return unit(second.centre - first.centre)
 
 
 def _deflection(view: _View, body: _Body, scale: float, drawing: _Drawing) -> None:
@@ -578,33 +597,41 @@ def _impulses(view: _View, drawing: _Drawing) -> None:
         unit(_floats(happening.impulse)) if body.towards is None else -body.towards
         for body in view.bodies
     ]
-    side = ways[0].turned_left()
-    best: tuple[float, list[Arrow], Vector] | None = None
     angle = view.said.blows.get(view.number)
-    outwards = [side, -side]
+    side = ways[0].turned_left()
+    sides = [side, -side]
     if angle is not None:  # whose arc is to be on the far side of the arrow
-        outwards = [each for each in outwards if each.dot(angle.reference) > 0] or outwards
-    for off in (2.2, 4.2, 6.2):
-        for outward in outwards:
-            arrows = [
-                _impulse(body, way, outward * (RADIUS + off))
-                for body, way in zip(view.bodies, ways)
-            ]
-            room = min(_room(arrow, drawing) for arrow in arrows)
-            if best is None or room > best[0] + 0.2:
-                best = room, arrows, outward
-        if best is not None and best[0] >= 1.3:
-            break
-    assert best is not None
-    _, arrows, outward = best
+        sides = [each for each in sides if each.dot(angle.reference) > 0] or sides
+    room, placed = _beside_all(view.bodies, ways, sides, drawing)
+    if room < 1.0:
+        placed = [
+            arrow
+            for body, way in zip(view.bodies, ways)
+            for arrow in _beside_all((body,), (way,), sides, drawing)[1]
+        ]
+    drawing.shapes += [arrow for arrow, _ in placed]
     label = view.said.impulses.get(view.number)
-    if angle is not None:
-        (arrow,) = arrows
-        _angle(view, arrow.start, 5.0, angle, ways[0], False, None, drawing)
-    for arrow in arrows:
-        drawing.shapes.append(arrow)
+    for arrow, outward in placed:
         if label is not None:
             drawing.labels.append(_beside(label, arrow.start, arrow.end, outward))
+    if angle is not None:
+        _arc(placed[0][0].start, 0.0, 5.0, angle, ways[0], False, False, drawing)
+
+
+def _beside_all(
+    bodies: Sequence[_Body], ways: Sequence[Vector], sides: Sequence[Vector], drawing: _Drawing
+) -> tuple[float, list[tuple[Arrow, Vector]]]:
+    """Arrows of impulses beside spheres, all on the side and at the distance with room for them."""
+    best: tuple[float, list[tuple[Arrow, Vector]]] = (-1.0, [])
+    for off in (2.2, 4.2, 6.2):
+        for side in sides:
+            arrows = [_impulse(b, way, side * (RADIUS + off)) for b, way in zip(bodies, ways)]
+            room = min(_room(arrow, drawing) for arrow in arrows)
+            if room > best[0] + 0.2:
+                best = room, [(arrow, side) for arrow in arrows]
+        if best[0] >= 1.3:
+            break
+    return best
 
 
 def _impulse(body: _Body, way: Vector, offset: Vector) -> Arrow:
@@ -690,7 +717,7 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
     """Adds **i** and **j** in a free corner of a panel; returns how much it has to grow."""
     size, edge = 5.5, 2.2
     taken = [piece.box for shape in shapes for piece in ink(shape)]
-    taken += [_expected(label) for label in labels]
+    taken += [_expected(label) for label in labels if not label.fixed]
     lowered = 0.0
     room = size + 3.5
     left, _, right, top = panel
