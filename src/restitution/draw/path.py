@@ -1,0 +1,569 @@
+"""The plan view of a story: walls, the paths of the centres, and where they meet."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from restitution.draw.plan import Leg, Plan, Stop, Straight, lay_out
+from restitution.draw.scene import (
+    WIDTH,
+    Arc,
+    Arrow,
+    Disc,
+    Dot,
+    Label,
+    Line,
+    RightAngle,
+    RoundWall,
+    Scene,
+    Shape,
+    Side,
+    StraightWall,
+)
+from restitution.errors import RestitutionError
+from restitution.exact import decimal, is_zero, tidy, tidy_angle
+from restitution.expression.tree import Name, Pair, Quantity, Unit, walk
+from restitution.problem import Given, Impact, Kick, Let
+from restitution.render import layout as lay
+from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
+from restitution.render.text import to_text
+from restitution.solve.letters import trees
+from restitution.solve.solution import Branch, PartSolution, Solution
+from restitution.vector import Vector
+
+# Longer expressions (in characters on one line) say less beside a path than they hide.
+_SHORT_ANGLE, _SHORT_SPEED = 6, 9
+_ARC = 6.0
+_MARGIN = 5.0
+_SIDES: tuple[Side, ...] = ("e", "ne", "n", "nw", "w", "sw", "s", "se")
+
+
+def path_scene(solution: Solution, part: PartSolution, branch: Branch) -> Scene | None:
+    """The plan view of the story up to a part, by one of its solutions.
+
+    None for a story without walls and without places, which a plan would not make clearer.
+    """
+    plan = lay_out(branch.numbers)
+    if plan is None:
+        return None
+    values = _Values(solution, part, branch)
+    drawing = _Drawing(plan, values)
+    drawing.walls()
+    drawing.paths()
+    drawing.bodies()
+    drawing.angles()
+    drawing.numbers()
+    drawing.points()
+    drawing.axes()
+    left, bottom, right, top = drawing.box()
+    middle = (left + right) / 2
+    half = max((right - left) / 2, WIDTH / 2)
+    names = list(dict.fromkeys(leg.body for leg in plan.legs))
+    title = f"Plan of the paths of {_listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
+    return Scene(
+        title,
+        _description(plan, values),
+        (middle - half, bottom, middle + half, top),
+        tuple(drawing.shapes),
+        tuple(drawing.labels),
+    )
+
+
+# --- what stands beside lines ---------------------------------------------------------------------
+
+
+@dataclass
+class _Values:
+    """What is known of angles and speeds, as people write it."""
+
+    solution: Solution
+    part: PartSolution
+    branch: Branch
+    found: dict[Quantity, Any] = field(default_factory=dict)
+
+    def value(self, tree: Quantity, now: int) -> Any:
+        """The exact value of a quantity; None where it has none that can be shown."""
+        if tree not in self.found:
+            self.found[tree] = self._value(tree, now)
+        return self.found[tree]
+
+    def _value(self, tree: Quantity, now: int) -> Any:
+        try:
+            value = self.branch.story.evaluator(now).value(tree)
+            value = tidy_angle(value.measure()) if hasattr(value, "measure") else tidy(value)
+        except (RestitutionError, ArithmeticError, TypeError, ValueError, AttributeError):
+            return None
+        hidden = any(symbol.name.startswith("_") for symbol in value.free_symbols)
+        return None if hidden else value
+
+    def speed(self, body: str, after: int) -> Layout | None:
+        """The speed of a sphere after an event, if it is short."""
+        value = self.value(Quantity("speed", (Name(body),), after), max(after, 1))
+        if value is None or is_zero(value):
+            return None
+        laid = lay.from_sympy(value)
+        if value.free_symbols:
+            return laid if len(to_text(laid)) <= _SHORT_SPEED else None
+        if len(to_text(laid)) > 4:
+            laid = lay.decimal_number(value)
+        return lay.Phrase((laid, Words("m s⁻¹")))
+
+    def angle(self, body: str, after: int, stop: Stop) -> Layout | None:
+        """The angle of a velocity with a wall (with a round one: with the radius), if it is short."""
+        now = stop.number
+        velocity = Quantity("velocity", (Name(body),), after)
+        if stop.kind == "circle":
+            tree = Quantity("angle", (velocity, Quantity("line_of_centres", (), now)))
+        else:
+            assert stop.wall is not None
+            tree = Quantity("angle", (velocity, Name(stop.wall)))
+            named = self._named(tree, body, after)
+            if named is not None:
+                return named
+        value = self.value(tree, now)
+        if value is None or is_zero(value):
+            return None
+        laid = lay.from_sympy(value, degrees=True)
+        if len(to_text(laid)) <= _SHORT_ANGLE:
+            return laid
+        number = decimal(value)
+        return None if number is None else _degrees(number)
+
+    def _named(self, tree: Quantity, body: str, after: int) -> Layout | None:
+        """A letter that the statement has for an angle: ``let beta = angle(velocity(P), W)``."""
+        now = 0
+        for part, step in self.solution.problem.steps():
+            if isinstance(step, Impact | Kick) or hasattr(step, "target"):
+                now += 1
+            if not isinstance(step, Let) or (part.label is not None and part is not self.part.part):
+                continue
+            said = step.expression
+            if not isinstance(said, Quantity) or said.kind != "angle":
+                continue
+            velocity, wall = said.arguments
+            if not isinstance(velocity, Quantity):
+                velocity, wall = wall, velocity
+            if (
+                isinstance(velocity, Quantity)
+                and velocity.arguments == (Name(body),)
+                and wall == tree.arguments[1]
+                and (velocity.stage if isinstance(velocity.stage, int) else now) == after
+                and velocity.stage != "before"
+            ):
+                return lay.letter(step.letter)
+        return None
+
+
+def _degrees(radians: float) -> Layout:
+    return Degrees(lay.decimal_number(math.degrees(radians)))
+
+
+def _name(name: str) -> Layout:
+    """The name of a body or a point: W, W₁."""
+    head = name.rstrip("0123456789")
+    return Letter(head, name[len(head) :])
+
+
+# --- the drawing ----------------------------------------------------------------------------------
+
+
+@dataclass
+class _Drawing:
+    """Shapes and labels as they are put down."""
+
+    plan: Plan
+    values: _Values
+    shapes: list[Shape] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
+    named: set[str] = field(default_factory=set)
+
+    # --- walls ----------------------------------------------------------------------------
+
+    def walls(self) -> None:
+        for wall in self.plan.walls:
+            self.shapes.append(StraightWall(wall.name, wall.start, wall.end, wall.far))
+            self._wall_name(wall)
+        for round_ in self.plan.rounds:
+            self.shapes.append(
+                RoundWall(
+                    round_.name,
+                    round_.centre,
+                    round_.radius,
+                    0.0,
+                    2 * math.pi,
+                    "outside" if round_.inside else "inside",
+                )
+            )
+            self.shapes.append(Dot("", round_.centre, 0.5))
+
+    def _wall_name(self, wall: Straight) -> None:
+        letters = _ends_named(wall.name)
+        if letters is None:
+            at, out = wall.end, _unit(wall.end - wall.start)
+            if wall.corners[1] is not None and wall.corners[0] is None:
+                at, out = wall.start, -out
+            inward = at - out * 3
+            self.labels.append(
+                Label(_name(wall.name), inward, _sides(wall.far), gap=2.6, moves=(inward - out * 6,))
+            )
+            return
+        corners = list(wall.corners)
+        for k, other in enumerate(corners):
+            if other is None:
+                continue
+            shared = set(letters) & set(_ends_named(other) or ())
+            if len(shared) == 1:
+                letter = shared.pop()
+                beside = next(w for w in self.plan.walls if w.name == other)
+                self._point_name(letter, (wall.start, wall.end)[k], wall.far + beside.far)
+                rest = letters[1] if letters[0] == letter else letters[0]
+                if corners[1 - k] is None:
+                    self._end_name(rest, wall, 1 - k)
+                return
+        for k in (0, 1):
+            if corners[k] is None:
+                self._end_name(letters[k], wall, k)
+
+    def _end_name(self, letter: str, wall: Straight, end: int) -> None:
+        way = _unit(wall.end - wall.start) * (1 if end else -1)
+        self._point_name(letter, (wall.start, wall.end)[end], way)
+
+    def _point_name(self, letter: str, at: Vector, way: Vector) -> None:
+        if letter not in self.named:
+            self.named.add(letter)
+            self.labels.append(Label(_name(letter), at, _sides(way), gap=1.6))
+
+    # --- paths ----------------------------------------------------------------------------
+
+    def paths(self) -> None:
+        several = len({leg.body for leg in self.plan.legs}) > 1
+        latest: dict[str, Leg] = {}
+        for leg in self.plan.legs:
+            start, end = leg.start + leg.shift, leg.end + leg.shift
+            before = latest.get(leg.body)
+            if before is not None:
+                turn = before.end + before.shift
+                if _size(start - turn) > 1e-6:
+                    self.shapes.append(Line("path", turn, start))
+            latest[leg.body] = leg
+            if leg.kind == "exit":
+                self.shapes.append(Arrow("path", start, end))
+            else:
+                middle = start + (end - start) * 0.55
+                self.shapes.append(Arrow("path", start, middle))
+                self.shapes.append(Line("path", middle, end))
+            self._speed(leg, start, end)
+            if several and leg.kind == "exit":
+                self.labels.append(Label(_name(leg.body), end, _sides(leg.direction), gap=1.2))
+
+    def _speed(self, leg: Leg, start: Vector, end: Vector) -> None:
+        laid = self.values.speed(leg.body, leg.after)
+        if laid is None or (leg.after and _unchanged(self.plan, leg)):
+            return
+        across = leg.direction.turned_left()
+        if leg.lane < 0 or (leg.lane == 0 and across.y < 0):
+            across = -across
+        spots = [start + (end - start) * share for share in (0.5, 0.4, 0.62, 0.3, 0.75)]
+        sides = (*_sides(across)[:3], *_sides(-across)[:3])
+        self.labels.append(Label(laid, spots[0], sides, gap=1.0, moves=tuple(spots[1:])))
+
+    # --- bodies ---------------------------------------------------------------------------
+
+    def bodies(self) -> None:
+        radius = self.plan.radius
+        for name, start in self.plan.starts.items():
+            leg = next((leg for leg in self.plan.legs if leg.body == name), None)
+            moving = leg is not None and leg.after == 0 and leg.kind != "exit"
+            at = leg.start + leg.shift if leg is not None and moving else start
+            away = -leg.direction if leg is not None and moving else Vector(-1.0, 1.0)
+            if radius >= 2.3:
+                self.shapes.append(Disc(name, at, radius))
+                self.labels.append(Label(_name(name), at, ("centre",), fixed=True))
+                continue
+            self.shapes.append(Disc(name, at, radius) if radius >= 0.8 else Dot(name, at, 1.0))
+            self.labels.append(Label(_name(name), at, _sides(away), gap=max(radius, 1.0) + 0.6))
+        for stop in self.plan.stops:
+            if stop.kind == "spheres":
+                self._meeting(stop)
+            elif radius >= 0.8 and stop.kind in ("wall", "circle"):
+                for name, centre in stop.centres.items():
+                    self.shapes.append(Disc(name, centre, radius, ghost=True))
+
+    def _meeting(self, stop: Stop) -> None:
+        assert stop.normal is not None
+        radius = self.plan.radius
+        centres = dict(stop.centres)
+        if radius < 0.8:
+            radius = 1.6
+            signs = (-1, 1)
+            centres = {
+                name: stop.contact + stop.normal * (sign * radius)
+                for name, sign in zip(stop.centres, signs, strict=True)
+            }
+        for name, centre in centres.items():
+            at_start = _size(self.plan.starts[name] - centre) < 0.3 and self.plan.radius >= 0.8
+            if not at_start:
+                self.shapes.append(Disc(name, centre, radius, ghost=True))
+        first, second = centres.values()
+        more = stop.normal * (radius + 2.5)
+        self.shapes.append(Line("line_of_centres", first - more, second + more))
+
+    # --- angles ---------------------------------------------------------------------------
+
+    def angles(self) -> None:
+        for stop in self.plan.stops:
+            if stop.kind not in ("wall", "circle") or stop.normal is None:
+                continue
+            body = next(iter(stop.centres))
+            centre = stop.centres[body]
+            before = self._leg_to(body, centre, stop.number)
+            after = next(
+                (leg for leg in self.plan.legs if leg.body == body and leg.after == stop.number),
+                None,
+            )
+            along = stop.normal.turned_left()
+            drawn = False
+            for leg, number in ((before, self._since(body, stop.number)), (after, stop.number)):
+                if leg is None or leg.lane:
+                    continue
+                ray = leg.direction if leg is after else -leg.direction
+                laid = self.values.angle(body, number, stop)
+                if stop.kind == "circle":
+                    reference = -stop.normal
+                else:
+                    reference = along if ray.dot(along) >= 0 else -along
+                drawn |= self._angle(centre, reference, ray, laid, leg)
+            if stop.kind == "circle" and drawn:
+                inside = any(r.name == stop.wall and r.inside for r in self.plan.rounds)
+                wall = next(r for r in self.plan.rounds if r.name == stop.wall)
+                end = wall.centre if inside else stop.contact - stop.normal * 12
+                self.shapes.append(Line("across", stop.contact, end))
+            elif drawn and self.plan.radius >= 0.8:
+                self.shapes.append(Line("across", centre - along * 9, centre + along * 9))
+
+    def _angle(
+        self, corner: Vector, reference: Vector, ray: Vector, laid: Layout | None, leg: Leg
+    ) -> bool:
+        turn = abs(math.atan2(reference.cross(ray), reference.dot(ray)))
+        if laid is None or turn < 0.02:
+            return False
+        if abs(turn - math.pi / 2) < 1e-6:
+            self.shapes.append(RightAngle(corner, reference, ray))
+            return True
+        radius = min(_ARC if turn > 0.3 else 1.6 * _ARC, 0.45 * _size(leg.end - leg.start))
+        low, high = sorted((_bearing(reference), _bearing(ray)))
+        if high - low > math.pi:
+            low, high = high, low + 2 * math.pi
+        self.shapes.append(Arc("angle", corner, radius, low, high))
+        middle = (low + high) / 2
+        way = Vector(math.cos(middle), math.sin(middle))
+        self.labels.append(Label(laid, corner + way * radius, _sides(way), gap=0.7, size=2.7))
+        return True
+
+    def _leg_to(self, body: str, centre: Vector, number: int) -> Leg | None:
+        own = [leg for leg in self.plan.legs if leg.body == body and leg.after < number]
+        return own[-1] if own and _size(own[-1].end - centre) < 1e-6 else None
+
+    def _since(self, body: str, number: int) -> int:
+        """The event of a body before this one, 0 for the start."""
+        earlier = [s.number for s in self.plan.stops if body in s.centres and s.number < number]
+        return earlier[-1] if earlier else 0
+
+    # --- numbers and points ---------------------------------------------------------------
+
+    def numbers(self) -> None:
+        for stop in self.plan.stops:
+            beyond = stop.normal if stop.normal is not None else Vector(0.0, 1.0)
+            gap = 2.8
+            if stop.kind == "spheres":
+                beyond, gap = beyond.turned_left(), max(self.plan.radius, 1.6) + 1.0
+            elif stop.kind in ("kick", "arrival") and stop.wall is None:
+                gap = 1.6
+            self.labels.append(
+                Label(
+                    Number(str(stop.number)),
+                    stop.contact,
+                    (*_sides(beyond), *_sides(-beyond)[:1]),
+                    gap=gap,
+                    size=2.5,
+                    ringed=True,
+                )
+            )
+            if stop.kind in ("wall", "circle", "arrival"):
+                self.shapes.append(Dot(str(stop.number), stop.contact, 0.6))
+
+    def points(self) -> None:
+        taken = [self.plan.starts[name] for name in self.plan.starts]
+        for name, at in self.plan.points.items():
+            if not any(_size(at - s) < 0.5 for s in taken):
+                self.shapes.append(Dot(name, at))
+            if name not in self.named:
+                self.named.add(name)
+                self.labels.append(Label(_name(name), at, gap=1.4))
+
+    def axes(self) -> None:
+        if not _speaks_of_axes(self.values.solution):
+            return
+        left, bottom, right, top = self.box()
+        size = 7.0
+        corners = [
+            Vector(left + 1, bottom + 1),
+            Vector(right - size - 4, bottom + 1),
+            Vector(left + 1, top - size - 4),
+            Vector(right - size - 4, top - size - 4),
+        ]
+        segments = list(self._segments())
+        origin = next(
+            (c for c in corners if not any(_enters(c, size + 4, a, b) for a, b in segments)),
+            Vector(left - size - 4, bottom + 1),
+        )
+        for unit, name, sides in (
+            (Vector(1.0, 0.0), "i", ("e", "se", "ne")),
+            (Vector(0.0, 1.0), "j", ("n", "nw", "ne")),
+        ):
+            end = origin + unit * size
+            self.shapes.append(Arrow("axis", origin, end))
+            self.labels.append(Label(Bold(name), end, sides, gap=0.8))  # type: ignore[arg-type]
+
+    # --- extent ---------------------------------------------------------------------------
+
+    def _segments(self) -> Iterator[tuple[Vector, Vector]]:
+        for shape in self.shapes:
+            match shape:
+                case Line() | Arrow():
+                    yield shape.start, shape.end
+                case StraightWall():
+                    yield shape.start, shape.end
+                    yield shape.start + shape.far * 2, shape.end + shape.far * 2
+                case Disc() | Dot():
+                    r = Vector(shape.radius, shape.radius)
+                    yield shape.centre - r, shape.centre + r
+                case RoundWall():
+                    for k in range(24):
+                        a, b = k * math.pi / 12, (k + 1) * math.pi / 12
+                        yield tuple(  # type: ignore[misc]
+                            shape.centre + Vector(math.cos(t), math.sin(t)) * (shape.radius + 1)
+                            for t in (a, b)
+                        )
+                case _:
+                    pass
+
+    def box(self) -> tuple[float, float, float, float]:
+        points = [p for segment in self._segments() for p in segment]
+        xs, ys = [p.x for p in points], [p.y for p in points]
+        return min(xs) - _MARGIN, min(ys) - _MARGIN, max(xs) + _MARGIN, max(ys) + _MARGIN
+
+
+# --- small geometry -------------------------------------------------------------------------------
+
+
+def _size(v: Vector) -> float:
+    return math.hypot(v.x, v.y)
+
+
+def _unit(v: Vector) -> Vector:
+    return v / (_size(v) or 1.0)
+
+
+def _bearing(v: Vector) -> float:
+    return math.atan2(v.y, v.x)
+
+
+def _sides(way: Vector) -> tuple[Side, ...]:
+    """All sides, those nearest to a direction first."""
+    turn = _bearing(way)
+
+    def off(k: int) -> float:
+        return abs(math.remainder(turn - k * math.pi / 4, 2 * math.pi))
+
+    return tuple(_SIDES[k] for k in sorted(range(8), key=off))
+
+
+def _enters(corner: Vector, size: float, a: Vector, b: Vector) -> bool:
+    """Whether a segment enters a square, given its lower left corner."""
+    low, high = 0.0, 1.0
+    for axis in (0, 1):
+        start, way = a[axis] - corner[axis], b[axis] - a[axis]
+        if abs(way) < 1e-9:
+            if not 0 <= start <= size:
+                return False
+            continue
+        enter, leave = sorted((-start / way, (size - start) / way))
+        low, high = max(low, enter), min(high, leave)
+    return low <= high
+
+
+def _unchanged(plan: Plan, leg: Leg) -> bool:
+    """Whether a piece of path goes on as the one before: after a point that is only reached."""
+    stop = plan.stops[leg.after - 1]
+    return stop.kind == "arrival"
+
+
+def _ends_named(name: str) -> tuple[str, str] | None:
+    """The two letters of a wall AB, which name its ends."""
+    return (name[0], name[1]) if len(name) == 2 and name.isalpha() and name.isupper() else None
+
+
+def _speaks_of_axes(solution: Solution) -> bool:
+    """Whether **i** and **j** are more than a way to say how one wall lies."""
+    problem = solution.problem
+    plain = {id(wall.along) for wall in problem.walls if isinstance(wall.along, Unit)}
+    return any(
+        isinstance(node, Unit | Pair)
+        for tree in trees(problem)
+        if id(tree) not in plain
+        for node in walk(tree)
+    )
+
+
+# --- in words -------------------------------------------------------------------------------------
+
+
+def _listed(words: Sequence[str]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _description(plan: Plan, values: _Values) -> str:
+    """The picture in sentences, for those who do not see it."""
+    sentences = ["Plan view"]
+    for stop in plan.stops:
+        names = list(stop.centres)
+        if stop.kind == "spheres":
+            said = f"{names[0]} strikes {names[1]}"
+        elif stop.kind == "kick":
+            said = f"{names[0]} receives an impulse"
+        elif stop.kind == "arrival":
+            point = next(
+                (n for n, p in plan.points.items() if _size(p - stop.contact) < 1e-6), stop.wall
+            )
+            said = f"{names[0]} comes to {point or 'a point'}"
+        else:
+            said = f"{names[0]} strikes the wall {stop.wall}"
+        said = f"{stop.number}: {said}"
+        if stop.kind == "wall":
+            before = values.angle(names[0], _before(plan, names[0], stop.number), stop)
+            after = values.angle(names[0], stop.number, stop)
+            if before is not None:
+                said += f" at {to_text(before)} to it"
+            if after is not None:
+                said += f" and leaves at {to_text(after)} to it"
+        speeds = [
+            f"{name} at {to_text(speed)}"
+            for name in names
+            if stop.kind != "arrival" and (speed := values.speed(name, stop.number)) is not None
+        ]
+        if speeds:
+            said += f"; afterwards {_listed(speeds)}"
+        sentences.append(said)
+    if plan.scale is None:
+        sentences.append("Angles are true, lengths are free")
+    return ". ".join(sentences) + "."
+
+
+def _before(plan: Plan, body: str, number: int) -> int:
+    earlier = [s.number for s in plan.stops if body in s.centres and s.number < number]
+    return earlier[-1] if earlier else 0
