@@ -39,6 +39,8 @@ from restitution.vector import Vector
 _SHORT_ANGLE, _SHORT_SPEED = 6, 9
 _ARC = 6.0
 _MARGIN = 5.0
+# The radius of a disc that has room for its letter.
+_LETTERED = 2.3
 _SIDES: tuple[Side, ...] = ("e", "ne", "n", "nw", "w", "sw", "s", "se")
 
 
@@ -250,6 +252,7 @@ class _Drawing:
                 if _size(start - turn) > 1e-6:
                     self.shapes.append(Line("path", turn, start))
             latest[leg.body] = leg
+            start = self._outside(start, leg)
             if leg.kind == "exit":
                 self.shapes.append(Arrow("path", start, end))
             else:
@@ -259,6 +262,14 @@ class _Drawing:
             self._speed(leg, start, end)
             if several and leg.kind == "exit":
                 self.labels.append(Label(_name(leg.body), end, _sides(leg.direction), gap=1.2))
+
+    def _outside(self, start: Vector, leg: Leg) -> Vector:
+        """Where a path leaves the disc that has a letter in it."""
+        radius = self.plan.radius
+        if radius < _LETTERED or _size(self.plan.starts[leg.body] - leg.start) > 1e-6:
+            return start
+        out = start - leg.start
+        return start + leg.direction * math.sqrt(max(radius**2 - out.dot(out), 0.0))
 
     def _speed(self, leg: Leg, start: Vector, end: Vector) -> None:
         laid = self.values.speed(leg.body, leg.after)
@@ -280,7 +291,7 @@ class _Drawing:
             moving = leg is not None and leg.after == 0 and leg.kind != "exit"
             at = leg.start + leg.shift if leg is not None and moving else start
             away = -leg.direction if leg is not None and moving else Vector(-1.0, 1.0)
-            if radius >= 2.3:
+            if radius >= _LETTERED:
                 self.shapes.append(Disc(name, at, radius))
                 self.labels.append(Label(_name(name), at, ("centre",), fixed=True))
                 continue

@@ -26,10 +26,11 @@ from restitution.solve.story import Happening, Story
 from restitution.vector import Vector
 
 #: What the paths and walls may fill, leaving room for words beside them.
-_WIDTH, _HEIGHT = 72.0, 58.0
+_WIDTH, _HEIGHT = 74.0, 52.0
 # Readable lengths of the pieces of a path before the first event, between events, after the last.
 _APPROACH, _FLIGHT, _EXIT = 22.0, 28.0, 18.0
 _SHORTEST = 8.0
+_LARGEST = 1.5  # times these, where there is room
 # A sphere whose size is told or matters, where the scale is free.
 _RADIUS = 2.6
 # How far a wall goes on beyond the place where it is struck.
@@ -559,20 +560,34 @@ def _freely(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | None:
     made = _layout(story, moves, {}, {}, radius)
     flights = len(made.lengths)
     shares = (1.0, 0.7, 1.4) if flights <= 3 else (1.0,)
-    best: tuple[float, Plan] | None = None
-    for shrunk in (1.0, 0.8, 0.65, 0.5, 0.4, 0.3, 0.2, 0.12):
-        for factors in itertools.product(shares, repeat=flights):
-            targets = [_FLIGHT * shrunk * factor for factor in factors]
-            x = _solve(made, targets, _SHORTEST * shrunk)
-            if x is None:
-                continue
-            plan, cost = _on_paper(story, moves, given, made, x, 1.0, radius, shrunk)
-            cost += 2 * sum(abs(math.log(factor)) for factor in factors)
-            if best is None or cost < best[0]:
-                best = cost, plan
-        if best is not None and best[0] < 400:
+    best: tuple[float, Plan, tuple[float, ...]] | None = None
+    for factors in itertools.product(shares, repeat=flights):
+        x = _solve(made, [_FLIGHT * factor for factor in factors], _SHORTEST)
+        if x is None:
+            continue
+        plan, cost = _on_paper(story, moves, given, made, x, 1.0, radius, 1.0)
+        cost += 2 * sum(abs(math.log(factor)) for factor in factors)
+        if best is None or cost < best[0]:
+            best = cost, plan, factors
+    if best is None:
+        return None
+    _, plan, factors = best
+    size = 1.0
+    for _ in range(4):
+        size = min(size / _fill(plan), _LARGEST)
+        x = _solve(made, [_FLIGHT * factor * size for factor in factors], _SHORTEST * size)
+        if x is None:
             break
-    return None if best is None else _in_lanes(best[1])
+        plan, _ = _on_paper(story, moves, given, made, x, 1.0, radius, size)
+        if 0.97 < _fill(plan) < 1.03:
+            break
+    return _in_lanes(plan)
+
+
+def _fill(plan: Plan) -> float:
+    """The share of the room on paper that a plan fills; more than 1 for one that is too large."""
+    left, bottom, right, top = _box(_drawn(plan))
+    return max((right - left) / _WIDTH, (top - bottom) / _HEIGHT, 1e-3)
 
 
 def _to_scale(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | None:
@@ -599,8 +614,7 @@ def _to_scale(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | Non
         across, up = max(right - left, 1e-9), max(top - bottom, 1e-9)
         scale = min(_WIDTH / across, _HEIGHT / up) if scale == 1.0 else scale
         plan, _ = _on_paper(story, moves, given, made, x, scale, radius, 1.0)
-        left, bottom, right, top = _box(_drawn(plan))
-        over = max((right - left) / (_WIDTH + 6), (top - bottom) / (_HEIGHT + 6))
+        over = _fill(plan)
         if 0.97 < over < 1.03:
             break
         scale /= over
@@ -642,7 +656,7 @@ def _on_paper(
     stops = [_stop(move, where, radius) for move in moves]
     legs = _flights(moves, given, where, scale)
     lines = _lines(story, moves, given, stops, scale)
-    ends, short = _loose_ends(story, moves, given, where, lines, shrunk, scale)
+    ends, short = _loose_ends(story, moves, given, where, lines, shrunk, scale, radius)
     legs = sorted([*legs, *ends], key=lambda leg: leg.after)
     rounds = tuple(
         Round(name, c * scale, r * scale, _struck_from_inside(name, stops, given))
@@ -657,6 +671,8 @@ def _on_paper(
     points = {name: p * scale for name, p in given.points.items()}
     if given.placed:
         _stretch(lines, [*(p for leg in legs for p in (leg.start, leg.end)), *points.values()])
+    else:
+        _under(lines, stops, legs, 20 * shrunk)
     struck = [(m.wall, m.bodies[0]) for m in moves if m.wall]
     successive = {
         frozenset((a, b)) for (a, p), (b, q) in itertools.pairwise(struck) if a != b and p == q
@@ -683,10 +699,7 @@ def _on_paper(
         radius,
         scale if given.placed else None,
     )
-    left, bottom, right, top = _box(_drawn(plan))
-    cost = 1000.0 * crossed + 5 * short
-    over = max(0.0, right - left - _WIDTH - 6) + max(0.0, top - bottom - _HEIGHT)
-    cost += 500 * (over > 0) + 10 * over
+    cost = 1000.0 * crossed + 5 * short + 15 * max(0.0, _fill(plan) - 1)
     for pair in successive:
         one, other = (next((w for w in walls if w.name == name), None) for name in pair)
         if one is not None and other is not None and other.name not in one.corners:
@@ -767,6 +780,24 @@ def _stretch(lines: Iterable[_Line], points: Sequence[Vector]) -> None:
             line.high = max(line.high, max(shadows) + 3)
 
 
+def _under(
+    lines: Iterable[_Line], stops: Iterable[Stop], legs: Sequence[Leg], most: float
+) -> None:
+    """Walls go on along a path that comes to them or leaves them at a small angle."""
+    for line in lines:
+        for stop in stops:
+            if stop.wall != line.name:
+                continue
+            hit = line.along_it(stop.contact)
+            for leg in legs:
+                if leg.body not in stop.centres:
+                    continue
+                for end, other in ((leg.start, leg.end), (leg.end, leg.start)):
+                    if _size(end - stop.centres[leg.body]) < 1e-6:
+                        s = hit + max(-most, min(most, line.along_it(other) - hit))
+                        line.low, line.high = min(line.low, s), max(line.high, s)
+
+
 def _struck_from_inside(name: str, stops: Iterable[Stop], given: _Given) -> bool:
     centre, radius = given.circles[name]
     struck = next((stop for stop in stops if stop.wall == name), None)
@@ -784,6 +815,7 @@ def _loose_ends(
     lines: Sequence[_Line],
     shrunk: float,
     scale: float,
+    radius: float,
 ) -> tuple[list[Leg], float]:
     """The pieces of the paths before the first and after the last event of each sphere.
 
@@ -798,7 +830,7 @@ def _loose_ends(
         if body not in given.starts and not _still(first):
             end = where[body, own[0].number]
             way, skip = -_unit(first), own[0].wall
-            length = _free_way(end, way, _APPROACH * shrunk, lines, skip)
+            length = _free_way(end, way, _APPROACH * shrunk + radius, lines, skip)
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - length)
             legs.append(Leg(body, 0, "approach", end + way * length, end))
         last = own[-1].after[body] if own else first
@@ -807,12 +839,13 @@ def _loose_ends(
             way, skip = _unit(last), own[-1].wall if own else None
             length = _onward(start, way, lines, skip) if given.placed else None
             if length is None:
-                length = _free_way(start, way, _EXIT * shrunk, lines, skip)
-            for centre, radius in given.circles.values():
-                chord = _inside_circle(start - centre * scale, way, radius * scale)
+                length = _free_way(start, way, _EXIT * shrunk + radius, lines, skip)
+            for centre, rim in given.circles.values():
+                chord = _inside_circle(start - centre * scale, way, rim * scale)
                 length = length if chord is None else min(length, 0.6 * chord)
             lacking += max(0.0, 0.6 * _EXIT * shrunk - length)
-            legs.append(Leg(body, len(moves) and own[-1].number if own else 0, "exit", start, start + way * length))
+            since = own[-1].number if own else 0
+            legs.append(Leg(body, since, "exit", start, start + way * length))
     return legs, lacking
 
 
