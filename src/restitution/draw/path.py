@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,19 +23,24 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
+from restitution.draw.values import Motion, motion
 from restitution.errors import RestitutionError
-from restitution.exact import decimal, is_zero, tidy, tidy_angle
-from restitution.expression.tree import Name, Pair, Quantity, Unit, walk
-from restitution.problem import Given, Impact, Kick, Let
+from restitution.exact import tidy
+from restitution.expression.tree import Letter as TreeLetter
+from restitution.expression.tree import Pair, Unit, walk
+from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
 from restitution.render.text import to_text
 from restitution.solve.letters import trees
 from restitution.solve.solution import Branch, PartSolution, Solution
+from restitution.solve.story import Story
 from restitution.vector import Vector
 
 # Longer expressions (in characters on one line) say less beside a path than they hide.
-_SHORT_ANGLE, _SHORT_SPEED = 6, 9
+_SHORT_SPEED = 9
+# Velocities of more operations than this have no short size.
+_LONG = 40
 _ARC = 6.0
 _MARGIN = 5.0
 # The radius of a disc that has room for its letter.
@@ -49,10 +53,15 @@ def path_scene(solution: Solution, part: PartSolution, branch: Branch) -> Scene 
 
     None for a story without walls and without places, which a plan would not make clearer.
     """
-    plan = lay_out(branch.numbers)
+    events = [step for step in part.part.steps if isinstance(step, Impact | Kick | Arrival)]
+    since = len(branch.numbers.happenings) - len(events)
+    if lay_out(branch.numbers, since) is None:
+        return None
+    told = motion(solution, part, branch)
+    plan = lay_out(told.story, since)
     if plan is None:
         return None
-    values = _Values(solution, part, branch)
+    values = _Values(solution, part, branch, told)
     drawing = _Drawing(plan, values)
     drawing.walls()
     drawing.paths()
@@ -85,83 +94,102 @@ class _Values:
     solution: Solution
     part: PartSolution
     branch: Branch
-    found: dict[Quantity, Any] = field(default_factory=dict)
-
-    def value(self, tree: Quantity, now: int) -> Any:
-        """The exact value of a quantity; None where it has none that can be shown."""
-        if tree not in self.found:
-            self.found[tree] = self._value(tree, now)
-        return self.found[tree]
-
-    def _value(self, tree: Quantity, now: int) -> Any:
-        try:
-            value = self.branch.story.evaluator(now).value(tree)
-            value = tidy_angle(value.measure()) if hasattr(value, "measure") else tidy(value)
-        except (RestitutionError, ArithmeticError, TypeError, ValueError, AttributeError):
-            return None
-        hidden = any(symbol.name.startswith("_") for symbol in value.free_symbols)
-        return None if hidden else value
+    motion: Motion
+    found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
 
     def speed(self, body: str, after: int) -> Layout | None:
         """The speed of a sphere after an event, if it is short."""
-        value = self.value(Quantity("speed", (Name(body),), after), max(after, 1))
-        if value is None or is_zero(value):
+        if (body, after) not in self.found:
+            self.found[body, after] = self._speed(body, after)
+        return self.found[body, after]
+
+    def _speed(self, body: str, after: int) -> Layout | None:
+        if _size(_floats(self.motion.story.velocity(body, after))) < 1e-12:
+            return None
+        try:
+            story = self.branch.story
+            velocity = story.velocity(body, after)
+            if sum(x.count_ops() for x in velocity) > _LONG:
+                return None
+            value = tidy(story.size(Vector(tidy(velocity.x), tidy(velocity.y))))
+        except (RestitutionError, ArithmeticError, TypeError, ValueError, AttributeError):
             return None
         laid = lay.from_sympy(value)
+        if any(symbol.name.startswith("_") for symbol in value.free_symbols):
+            return None
         if value.free_symbols:
             return laid if len(to_text(laid)) <= _SHORT_SPEED else None
         if len(to_text(laid)) > 4:
             laid = lay.decimal_number(value)
         return lay.Phrase((laid, Words("m s⁻¹")))
 
-    def angle(self, body: str, after: int, stop: Stop) -> Layout | None:
-        """The angle of a velocity with a wall (with a round one: with the radius), if it is short."""
-        now = stop.number
-        velocity = Quantity("velocity", (Name(body),), after)
-        if stop.kind == "circle":
-            tree = Quantity("angle", (velocity, Quantity("line_of_centres", (), now)))
-        else:
-            assert stop.wall is not None
-            tree = Quantity("angle", (velocity, Name(stop.wall)))
-            named = self._named(tree, body, after)
-            if named is not None:
-                return named
-        value = self.value(tree, now)
-        if value is None or is_zero(value):
-            return None
-        laid = lay.from_sympy(value, degrees=True)
-        if len(to_text(laid)) <= _SHORT_ANGLE:
-            return laid
-        number = decimal(value)
-        return None if number is None else _degrees(number)
+    def angle(self, body: str, stop: Stop, *, before: bool) -> Layout | None:
+        """The angle of a velocity with a wall (with a round one: with the radius), if it is short.
 
-    def _named(self, tree: Quantity, body: str, after: int) -> Layout | None:
-        """A letter that the statement has for an angle: ``let beta = angle(velocity(P), W)``."""
-        now = 0
-        for part, step in self.solution.problem.steps():
-            if isinstance(step, Impact | Kick) or hasattr(step, "target"):
-                now += 1
-            if not isinstance(step, Let) or (part.label is not None and part is not self.part.part):
-                continue
-            said = step.expression
-            if not isinstance(said, Quantity) or said.kind != "angle":
-                continue
-            velocity, wall = said.arguments
-            if not isinstance(velocity, Quantity):
-                velocity, wall = wall, velocity
-            if (
-                isinstance(velocity, Quantity)
-                and velocity.arguments == (Name(body),)
-                and wall == tree.arguments[1]
-                and (velocity.stage if isinstance(velocity.stage, int) else now) == after
-                and velocity.stage != "before"
-            ):
-                return lay.letter(step.letter)
+        A letter that has this value, or the value itself where it is the same for all letters.
+        """
+        told = [self.motion.story, self.branch.numbers]
+        sizes = [_angle(story, body, stop, before) for story in told]
+        if None in sizes or sizes[0] is None or sizes[0] < 1e-9:
+            return None
+        now = stop.number
+        quarter = math.pi / 2
+        for turned in (False, True):
+            wanted = [quarter - x if turned else x for x in sizes]  # type: ignore[operator]
+            for name, role in self.part.roles.items():
+                if role.kind != "angle":
+                    continue
+                values = [_letter(story, name, now) for story in told]
+                if all(v is not None and abs(v - w) < 1e-9 for v, w in zip(values, wanted)):
+                    laid = lay.letter(name)
+                    rest = lay.total([Degrees(Number("90")), lay.negative(laid)])
+                    return rest if turned else laid
+            if self._settled(sizes):
+                return _degrees(sizes[0])
+        return None
+
+    def _settled(self, values: Sequence[Any]) -> bool:
+        """Whether a number is the same for all values of the letters."""
+        if abs(values[0] - values[1]) > 1e-9:
+            return False
+        free = [name for name in self.part.roles if name not in self.branch.values]
+        numbers, sample = self.motion.numbers, self.branch.sample
+        return not free or any(
+            abs(float(numbers[name]) - float(sample[name])) > 1e-9
+            for name in free
+            if name in numbers and name in sample
+        )
+
+
+def _angle(story: Story, body: str, stop: Stop, before: bool) -> float | None:
+    happening = story.happenings[stop.number - 1]
+    if happening.centres is None:
+        return None
+    normal = _floats(happening.centres)
+    velocity = _floats((happening.before if before else happening.after)[body])
+    if _size(velocity) < 1e-12:
+        return None
+    across, along = abs(velocity.dot(normal)), abs(velocity.cross(normal))
+    return math.atan2(along, across) if stop.kind == "circle" else math.atan2(across, along)
+
+
+def _letter(story: Story, name: str, now: int) -> float | None:
+    """A letter, or what a name of the statement stands for, in radians."""
+    try:
+        value = story.evaluator(now).value(TreeLetter(name))
+        return float(value.measure() if hasattr(value, "measure") else value)
+    except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
         return None
 
 
 def _degrees(radians: float) -> Layout:
-    return Degrees(lay.decimal_number(math.degrees(radians)))
+    size = math.degrees(radians)
+    near = round(2 * size) / 2
+    return Degrees(Number(f"{near:g}") if abs(near - size) < 1e-9 else lay.decimal_number(size))
+
+
+def _floats(v: Any) -> Vector:
+    return Vector(float(v[0]), float(v[1]))
 
 
 def _name(name: str) -> Layout:
@@ -209,8 +237,9 @@ class _Drawing:
             if wall.corners[1] is not None and wall.corners[0] is None:
                 at, out = wall.start, -out
             inward = at - out * 3
+            moves = (inward - out * 6,)
             self.labels.append(
-                Label(_name(wall.name), inward, _sides(wall.far), gap=2.6, moves=(inward - out * 6,))
+                Label(_name(wall.name), inward, _sides(wall.far), gap=2.6, moves=moves)
             )
             return
         corners = list(wall.corners)
@@ -338,11 +367,11 @@ class _Drawing:
             )
             along = stop.normal.turned_left()
             drawn = False
-            for leg, number in ((before, self._since(body, stop.number)), (after, stop.number)):
+            for leg in (before, after):
                 if leg is None or leg.lane:
                     continue
                 ray = leg.direction if leg is after else -leg.direction
-                laid = self.values.angle(body, number, stop)
+                laid = self.values.angle(body, stop, before=leg is before)
                 if stop.kind == "circle":
                     reference = -stop.normal
                 else:
@@ -378,11 +407,6 @@ class _Drawing:
     def _leg_to(self, body: str, centre: Vector, number: int) -> Leg | None:
         own = [leg for leg in self.plan.legs if leg.body == body and leg.after < number]
         return own[-1] if own and _size(own[-1].end - centre) < 1e-6 else None
-
-    def _since(self, body: str, number: int) -> int:
-        """The event of a body before this one, 0 for the start."""
-        earlier = [s.number for s in self.plan.stops if body in s.centres and s.number < number]
-        return earlier[-1] if earlier else 0
 
     # --- numbers and points ---------------------------------------------------------------
 
@@ -510,8 +534,7 @@ def _enters(corner: Vector, size: float, a: Vector, b: Vector) -> bool:
 
 def _unchanged(plan: Plan, leg: Leg) -> bool:
     """Whether a piece of path goes on as the one before: after a point that is only reached."""
-    stop = plan.stops[leg.after - 1]
-    return stop.kind == "arrival"
+    return any(stop.number == leg.after and stop.kind == "arrival" for stop in plan.stops)
 
 
 def _ends_named(name: str) -> tuple[str, str] | None:
@@ -556,8 +579,8 @@ def _description(plan: Plan, values: _Values) -> str:
             said = f"{names[0]} strikes the wall {stop.wall}"
         said = f"{stop.number}: {said}"
         if stop.kind == "wall":
-            before = values.angle(names[0], _before(plan, names[0], stop.number), stop)
-            after = values.angle(names[0], stop.number, stop)
+            before = values.angle(names[0], stop, before=True)
+            after = values.angle(names[0], stop, before=False)
             if before is not None:
                 said += f" at {to_text(before)} to it"
             if after is not None:
@@ -573,8 +596,3 @@ def _description(plan: Plan, values: _Values) -> str:
     if plan.scale is None:
         sentences.append("Angles are true, lengths are free")
     return ". ".join(sentences) + "."
-
-
-def _before(plan: Plan, body: str, number: int) -> int:
-    earlier = [s.number for s in plan.stops if body in s.centres and s.number < number]
-    return earlier[-1] if earlier else 0

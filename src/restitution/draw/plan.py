@@ -35,8 +35,8 @@ _LARGEST = 1.5  # times these, where there is room
 _RADIUS = 2.6
 # How far a wall goes on beyond the place where it is struck.
 _BEYOND = 9.0
-# Paths along one line are drawn so far apart.
-_LANE = 2.0
+# Paths along one line are drawn so far apart: two of them, or more with words between.
+_LANE, _WIDE_LANE = 2.2, 4.4
 _CLOSE = 1e-6
 
 
@@ -243,19 +243,19 @@ def _layout(
     """What the story says of places; ``starts`` and ``origins`` are those given."""
     bodies = list(dict.fromkeys(name for move in moves for name in move.bodies))
     free_walls = list(
-        dict.fromkeys(
-            m.wall for m in moves if m.wall and m.place is None and m.wall not in origins
-        )
+        dict.fromkeys(m.wall for m in moves if m.wall and m.place is None and m.wall not in origins)
     )
     count = 2 * len(bodies) + len(moves) + len(free_walls)
     made = _Layout(count)
-    speed = max((_size(v) for m in moves for v in (*m.before.values(), *m.after.values())))
+    speed = max(_size(v) for m in moves for v in (*m.before.values(), *m.after.values()))
     normals: dict[str, Vector] = {}
+
+    order = {move.number: k for k, move in enumerate(moves)}
 
     def time(number: int) -> Any:
         row = np.zeros(count)
         if number:
-            row[2 * len(bodies) + number - 1] = 1 / speed
+            row[2 * len(bodies) + order[number]] = 1 / speed
         return row
 
     for index, body in enumerate(bodies):
@@ -433,7 +433,7 @@ def _trim(lines: list[_Line], legs: Sequence[Leg], reach: float, successive: set
         if other.low - _CLOSE < t < other.high + _CLOSE:
             for side, sign in (("high", 1), ("low", -1)):
                 beyond = sign * (s - max((sign * h for h in line.hits), default=-math.inf) * sign)
-                if side not in line.corners and 0 < beyond and sign * (getattr(line, side) - s) > 0:
+                if side not in line.corners and beyond > 0 and sign * (getattr(line, side) - s) > 0:
                     setattr(line, side, s - sign * 1.5)
     bad = 0
     for line in lines:
@@ -518,8 +518,9 @@ def _given(story: Story) -> _Given:
                 float(story.read(wall.radius, "")),
             )
         elif wall.start is not None:
-            ends = _floats(story.read_vector(wall.start, "")), _floats(
-                story.read_vector(wall.end, "")
+            ends = (
+                _floats(story.read_vector(wall.start, "")),
+                _floats(story.read_vector(wall.end, "")),
             )
             segments[name], origins[name] = ends, ends[0]
         elif wall.through is not None:
@@ -533,27 +534,79 @@ def _given(story: Story) -> _Given:
     return _Given(starts, origins, segments, circles, points, size)
 
 
-def lay_out(story: Story) -> Plan | None:
+def lay_out(story: Story, since: int = 0) -> Plan | None:
     """A story told in numbers on paper; None for one that needs no plan, or has none.
 
-    A plan is made of a story with an impact on a wall, or with places that are known.
+    A plan is made of a story with an impact on a wall, or with places that are known. What has
+    nothing to do with the events after ``since``, in a story without places, is left out.
     """
     try:
         moves, given = _moves(story), _given(story)
     except (RestitutionError, ArithmeticError):
         return None
-    walled = any(move.wall is not None for move in moves)
-    if not moves or not (walled or given.placed):
-        return None
-    if all(_still(v) for m in moves for v in (*m.before.values(), *m.after.values())):
+    if not moves or all(_still(v) for m in moves for v in (*m.before.values(), *m.after.values())):
         return None
     try:
-        return _to_scale(story, moves, given) if given.placed else _freely(story, moves, given)
+        if given.placed:
+            return _to_scale(story, moves, given)
+        groups = _connected(moves)
+        walled = [g for g in groups if any(move.wall is not None for move in g)]
+        recent = [g for g in groups if any(move.number > since for move in g)] or groups
+        shown = [g for g in walled if g in recent]
+        plans = [_freely(story, group, given, _WIDTH / len(shown)) for group in shown]
     except np.linalg.LinAlgError:
         return None
+    made = [plan for plan in plans if plan is not None]
+    return _side_by_side(made) if made else None
 
 
-def _freely(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | None:
+def _connected(moves: Sequence[_Move]) -> list[list[_Move]]:
+    """The events in groups without a sphere in common."""
+    groups: list[list[_Move]] = []
+    for move in moves:
+        own = [g for g in groups if any(set(m.bodies) & set(move.bodies) for m in g)]
+        groups = [g for g in groups if g not in own]
+        groups.append(sorted([*(m for g in own for m in g), move], key=lambda m: m.number))
+    return groups
+
+
+def _side_by_side(plans: Sequence[Plan]) -> Plan:
+    """Plans that have nothing to do with one another, from left to right, as one."""
+    whole = plans[0]
+    for plan in plans[1:]:
+        _, _, right, _ = _box(_drawn(whole))
+        left, _, _, _ = _box(_drawn(plan))
+        moved = _moved(plan, Vector(right - left + 12.0, 0.0))
+        whole = replace(
+            whole,
+            legs=(*whole.legs, *moved.legs),
+            stops=(*whole.stops, *moved.stops),
+            starts={**whole.starts, **moved.starts},
+            walls=(*whole.walls, *moved.walls),
+            side_by_side=whole.side_by_side or moved.side_by_side,
+        )
+    return whole
+
+
+def _moved(plan: Plan, by: Vector) -> Plan:
+    """A plan without places elsewhere on the paper."""
+    return replace(
+        plan,
+        legs=tuple(replace(leg, start=leg.start + by, end=leg.end + by) for leg in plan.legs),
+        stops=tuple(
+            replace(
+                stop,
+                centres={name: at + by for name, at in stop.centres.items()},
+                contact=stop.contact + by,
+            )
+            for stop in plan.stops
+        ),
+        starts={name: at + by for name, at in plan.starts.items()},
+        walls=tuple(replace(w, start=w.start + by, end=w.end + by) for w in plan.walls),
+    )
+
+
+def _freely(story: Story, moves: Sequence[_Move], given: _Given, width: float) -> Plan | None:
     """A plan where the statement gives directions only: the clearest of several."""
     sized = given.radius is not None or any(move.kind == "spheres" for move in moves)
     radius = _RADIUS if sized else 0.0
@@ -574,20 +627,20 @@ def _freely(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | None:
     _, plan, factors = best
     size = 1.0
     for _ in range(4):
-        size = min(size / _fill(plan), _LARGEST)
+        size = min(size / _fill(plan, width), _LARGEST)
         x = _solve(made, [_FLIGHT * factor * size for factor in factors], _SHORTEST * size)
         if x is None:
             break
         plan, _ = _on_paper(story, moves, given, made, x, 1.0, radius, size)
-        if 0.97 < _fill(plan) < 1.03:
+        if 0.97 < _fill(plan, width) < 1.03:
             break
     return _in_lanes(plan)
 
 
-def _fill(plan: Plan) -> float:
+def _fill(plan: Plan, width: float = _WIDTH) -> float:
     """The share of the room on paper that a plan fills; more than 1 for one that is too large."""
     left, bottom, right, top = _box(_drawn(plan))
-    return max((right - left) / _WIDTH, (top - bottom) / _HEIGHT, 1e-3)
+    return max((right - left) / width, (top - bottom) / _HEIGHT, 1e-3)
 
 
 def _to_scale(story: Story, moves: Sequence[_Move], given: _Given) -> Plan | None:
@@ -780,9 +833,7 @@ def _stretch(lines: Iterable[_Line], points: Sequence[Vector]) -> None:
             line.high = max(line.high, max(shadows) + 3)
 
 
-def _under(
-    lines: Iterable[_Line], stops: Iterable[Stop], legs: Sequence[Leg], most: float
-) -> None:
+def _under(lines: Iterable[_Line], stops: Iterable[Stop], legs: Sequence[Leg], most: float) -> None:
     """Walls go on along a path that comes to them or leaves them at a small angle."""
     for line in lines:
         for stop in stops:
@@ -834,7 +885,7 @@ def _loose_ends(
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - length)
             legs.append(Leg(body, 0, "approach", end + way * length, end))
         last = own[-1].after[body] if own else first
-        if not _still(last):
+        if not _still(last) and not (own and _ends_at_wall(own[-1], given, where, body, scale)):
             start = where[body, own[-1].number] if own else given.starts[body] * scale
             way, skip = _unit(last), own[-1].wall if own else None
             length = _onward(start, way, lines, skip) if given.placed else None
@@ -847,6 +898,23 @@ def _loose_ends(
             since = own[-1].number if own else 0
             legs.append(Leg(body, since, "exit", start, start + way * length))
     return legs, lacking
+
+
+def _ends_at_wall(
+    move: _Move,
+    given: _Given,
+    where: Mapping[tuple[str, int], Vector],
+    body: str,
+    scale: float,
+) -> bool:
+    """Whether a story ends as a sphere comes to a wall, and what it does there is not told."""
+    if move.kind != "arrival":
+        return False
+    at, way = where[body, move.number], move.after[body]
+    return move.wall is not None or any(
+        abs(_size(at - c * scale) - r * scale) < 1e-6 * r * scale and way.dot(at - c * scale) > 0
+        for c, r in given.circles.values()
+    )
 
 
 def _free_way(
@@ -911,7 +979,8 @@ def _in_lanes(plan: Plan) -> Plan:
     first = {g: legs[g].direction for g in most}
     moved = []
     for i, leg in enumerate(legs):
-        lane = (lanes[i] - most[group[i]] / 2) * _LANE
+        count = most[group[i]]
+        lane = (lanes[i] - count / 2) * (_LANE if count < 2 else _WIDE_LANE)
         same = leg.direction.dot(first[group[i]]) > 0
         moved.append(replace(leg, lane=(lane if same else -lane) or 0.0))
     return replace(plan, legs=tuple(moved), side_by_side=True)
@@ -919,10 +988,7 @@ def _in_lanes(plan: Plan) -> Plan:
 
 def _one_line(one: Leg, other: Leg) -> bool:
     way = one.direction
-    return (
-        abs(way.cross(other.direction)) < 1e-3
-        and abs(way.cross(other.start - one.start)) < 0.3
-    )
+    return abs(way.cross(other.direction)) < 1e-3 and abs(way.cross(other.start - one.start)) < 0.3
 
 
 def _overlap(one: Leg, other: Leg) -> bool:
