@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
-from restitution.draw.plan import Leg, Plan, Stop, Straight, lay_out
+from restitution.draw.describe import value_of
+from restitution.draw.flights import told_places
+from restitution.draw.plan import Leg, Plan, Stop, Straight, floats, length, still, unit
+from restitution.draw.planning import lay_out
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -23,24 +25,25 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, motion
+from restitution.draw.values import Motion, drawn_for, motion
 from restitution.errors import RestitutionError
-from restitution.exact import tidy
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.expression.tree import Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
 from restitution.render.text import to_text
+from restitution.solve.forms import plain
 from restitution.solve.letters import trees
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.vector import Vector
 
 # Longer expressions (in characters on one line) say less beside a path than they hide.
-_SHORT_SPEED = 9
+_SHORT = 9
 # Velocities of more operations than this have no short size.
 _LONG = 40
+_SAME = 1e-9
 _ARC = 6.0
 _MARGIN = 5.0
 # The radius of a disc that has room for its letter.
@@ -81,6 +84,7 @@ def path_scene(solution: Solution, part: PartSolution, branch: Branch) -> Scene 
         (middle - half, bottom, middle + half, top),
         tuple(drawing.shapes),
         tuple(drawing.labels),
+        note=_note(plan, told),
     )
 
 
@@ -104,21 +108,21 @@ class _Values:
         return self.found[body, after]
 
     def _speed(self, body: str, after: int) -> Layout | None:
-        if _size(_floats(self.motion.story.velocity(body, after))) < 1e-12:
+        if still(floats(self.motion.story.velocity(body, after))):
             return None
         try:
             story = self.branch.story
             velocity = story.velocity(body, after)
             if sum(x.count_ops() for x in velocity) > _LONG:
                 return None
-            value = tidy(story.size(Vector(tidy(velocity.x), tidy(velocity.y))))
-        except (RestitutionError, ArithmeticError, TypeError, ValueError, AttributeError):
+            value = plain(story.size(velocity), [self.branch.sample])
+        except (RestitutionError, ArithmeticError):
             return None
-        laid = lay.from_sympy(value)
         if any(symbol.name.startswith("_") for symbol in value.free_symbols):
             return None
+        laid = lay.from_sympy(value)
         if value.free_symbols:
-            return laid if len(to_text(laid)) <= _SHORT_SPEED else None
+            return laid if len(to_text(laid)) <= _SHORT else None
         if len(to_text(laid)) > 4:
             laid = lay.decimal_number(value)
         return lay.Phrase((laid, Words("m s⁻¹")))
@@ -128,46 +132,37 @@ class _Values:
 
         A letter that has this value, or the value itself where it is the same for all letters.
         """
-        told = [self.motion.story, self.branch.numbers]
-        sizes = [_angle(story, body, stop, before) for story in told]
-        if None in sizes or sizes[0] is None or sizes[0] < 1e-9:
+        told = [
+            self.motion.story,
+            self.branch.numbers,
+            *(moved for _, moved in self.motion.free if moved is not None),
+        ]
+        sizes = [size for story in told if (size := _angle(story, body, stop, before)) is not None]
+        if len(sizes) < len(told) or sizes[0] < _SAME:
             return None
-        now = stop.number
-        quarter = math.pi / 2
+        letters = [name for name, role in self.part.roles.items() if role.kind == "angle"]
         for turned in (False, True):
-            wanted = [quarter - x if turned else x for x in sizes]  # type: ignore[operator]
-            for name, role in self.part.roles.items():
-                if role.kind != "angle":
-                    continue
-                values = [_letter(story, name, now) for story in told]
-                if all(v is not None and abs(v - w) < 1e-9 for v, w in zip(values, wanted)):
+            wanted = [math.pi / 2 - size if turned else size for size in sizes]
+            for name in letters:
+                values = [_letter(story, name, stop.number) for story in told]
+                if all(v is not None and abs(v - w) < _SAME for v, w in zip(values, wanted)):
                     laid = lay.letter(name)
                     rest = lay.total([Degrees(Number("90")), lay.negative(laid)])
                     return rest if turned else laid
-            if self._settled(sizes):
-                return _degrees(sizes[0])
+            if all(abs(size - sizes[0]) < _SAME for size in sizes):
+                # The same for all letters, if any could be varied.
+                varied = len(sizes) > 2 or self.branch.sample != self.motion.numbers
+                return _degrees(sizes[0]) if varied or not self.motion.free else None
         return None
-
-    def _settled(self, values: Sequence[Any]) -> bool:
-        """Whether a number is the same for all values of the letters."""
-        if abs(values[0] - values[1]) > 1e-9:
-            return False
-        free = [name for name in self.part.roles if name not in self.branch.values]
-        numbers, sample = self.motion.numbers, self.branch.sample
-        return not free or any(
-            abs(float(numbers[name]) - float(sample[name])) > 1e-9
-            for name in free
-            if name in numbers and name in sample
-        )
 
 
 def _angle(story: Story, body: str, stop: Stop, before: bool) -> float | None:
     happening = story.happenings[stop.number - 1]
     if happening.centres is None:
         return None
-    normal = _floats(happening.centres)
-    velocity = _floats((happening.before if before else happening.after)[body])
-    if _size(velocity) < 1e-12:
+    normal = floats(happening.centres)
+    velocity = floats((happening.before if before else happening.after)[body])
+    if still(velocity):
         return None
     across, along = abs(velocity.dot(normal)), abs(velocity.cross(normal))
     return math.atan2(along, across) if stop.kind == "circle" else math.atan2(across, along)
@@ -186,10 +181,6 @@ def _degrees(radians: float) -> Layout:
     size = math.degrees(radians)
     near = round(2 * size) / 2
     return Degrees(Number(f"{near:g}") if abs(near - size) < 1e-9 else lay.decimal_number(size))
-
-
-def _floats(v: Any) -> Vector:
-    return Vector(float(v[0]), float(v[1]))
 
 
 def _name(name: str) -> Layout:
@@ -233,7 +224,7 @@ class _Drawing:
     def _wall_name(self, wall: Straight) -> None:
         letters = _ends_named(wall.name)
         if letters is None:
-            at, out = wall.end, _unit(wall.end - wall.start)
+            at, out = wall.end, unit(wall.end - wall.start)
             if wall.corners[1] is not None and wall.corners[0] is None:
                 at, out = wall.start, -out
             inward = at - out * 3
@@ -260,7 +251,7 @@ class _Drawing:
                 self._end_name(letters[k], wall, k)
 
     def _end_name(self, letter: str, wall: Straight, end: int) -> None:
-        way = _unit(wall.end - wall.start) * (1 if end else -1)
+        way = unit(wall.end - wall.start) * (1 if end else -1)
         self._point_name(letter, (wall.start, wall.end)[end], way)
 
     def _point_name(self, letter: str, at: Vector, way: Vector) -> None:
@@ -278,7 +269,7 @@ class _Drawing:
             before = latest.get(leg.body)
             if before is not None:
                 turn = before.end + before.shift
-                if _size(start - turn) > 1e-6:
+                if length(start - turn) > 1e-6:
                     self.shapes.append(Line("path", turn, start))
             latest[leg.body] = leg
             start = self._outside(start, leg)
@@ -295,7 +286,7 @@ class _Drawing:
     def _outside(self, start: Vector, leg: Leg) -> Vector:
         """Where a path leaves the disc that has a letter in it."""
         radius = self.plan.radius
-        if radius < _LETTERED or _size(self.plan.starts[leg.body] - leg.start) > 1e-6:
+        if radius < _LETTERED or length(self.plan.starts[leg.body] - leg.start) > 1e-6:
             return start
         out = start - leg.start
         return start + leg.direction * math.sqrt(max(radius**2 - out.dot(out), 0.0))
@@ -345,7 +336,7 @@ class _Drawing:
                 for name, sign in zip(stop.centres, signs, strict=True)
             }
         for name, centre in centres.items():
-            at_start = _size(self.plan.starts[name] - centre) < 0.3 and self.plan.radius >= 0.8
+            at_start = length(self.plan.starts[name] - centre) < 0.3 and self.plan.radius >= 0.8
             if not at_start:
                 self.shapes.append(Disc(name, centre, radius, ghost=True))
         first, second = centres.values()
@@ -368,7 +359,7 @@ class _Drawing:
             along = stop.normal.turned_left()
             drawn = False
             for leg in (before, after):
-                if leg is None or leg.lane:
+                if leg is None or any(each is not None and each.lane for each in (before, after)):
                     continue
                 ray = leg.direction if leg is after else -leg.direction
                 laid = self.values.angle(body, stop, before=leg is before)
@@ -394,7 +385,7 @@ class _Drawing:
         if abs(turn - math.pi / 2) < 1e-6:
             self.shapes.append(RightAngle(corner, reference, ray))
             return True
-        radius = min(_ARC if turn > 0.3 else 1.6 * _ARC, 0.45 * _size(leg.end - leg.start))
+        radius = min(_ARC if turn > 0.3 else 1.6 * _ARC, 0.45 * length(leg.end - leg.start))
         low, high = sorted((_bearing(reference), _bearing(ray)))
         if high - low > math.pi:
             low, high = high, low + 2 * math.pi
@@ -406,7 +397,7 @@ class _Drawing:
 
     def _leg_to(self, body: str, centre: Vector, number: int) -> Leg | None:
         own = [leg for leg in self.plan.legs if leg.body == body and leg.after < number]
-        return own[-1] if own and _size(own[-1].end - centre) < 1e-6 else None
+        return own[-1] if own and length(own[-1].end - centre) < 1e-6 else None
 
     # --- numbers and points ---------------------------------------------------------------
 
@@ -434,7 +425,7 @@ class _Drawing:
     def points(self) -> None:
         taken = [self.plan.starts[name] for name in self.plan.starts]
         for name, at in self.plan.points.items():
-            if not any(_size(at - s) < 0.5 for s in taken):
+            if not any(length(at - s) < 0.5 for s in taken):
                 self.shapes.append(Dot(name, at))
             if name not in self.named:
                 self.named.add(name)
@@ -456,11 +447,11 @@ class _Drawing:
             (c for c in corners if not any(_enters(c, size + 4, a, b) for a, b in segments)),
             Vector(left - size - 4, bottom + 1),
         )
-        for unit, name, sides in (
+        for axis, name, sides in (
             (Vector(1.0, 0.0), "i", ("e", "se", "ne")),
             (Vector(0.0, 1.0), "j", ("n", "nw", "ne")),
         ):
-            end = origin + unit * size
+            end = origin + axis * size
             self.shapes.append(Arrow("axis", origin, end))
             self.labels.append(Label(Bold(name), end, sides, gap=0.8))  # type: ignore[arg-type]
 
@@ -494,14 +485,6 @@ class _Drawing:
 
 
 # --- small geometry -------------------------------------------------------------------------------
-
-
-def _size(v: Vector) -> float:
-    return math.hypot(v.x, v.y)
-
-
-def _unit(v: Vector) -> Vector:
-    return v / (_size(v) or 1.0)
 
 
 def _bearing(v: Vector) -> float:
@@ -554,6 +537,54 @@ def _speaks_of_axes(solution: Solution) -> bool:
     )
 
 
+# --- the letters ----------------------------------------------------------------------------------
+
+
+def _note(plan: Plan, told: Motion) -> Layout | None:
+    """The values by which letters are drawn."""
+    chosen = list(drawn_for(told, [stop.number for stop in plan.stops]))
+    if plan.scale is not None:
+        places = _places(told.story)
+        chosen += [
+            each
+            for each, moved in told.free
+            if each not in chosen and (moved is None or not _in_proportion(places, _places(moved)))
+        ]
+    if not chosen:
+        return None
+    words: list[Layout] = [Words("Drawn for")]
+    for left, each in zip(range(len(chosen) - 1, -1, -1), chosen):
+        relation = lay.Relation((lay.letter(each.name), value_of(each)), ("=",))
+        words.append(lay.Phrase((relation, Words(".,"[left > 1] if left != 1 else " and")), ""))
+    return lay.Phrase(tuple(words))
+
+
+def _places(story: Story) -> list[float]:
+    """Everything that is known of places, as numbers in a fixed order."""
+    given = told_places(story)
+    known = [*given.starts.values(), *given.origins.values(), *given.points.values()]
+    known += [end for ends in given.segments.values() for end in ends]
+    known += [centre for centre, _ in given.circles.values()]
+    known += [
+        floats(where)
+        for track in story.tracks.values()
+        for _, where, _ in track.places
+        if where is not None
+    ]
+    sizes = [radius for _, radius in given.circles.values()]
+    return [x for place in known for x in place] + sizes + [given.radius or 0.0]
+
+
+def _in_proportion(one: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether the second places are the first on another scale."""
+    largest = max(map(abs, one), default=0.0)
+    if len(one) != len(other) or not largest:
+        return one == other
+    k = next(k for k, x in enumerate(one) if abs(x) == largest)
+    ratio = other[k] / one[k]
+    return all(abs(y - ratio * x) < _SAME * largest * abs(ratio) for x, y in zip(one, other))
+
+
 # --- in words -------------------------------------------------------------------------------------
 
 
@@ -572,7 +603,7 @@ def _description(plan: Plan, values: _Values) -> str:
             said = f"{names[0]} receives an impulse"
         elif stop.kind == "arrival":
             point = next(
-                (n for n, p in plan.points.items() if _size(p - stop.contact) < 1e-6), stop.wall
+                (n for n, p in plan.points.items() if length(p - stop.contact) < 1e-6), stop.wall
             )
             said = f"{names[0]} comes to {point or 'a point'}"
         else:
