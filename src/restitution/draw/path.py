@@ -7,7 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from restitution.draw.describe import value_of
+from restitution.draw.distances import distances
 from restitution.draw.flights import told_places
+from restitution.draw.ink import ink, overlap, padded, touched
 from restitution.draw.plan import Leg, Plan, Stop, Straight, floats, length, still, unit
 from restitution.draw.planning import lay_out
 from restitution.draw.scene import (
@@ -25,12 +27,13 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, drawn_for, motion
+from restitution.draw.values import Chosen, Motion, drawn_for, motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.expression.tree import Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
+from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
 from restitution.render.text import to_text
 from restitution.solve.forms import plain
@@ -72,6 +75,7 @@ def path_scene(solution: Solution, part: PartSolution, branch: Branch) -> Scene 
     drawing.angles()
     drawing.numbers()
     drawing.points()
+    drawing.distances()
     drawing.axes()
     left, bottom, right, top = drawing.box()
     middle = (left + right) / 2
@@ -361,6 +365,8 @@ class _Drawing:
             for leg in (before, after):
                 if leg is None or any(each is not None and each.lane for each in (before, after)):
                     continue
+                if leg is before and self._alternate(body, stop):
+                    continue
                 ray = leg.direction if leg is after else -leg.direction
                 laid = self.values.angle(body, stop, before=leg is before)
                 if stop.kind == "circle":
@@ -394,6 +400,19 @@ class _Drawing:
         way = Vector(math.cos(middle), math.sin(middle))
         self.labels.append(Label(laid, corner + way * radius, _sides(way), gap=0.7, size=2.7))
         return True
+
+    def _alternate(self, body: str, stop: Stop) -> bool:
+        """Whether an angle is that with the parallel wall before, where it is shown already."""
+        own = [each for each in self.plan.stops if body in each.centres]
+        last = own[own.index(stop) - 1] if own.index(stop) else None
+        return (
+            last is not None
+            and last.kind == stop.kind == "wall"
+            and last.normal is not None
+            and stop.normal is not None
+            and abs(last.normal.cross(stop.normal)) < _SAME
+            and self.values.angle(body, last, before=False) is not None
+        )
 
     def _leg_to(self, body: str, centre: Vector, number: int) -> Leg | None:
         own = [leg for leg in self.plan.legs if leg.body == body and leg.after < number]
@@ -431,22 +450,35 @@ class _Drawing:
                 self.named.add(name)
                 self.labels.append(Label(_name(name), at, gap=1.4))
 
+    def distances(self) -> None:
+        for each in distances(self.plan, self.values.branch):
+            for start, end in each.leads:
+                self.shapes.append(Line("leader", start, end))
+            self.shapes.append(Arrow("measure", each.start, each.end, both=True))
+            middle = (each.start + each.end) / 2
+            spots = tuple(each.start + (each.end - each.start) * k for k in (0.35, 0.65, 0.2, 0.8))
+            across = unit(each.end - each.start).turned_left()
+            if abs(across.y) > 0.5 and across.y > 0:
+                across = -across
+            sides = (*_sides(across)[:3], *_sides(-across)[:3])
+            self.labels.append(Label(each.label, middle, sides, gap=0.8, size=2.7, moves=spots))
+
     def axes(self) -> None:
         if not _speaks_of_axes(self.values.solution):
             return
         left, bottom, right, top = self.box()
-        size = 7.0
-        corners = [
-            Vector(left + 1, bottom + 1),
-            Vector(right - size - 4, bottom + 1),
-            Vector(left + 1, top - size - 4),
-            Vector(right - size - 4, top - size - 4),
-        ]
-        segments = list(self._segments())
-        origin = next(
-            (c for c in corners if not any(_enters(c, size + 4, a, b) for a, b in segments)),
-            Vector(left - size - 4, bottom + 1),
-        )
+        size, room = 7.0, 11.0
+        pieces = [piece for shape in self.shapes for piece in ink(shape)]
+        taken = [padded((at.x, at.y, at.x, at.y), 3.0) for at in self._named_places()]
+        xs = (left + 1, right - room, (left + right - room) / 2)
+        corners = [Vector(x, y) for y in (bottom + 1, top - room) for x in xs]
+        corners += [Vector(left - room, bottom + 1), Vector(left + 1, bottom - room)]
+
+        def free(corner: Vector) -> bool:
+            box = (corner.x - 1, corner.y - 1, corner.x + room, corner.y + room)
+            return not touched(box, pieces, 1.0) and not any(overlap(box, each) for each in taken)
+
+        origin = next(filter(free, corners), Vector(left - room, bottom + 1))
         for axis, name, sides in (
             (Vector(1.0, 0.0), "i", ("e", "se", "ne")),
             (Vector(0.0, 1.0), "j", ("n", "nw", "ne")),
@@ -457,31 +489,13 @@ class _Drawing:
 
     # --- extent ---------------------------------------------------------------------------
 
-    def _segments(self) -> Iterator[tuple[Vector, Vector]]:
-        for shape in self.shapes:
-            match shape:
-                case Line() | Arrow():
-                    yield shape.start, shape.end
-                case StraightWall():
-                    yield shape.start, shape.end
-                    yield shape.start + shape.far * 2, shape.end + shape.far * 2
-                case Disc() | Dot():
-                    r = Vector(shape.radius, shape.radius)
-                    yield shape.centre - r, shape.centre + r
-                case RoundWall():
-                    for k in range(24):
-                        a, b = k * math.pi / 12, (k + 1) * math.pi / 12
-                        yield tuple(  # type: ignore[misc]
-                            shape.centre + Vector(math.cos(t), math.sin(t)) * (shape.radius + 1)
-                            for t in (a, b)
-                        )
-                case _:
-                    pass
+    def _named_places(self) -> Iterator[Vector]:
+        for label in self.labels:
+            yield label.at
 
     def box(self) -> tuple[float, float, float, float]:
-        points = [p for segment in self._segments() for p in segment]
-        xs, ys = [p.x for p in points], [p.y for p in points]
-        return min(xs) - _MARGIN, min(ys) - _MARGIN, max(xs) + _MARGIN, max(ys) + _MARGIN
+        boxes = [piece.box for shape in self.shapes for piece in ink(shape)]
+        return padded(union(boxes), _MARGIN)
 
 
 # --- small geometry -------------------------------------------------------------------------------
@@ -499,20 +513,6 @@ def _sides(way: Vector) -> tuple[Side, ...]:
         return abs(math.remainder(turn - k * math.pi / 4, 2 * math.pi))
 
     return tuple(_SIDES[k] for k in sorted(range(8), key=off))
-
-
-def _enters(corner: Vector, size: float, a: Vector, b: Vector) -> bool:
-    """Whether a segment enters a square, given its lower left corner."""
-    low, high = 0.0, 1.0
-    for axis in (0, 1):
-        start, way = a[axis] - corner[axis], b[axis] - a[axis]
-        if abs(way) < 1e-9:
-            if not 0 <= start <= size:
-                return False
-            continue
-        enter, leave = sorted((-start / way, (size - start) / way))
-        low, high = max(low, enter), min(high, leave)
-    return low <= high
 
 
 def _unchanged(plan: Plan, leg: Leg) -> bool:
@@ -542,7 +542,9 @@ def _speaks_of_axes(solution: Solution) -> bool:
 
 def _note(plan: Plan, told: Motion) -> Layout | None:
     """The values by which letters are drawn."""
-    chosen = list(drawn_for(told, [stop.number for stop in plan.stops]))
+    chosen: list[Chosen] = []
+    for events in _together(plan):
+        chosen += [each for each in drawn_for(told, events) if each not in chosen]
     if plan.scale is not None:
         places = _places(told.story)
         chosen += [
@@ -557,6 +559,18 @@ def _note(plan: Plan, told: Motion) -> Layout | None:
         relation = lay.Relation((lay.letter(each.name), value_of(each)), ("=",))
         words.append(lay.Phrase((relation, Words(".,"[left > 1] if left != 1 else " and")), ""))
     return lay.Phrase(tuple(words))
+
+
+def _together(plan: Plan) -> list[list[int]]:
+    """The numbers of the events, in groups without a sphere in common."""
+    groups: list[tuple[set[str], list[int]]] = []
+    for stop in plan.stops:
+        names, numbers = set(stop.centres), [stop.number]
+        for group in [group for group in groups if group[0] & names]:
+            groups.remove(group)
+            names, numbers = names | group[0], group[1] + numbers
+        groups.append((names, numbers))
+    return [sorted(numbers) for _, numbers in groups]
 
 
 def _places(story: Story) -> list[float]:

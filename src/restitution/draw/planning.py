@@ -19,7 +19,7 @@ from restitution.solve.story import Story
 from restitution.vector import Vector
 
 #: What the paths and walls may fill, leaving room for words beside them.
-_WIDTH, _HEIGHT = 74.0, 52.0
+_WIDTH, _HEIGHT = 66.0, 50.0
 # Readable lengths of the pieces of a path before the first event, between events, after the last.
 _APPROACH, _FLIGHT, _EXIT = 22.0, 28.0, 18.0
 _SHORTEST = 8.0
