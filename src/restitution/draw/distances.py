@@ -66,7 +66,11 @@ def distances(plan: Plan, branch: Branch) -> list[Distance]:
         if length(end - start) < _SHORTEST or not _has_room(start, end, plan, found):
             continue
         laid = _laid(wanted.size, branch)
-        if laid is None or any(laid == each.label and _alike(each, start, end) for each in found):
+        if laid is None:
+            continue
+        if not _on_one_line(plan) and any(
+            laid == each.label and _alike(each, start, end) for each in found
+        ):
             continue
         said.add(wanted.what)
         leads: tuple[tuple[Vector, Vector], ...] = ()
@@ -109,7 +113,7 @@ def _wanted(plan: Plan, branch: Branch) -> Iterator[_Wanted]:
     objects |= {
         n: p for n, p in plan.points.items() if all(length(p - q) > 0.5 for q in objects.values())
     }
-    if plan.side_by_side:
+    if _on_one_line(plan):
         yield from _in_line(plan, exact, objects, straight)
         return
     for wall in straight:
@@ -153,13 +157,16 @@ def _between(plan: Plan, exact: _Exact, one: Straight, other: Straight) -> Itera
         yield _Wanted(start, start + across, size, f"{one.name} {other.name}")
 
 
+def _on_one_line(plan: Plan) -> bool:
+    way = plan.legs[0].direction
+    return all(abs(way.cross(leg.direction)) < 1e-6 for leg in plan.legs)
+
+
 def _in_line(
     plan: Plan, exact: _Exact, objects: Mapping[str, Vector], walls: Sequence[Straight]
 ) -> Iterator[_Wanted]:
     """Distances along the one line on which everything happens, from each body to the next."""
     way = plan.legs[0].direction
-    if any(abs(way.cross(leg.direction)) > 1e-6 for leg in plan.legs):
-        return
     way = -way if way.x < -1e-9 or (abs(way.x) < 1e-9 and way.y < 0) else way
     base = plan.legs[0].start
     stations: list[tuple[float, str]] = [((p - base).dot(way), name) for name, p in objects.items()]
@@ -238,7 +245,7 @@ class _Exact:
 
 
 def _has_room(start: Vector, end: Vector, plan: Plan, others: Sequence[Distance]) -> bool:
-    """Whether a dimension line crosses no path, wall or other dimension line, nor lies along one."""
+    """Whether a dimension line crosses no path or wall and no other, nor lies along one."""
     lines = [(leg.start, leg.end) for leg in plan.legs]
     lines += [(wall.start, wall.end) for wall in plan.walls]
     lines += [(each.start, each.end) for each in others]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from restitution.draw.describe import value_of
 from restitution.draw.distances import distances
@@ -29,15 +30,15 @@ from restitution.draw.scene import (
 )
 from restitution.draw.values import Chosen, Motion, drawn_for, motion
 from restitution.errors import RestitutionError
+from restitution.expression.tree import Expression, Pair, Quantity, Unit, walk
 from restitution.expression.tree import Letter as TreeLetter
-from restitution.expression.tree import Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
 from restitution.render.text import to_text
 from restitution.solve.forms import plain
-from restitution.solve.letters import trees
+from restitution.solve.letters import trees_of_step
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.vector import Vector
@@ -45,7 +46,7 @@ from restitution.vector import Vector
 # Longer expressions (in characters on one line) say less beside a path than they hide.
 _SHORT = 9
 # Velocities of more operations than this have no short size.
-_LONG = 40
+_LONG = 30
 _SAME = 1e-9
 _ARC = 6.0
 _MARGIN = 5.0
@@ -54,17 +55,20 @@ _LETTERED = 2.3
 _SIDES: tuple[Side, ...] = ("e", "ne", "n", "nw", "w", "sw", "s", "se")
 
 
-def path_scene(solution: Solution, part: PartSolution, branch: Branch) -> Scene | None:
+def path_scene(
+    solution: Solution, part: PartSolution, branch: Branch, told: Motion | None = None
+) -> Scene | None:
     """The plan view of the story up to a part, by one of its solutions.
 
     None for a story without walls and without places, which a plan would not make clearer.
+    ``told`` is the part in numbers, where that is known already.
     """
-    events = [step for step in part.part.steps if isinstance(step, Impact | Kick | Arrival)]
-    since = len(branch.numbers.happenings) - len(events)
-    if lay_out(branch.numbers, since) is None:
+    problem = solution.problem
+    if not problem.walls and all(sphere.position is None for sphere in problem.spheres):
         return None
-    told = motion(solution, part, branch)
-    plan = lay_out(told.story, since)
+    told = motion(solution, part, branch) if told is None else told
+    events = [step for step in part.part.steps if isinstance(step, Impact | Kick | Arrival)]
+    plan = lay_out(told.story, len(told.story.happenings) - len(events))
     if plan is None:
         return None
     values = _Values(solution, part, branch, told)
@@ -438,7 +442,7 @@ class _Drawing:
                     ringed=True,
                 )
             )
-            if stop.kind in ("wall", "circle", "arrival"):
+            if stop.kind != "spheres":
                 self.shapes.append(Dot(str(stop.number), stop.contact, 0.6))
 
     def points(self) -> None:
@@ -472,7 +476,7 @@ class _Drawing:
         taken = [padded((at.x, at.y, at.x, at.y), 3.0) for at in self._named_places()]
         xs = (left + 1, right - room, (left + right - room) / 2)
         corners = [Vector(x, y) for y in (bottom + 1, top - room) for x in xs]
-        corners += [Vector(left - room, bottom + 1), Vector(left + 1, bottom - room)]
+        corners += [Vector(left + 1, bottom - room), Vector(left - room, bottom + 1)]
 
         def free(corner: Vector) -> bool:
             box = (corner.x - 1, corner.y - 1, corner.x + room, corner.y + room)
@@ -526,14 +530,18 @@ def _ends_named(name: str) -> tuple[str, str] | None:
 
 
 def _speaks_of_axes(solution: Solution) -> bool:
-    """Whether **i** and **j** are more than a way to say how one wall lies."""
+    """Whether **i** and **j** are more than a way to say how a wall lies, or where things are."""
     problem = solution.problem
-    plain = {id(wall.along) for wall in problem.walls if isinstance(wall.along, Unit)}
+    told: list[Any] = [sphere.velocity for sphere in problem.spheres]
+    told += [wall.along for wall in problem.walls if not isinstance(wall.along, Unit)]
+    for _, step in problem.steps():
+        if not isinstance(step, Impact | Arrival):
+            told += trees_of_step(step)
+    nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
     return any(
         isinstance(node, Unit | Pair)
-        for tree in trees(problem)
-        if id(tree) not in plain
-        for node in walk(tree)
+        or (isinstance(node, Quantity) and node.kind in ("velocity", "direction", "momentum"))
+        for node in nodes
     )
 
 
@@ -640,4 +648,6 @@ def _description(plan: Plan, values: _Values) -> str:
         sentences.append(said)
     if plan.scale is None:
         sentences.append("Angles are true, lengths are free")
+    if plan.side_by_side:
+        sentences.append("Paths along one line are drawn side by side")
     return ". ".join(sentences) + "."

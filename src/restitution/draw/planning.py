@@ -431,9 +431,9 @@ def _free_way(
             continue
         if line.fixed and not line.low <= met[1] <= line.high:
             continue
-        room = met[0] - 3
-        if room >= _SHORTEST:
-            length = min(length, room)
+        nearest = min((abs(met[1] - h) for h in line.hits), default=0.0)
+        if line.placed or nearest < _BEYOND + 3 or met[0] - 3 >= _SHORTEST:
+            length = min(length, max(met[0] - 3, 0.6 * met[0]))
     return length
 
 
