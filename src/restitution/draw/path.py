@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from restitution.draw.describe import value_of
+from restitution.draw.describe import listed, value_of
 from restitution.draw.distances import distances
 from restitution.draw.flights import told_places
 from restitution.draw.ink import ink, overlap, padded, touched
@@ -52,6 +52,9 @@ _ARC = 6.0
 _MARGIN = 5.0
 # The radius of a disc that has room for its letter.
 _LETTERED = 2.3
+# Spheres that are smaller are dots.
+_DISC = 0.8
+_NEAR = 1e-6
 _SIDES: tuple[Side, ...] = ("e", "ne", "n", "nw", "w", "sw", "s", "se")
 
 
@@ -85,7 +88,7 @@ def path_scene(
     middle = (left + right) / 2
     half = max((right - left) / 2, WIDTH / 2)
     names = list(dict.fromkeys(leg.body for leg in plan.legs))
-    title = f"Plan of the paths of {_listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
+    title = f"Plan of the paths of {listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
     return Scene(
         title,
         _description(plan, values),
@@ -277,7 +280,7 @@ class _Drawing:
             before = latest.get(leg.body)
             if before is not None:
                 turn = before.end + before.shift
-                if length(start - turn) > 1e-6:
+                if length(start - turn) > _NEAR:
                     self.shapes.append(Line("path", turn, start))
             latest[leg.body] = leg
             start = self._outside(start, leg)
@@ -293,11 +296,10 @@ class _Drawing:
 
     def _outside(self, start: Vector, leg: Leg) -> Vector:
         """Where a path leaves the disc that has a letter in it."""
-        radius = self.plan.radius
-        if radius < _LETTERED or length(self.plan.starts[leg.body] - leg.start) > 1e-6:
+        if self.plan.radius < _LETTERED:
             return start
-        out = start - leg.start
-        return start + leg.direction * math.sqrt(max(radius**2 - out.dot(out), 0.0))
+        out = start - self._start(leg.body)
+        return start + leg.direction * _half_chord(self.plan.radius, out)
 
     def _speed(self, leg: Leg, start: Vector, end: Vector) -> None:
         laid = self.values.speed(leg.body, leg.after)
@@ -314,42 +316,51 @@ class _Drawing:
 
     def bodies(self) -> None:
         radius = self.plan.radius
-        for name, start in self.plan.starts.items():
+        for name in self.plan.starts:
             leg = next((leg for leg in self.plan.legs if leg.body == name), None)
-            moving = leg is not None and leg.after == 0 and leg.kind != "exit"
-            at = leg.start + leg.shift if leg is not None and moving else start
-            away = -leg.direction if leg is not None and moving else Vector(-1.0, 1.0)
+            at = self._start(name)
+            away = -leg.direction if leg is not None and leg.after == 0 else Vector(-1.0, 1.0)
             if radius >= _LETTERED:
                 self.shapes.append(Disc(name, at, radius))
                 self.labels.append(Label(_name(name), at, ("centre",), fixed=True))
                 continue
-            self.shapes.append(Disc(name, at, radius) if radius >= 0.8 else Dot(name, at, 1.0))
+            self.shapes.append(Disc(name, at, radius) if radius >= _DISC else Dot(name, at, 1.0))
             self.labels.append(Label(_name(name), at, _sides(away), gap=max(radius, 1.0) + 0.6))
         for stop in self.plan.stops:
             if stop.kind == "spheres":
                 self._meeting(stop)
-            elif radius >= 0.8 and stop.kind in ("wall", "circle"):
+            elif radius >= _DISC and stop.kind in ("wall", "circle"):
                 for name, centre in stop.centres.items():
                     self.shapes.append(Disc(name, centre, radius, ghost=True))
+
+    def _start(self, name: str) -> Vector:
+        """Where a sphere is at the start: on the lane of the path that begins there."""
+        leg = next((leg for leg in self.plan.legs if leg.body == name), None)
+        start = self.plan.starts[name]
+        return start if leg is None or length(leg.start - start) > _NEAR else start + leg.shift
 
     def _meeting(self, stop: Stop) -> None:
         assert stop.normal is not None
         radius = self.plan.radius
         centres = dict(stop.centres)
-        if radius < 0.8:
+        if radius < _DISC:
             radius = 1.6
             signs = (-1, 1)
             centres = {
                 name: stop.contact + stop.normal * (sign * radius)
                 for name, sign in zip(stop.centres, signs, strict=True)
             }
-        for name, centre in centres.items():
-            at_start = length(self.plan.starts[name] - centre) < 0.3 and self.plan.radius >= 0.8
-            if not at_start:
+        line = [-radius - 2.5, 2 * radius + radius + 2.5]
+        for (name, centre), along in zip(centres.items(), (0.0, 2 * radius), strict=True):
+            out = centre - self._start(name)
+            if length(out) > self.plan.radius - _NEAR or not self.plan.radius:
                 self.shapes.append(Disc(name, centre, radius, ghost=True))
-        first, second = centres.values()
-        more = stop.normal * (radius + 2.5)
-        self.shapes.append(Line("line_of_centres", first - more, second + more))
+            elif self.plan.radius >= _LETTERED:  # not through its letter
+                line += [along - radius, along + radius]
+        first = next(iter(centres.values()))
+        ends = [first + stop.normal * x for x in sorted(line)]
+        for start, end in zip(ends[::2], ends[1::2], strict=True):
+            self.shapes.append(Line("line_of_centres", start, end))
 
     # --- angles ---------------------------------------------------------------------------
 
@@ -383,7 +394,7 @@ class _Drawing:
                 wall = next(r for r in self.plan.rounds if r.name == stop.wall)
                 end = wall.centre if inside else stop.contact - stop.normal * 12
                 self.shapes.append(Line("across", stop.contact, end))
-            elif drawn and self.plan.radius >= 0.8:
+            elif drawn and self.plan.radius >= _DISC:
                 self.shapes.append(Line("across", centre - along * 9, centre + along * 9))
 
     def _angle(
@@ -392,7 +403,7 @@ class _Drawing:
         turn = abs(math.atan2(reference.cross(ray), reference.dot(ray)))
         if laid is None or turn < 0.02:
             return False
-        if abs(turn - math.pi / 2) < 1e-6:
+        if abs(turn - math.pi / 2) < _NEAR:
             self.shapes.append(RightAngle(corner, reference, ray))
             return True
         radius = min(_ARC if turn > 0.3 else 1.6 * _ARC, 0.45 * length(leg.end - leg.start))
@@ -420,7 +431,7 @@ class _Drawing:
 
     def _leg_to(self, body: str, centre: Vector, number: int) -> Leg | None:
         own = [leg for leg in self.plan.legs if leg.body == body and leg.after < number]
-        return own[-1] if own and length(own[-1].end - centre) < 1e-6 else None
+        return own[-1] if own and length(own[-1].end - centre) < _NEAR else None
 
     # --- numbers and points ---------------------------------------------------------------
 
@@ -509,6 +520,11 @@ def _bearing(v: Vector) -> float:
     return math.atan2(v.y, v.x)
 
 
+def _half_chord(radius: float, out: Vector) -> float:
+    """How far it is to the rim of a disc along a line that passes its centre at right angles."""
+    return math.sqrt(max(radius**2 - out.dot(out), 0.0)) if length(out) < radius else 0.0
+
+
 def _sides(way: Vector) -> tuple[Side, ...]:
     """All sides, those nearest to a direction first."""
     turn = _bearing(way)
@@ -533,15 +549,21 @@ def _speaks_of_axes(solution: Solution) -> bool:
     """Whether **i** and **j** are more than a way to say how a wall lies, or where things are."""
     problem = solution.problem
     told: list[Any] = [sphere.velocity for sphere in problem.spheres]
-    told += [wall.along for wall in problem.walls if not isinstance(wall.along, Unit)]
+    slanting = [wall.along for wall in problem.walls if not isinstance(wall.along, Unit)]
     for _, step in problem.steps():
         if not isinstance(step, Impact | Arrival):
             told += trees_of_step(step)
     nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
     return any(
-        isinstance(node, Unit | Pair)
+        isinstance(node, Pair)
+        or node == Unit("j")
         or (isinstance(node, Quantity) and node.kind in ("velocity", "direction", "momentum"))
         for node in nodes
+    ) or any(
+        isinstance(node, Unit | Pair)
+        for tree in slanting
+        if isinstance(tree, Expression)
+        for node in walk(tree)
     )
 
 
@@ -610,10 +632,6 @@ def _in_proportion(one: Sequence[float], other: Sequence[float]) -> bool:
 # --- in words -------------------------------------------------------------------------------------
 
 
-def _listed(words: Sequence[str]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
-
-
 def _description(plan: Plan, values: _Values) -> str:
     """The picture in sentences, for those who do not see it."""
     sentences = ["Plan view"]
@@ -625,7 +643,7 @@ def _description(plan: Plan, values: _Values) -> str:
             said = f"{names[0]} receives an impulse"
         elif stop.kind == "arrival":
             point = next(
-                (n for n, p in plan.points.items() if length(p - stop.contact) < 1e-6), stop.wall
+                (n for n, p in plan.points.items() if length(p - stop.contact) < _NEAR), stop.wall
             )
             said = f"{names[0]} comes to {point or 'a point'}"
         else:
@@ -644,7 +662,7 @@ def _description(plan: Plan, values: _Values) -> str:
             if stop.kind != "arrival" and (speed := values.speed(name, stop.number)) is not None
         ]
         if speeds:
-            said += f"; afterwards {_listed(speeds)}"
+            said += f"; afterwards {listed(speeds)}"
         sentences.append(said)
     if plan.scale is None:
         sentences.append("Angles are true, lengths are free")
