@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from restitution.draw.describe import When
-    from restitution.draw.scene import Scene
+        from restitution.draw.scene import Scene
+    from restitution.draw.values import When
     from restitution.solve.solution import PartSolution, Solution
 
 __all__ = ["Drawings", "draw", "figure", "scenes"]

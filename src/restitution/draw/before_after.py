@@ -15,7 +15,6 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.draw import describe
-from restitution.draw.describe import When
 from restitution.draw.ink import Ring, Stick, ink, overlap, unit
 from restitution.draw.said import Angle, Sayings, Words, state_after, supplement
 from restitution.draw.scene import (
@@ -33,7 +32,7 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, drawn_for
+from restitution.draw.values import Motion, When, drawn_for
 from restitution.expression.tree import Expression, Letter, Number, Pair, Unit, walk
 from restitution.problem import Find, Impact, Kick
 from restitution.render import layout as lay
@@ -147,7 +146,7 @@ def before_and_after(
             Panel(when.capitalize(), (box[0], -lowered, *box[2:]))
             for when, box in zip(panels, frames)
         ),
-        _note(view),
+        _note(view, panels),
     )
 
 
@@ -563,7 +562,9 @@ def _arc(
     a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
     drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
     middle = unit(line + arrow)
-    drawing.labels.append(Label(label, vertex + middle * radius, _sides(middle), 0.8, 2.8))
+    # A narrow angle has room for its label farther out.
+    at, *moves = (vertex + middle * (radius + out) for out in (0.0, 1.2, 2.4))
+    drawing.labels.append(Label(label, at, _sides(middle), 0.8, 2.8, moves=tuple(moves)))
 
 
 def _deflection(view: _View, body: _Body, scale: float, drawing: _Drawing) -> None:
@@ -739,9 +740,9 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
     return lowered
 
 
-def _note(view: _View) -> Layout | None:
+def _note(view: _View, panels: Sequence[When]) -> Layout | None:
     """The values by which letters are drawn."""
-    chosen = drawn_for(view.motion, (view.number,))
+    chosen = drawn_for(view.motion, (view.number,), panels)
     words: list[Layout] = []
     if chosen:
         words.append(lay.Words("Drawn for"))

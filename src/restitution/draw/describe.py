@@ -9,9 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Literal
 
-from restitution.draw.values import Chosen, Motion, drawn_for, unit_of_speed
+from restitution.draw.values import Chosen, Motion, When, drawn_for, unit_of_speed
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
@@ -20,9 +19,6 @@ from restitution.render.text import to_text
 from restitution.vector import Vector
 
 _NEAR = 1e-9
-
-
-When = Literal["before", "after"]
 
 
 def title(motion: Motion, number: int, panels: Sequence[When]) -> str:
@@ -43,7 +39,7 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
     m s⁻¹; angles are in degrees.
     """
     step = motion.story.happenings[number - 1].step
-    chosen = drawn_for(motion, (number,))
+    chosen = drawn_for(motion, (number,), panels)
     sentences = [_setting(motion, number)]
     for when in panels:
         bodies = _bodies(motion, number)

@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Literal
 
 from restitution.components import Model, model, protected_letters
 from restitution.errors import RestitutionError
@@ -36,6 +36,8 @@ _VISIBLE = 0.12
 _SAME = 1e-9
 # How much more of a letter shows what depends on it.
 _MORE = Fraction(11, 10)
+
+When = Literal["before", "after"]
 
 _FAILURES = (RestitutionError, UndefinedError, ArithmeticError, KeyError)
 
@@ -112,7 +114,9 @@ def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
     return Motion(told, numbers, story, free, found)
 
 
-def drawn_for(motion: Motion, events: Sequence[int]) -> tuple[Chosen, ...]:
+def drawn_for(
+    motion: Motion, events: Sequence[int], panels: Sequence[When] = ("before", "after")
+) -> tuple[Chosen, ...]:
     """The letters by whose values a picture of these events has its shape.
 
     Where a question has several solutions, what is found counts as well: one of them is drawn.
@@ -122,7 +126,7 @@ def drawn_for(motion: Motion, events: Sequence[int]) -> tuple[Chosen, ...]:
         for chosen, moved in motion.free
         if moved is None
         or not _same_lines(motion.story, moved, events)
-        or _ratio(_velocities(motion.story, events), _velocities(moved, events)) is None
+        or _ratio(*(_velocities(each, events, panels) for each in (motion.story, moved))) is None
     ]
     return (*shaping, *motion.found)
 
@@ -243,12 +247,14 @@ def _pleasant(role: Role) -> list[Fraction]:
 # --- what numbers show ----------------------------------------------------------------------------
 
 
-def _velocities(story: Story, events: Sequence[int]) -> list[Vector]:
+def _velocities(
+    story: Story, events: Sequence[int], panels: Sequence[When] = ("before", "after")
+) -> list[Vector]:
     return [
         _floats(v)
-        for each in story.happenings
-        if each.number in events
-        for v in (*each.before.values(), *each.after.values())
+        for number in events
+        for when in panels
+        for v in getattr(story.happenings[number - 1], when).values()
     ]
 
 
