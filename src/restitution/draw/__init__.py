@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-        from restitution.draw.scene import Scene
+    from restitution.draw.scene import Scene
     from restitution.draw.values import When
     from restitution.solve.solution import PartSolution, Solution
 

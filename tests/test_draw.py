@@ -1,0 +1,486 @@
+"""Pictures of impacts: their geometry, measured on the scenes, against the mechanics."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import pytest
+import strategies
+from hypothesis import given
+from strategies import Tale
+from test_properties import Told, can_happen, examples
+
+import restitution as r
+from restitution.draw import draw, figure, scenes
+from restitution.draw.ink import ink
+from restitution.draw.labels import place
+from restitution.draw.scene import (
+    WIDTH,
+    Arc,
+    Arrow,
+    Disc,
+    Line,
+    Panel,
+    RoundWall,
+    Scene,
+    Shape,
+    StraightWall,
+)
+from restitution.draw.values import motion
+from restitution.examples import names, text
+from restitution.render.text import to_text
+from restitution.solve import Solution
+
+NEAR = 1e-6
+
+
+# --- reading a scene back -------------------------------------------------------------------------
+
+
+def length(v: Sequence[float]) -> float:
+    return math.hypot(*v)
+
+
+def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
+    return abs(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]))
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What one panel shows."""
+
+    scene: Scene
+    panel: Panel
+
+    def of(self, kind: type, role: str | None = None) -> list:  # type: ignore[type-arg]
+        return [
+            shape
+            for shape in self.scene.shapes
+            if isinstance(shape, kind)
+            and (role is None or getattr(shape, "role", None) == role)
+            and self.panel.box[0] <= middle(shape) <= self.panel.box[2]
+        ]
+
+    @property
+    def discs(self) -> dict[str, Disc]:
+        return {disc.name: disc for disc in self.of(Disc)}
+
+    def labels(self) -> list[str]:
+        left, _, right, _ = self.panel.box
+        return [to_text(x.content) for x in self.scene.labels if left <= x.at.x <= right]
+
+    def velocity(self, name: str) -> tuple[float, float]:
+        """The arrow of a sphere: along a radius to or from its rim, or beside it from above it."""
+        disc = self.discs[name]
+        found = [
+            (end - start)
+            for start, end in ((a.start, a.end) for a in self.of(Arrow, "velocity"))
+            if self.starts_or_ends_at(disc, start, end) or self.starts_beside(disc, start)
+        ]
+        assert len(found) <= 1, (name, found)
+        return tuple(found[0]) if found else (0.0, 0.0)
+
+    def starts_or_ends_at(self, disc: Disc, start: Sequence[float], end: Sequence[float]) -> bool:
+        outwards = [(near[0] - disc.centre.x, near[1] - disc.centre.y) for near in (start, end)]
+        way = (end[0] - start[0], end[1] - start[1])
+        radial = all(math.sin(angle_between(each, way)) < NEAR for each in outwards)
+        return radial and any(abs(length(each) - disc.radius) < NEAR for each in outwards)
+
+    def starts_beside(self, disc: Disc, start: Sequence[float]) -> bool:
+        others = [each for each in self.discs.values() if each is not disc]
+        if not others:
+            return False
+        out = (start[0] - disc.centre.x, start[1] - disc.centre.y)
+        line = others[0].centre - disc.centre
+        return (
+            disc.radius + 0.5 < length(out) < disc.radius + 3
+            and abs(math.cos(angle_between(out, line))) < NEAR
+        )
+
+
+def middle(shape: Shape) -> float:
+    boxes = [piece.box for piece in ink(shape)]
+    return (min(box[0] for box in boxes) + max(box[2] for box in boxes)) / 2
+
+
+def shown(scene: Scene) -> list[Shown]:
+    return [Shown(scene, panel) for panel in scene.panels]
+
+
+def solved(text: str) -> Solution:
+    return r.solve(r.parse(text))
+
+
+# --- what holds for every picture -----------------------------------------------------------------
+
+
+def check(scene: Scene) -> None:
+    assert [panel.name for panel in scene.panels] == ["Before", "After"]
+    boxes = [panel.box for panel in scene.panels]
+    sizes = [(box[2] - box[0], box[3] - box[1]) for box in boxes]
+    assert sizes[0] == pytest.approx(sizes[1])
+    assert scene.box[2] - scene.box[0] == WIDTH
+    before, after = shown(scene)
+    assert set(before.discs) == set(after.discs)
+    for each in (before, after):
+        within_its_panel(each)
+        touching(each)
+        components_add_up(each)
+    unchanged_across(before, after)
+    impulses(after)
+    in_words(scene, before)
+
+
+def within_its_panel(each: Shown) -> None:
+    left, bottom, right, top = each.panel.box
+    for shape in each.of(object):
+        for piece in ink(shape):
+            assert left <= piece.box[0] and piece.box[2] <= right, shape
+            assert bottom <= piece.box[1] and piece.box[3] <= top, shape
+
+
+def touching(each: Shown) -> None:
+    discs = list(each.discs.values())
+    if len(discs) == 2:
+        gap = discs[1].centre - discs[0].centre
+        assert length(gap) == pytest.approx(discs[0].radius + discs[1].radius)
+        for line in each.of(Line, "line_of_centres"):
+            assert math.sin(angle_between(line.end - line.start, gap)) < NEAR
+            assert math.sin(angle_between(line.end - discs[0].centre, gap)) < NEAR
+    for wall in each.of(StraightWall):
+        (disc,) = discs
+        along = wall.end - wall.start
+        offset = (disc.centre - wall.start).cross(along) / length(along)
+        assert abs(offset) == pytest.approx(disc.radius)
+        assert wall.far.dot(disc.centre - wall.start) < 0
+    for wall in each.of(RoundWall):
+        (disc,) = discs
+        distance = length(disc.centre - wall.centre)
+        inside = wall.hatched == "outside"
+        expected = wall.radius + (-disc.radius if inside else disc.radius)
+        assert distance == pytest.approx(expected)
+
+
+def components_add_up(each: Shown) -> None:
+    """Two components from the tail of each slanting arrow to its tip, at right angles."""
+    parts = each.of(Arrow, "component")
+    used = 0
+    for arrow in each.of(Arrow, "velocity"):
+        first = [p for p in parts if length(p.start - arrow.start) < NEAR]
+        second = [p for p in parts if length(p.end - arrow.end) < NEAR]
+        if not first:
+            continue
+        (one,), (two,) = first, second
+        used += 2
+        assert length(one.end - two.start) < NEAR
+        assert abs((one.end - one.start).dot(two.end - two.start)) < NEAR
+    assert used == len(parts)
+
+
+def unchanged_across(before: Shown, after: Shown) -> None:
+    """The component along the wall, or across the line of centres: so the scales are equal."""
+    for name, disc in before.discs.items():
+        others = [each for each in before.discs if each != name]
+        walls = before.of(StraightWall)
+        if others:
+            line = before.discs[others[0]].centre - disc.centre
+        elif walls:
+            line = (walls[0].end - walls[0].start).turned_left()
+        elif before.of(RoundWall):
+            line = disc.centre - before.of(RoundWall)[0].centre
+        else:
+            return
+        u, v = before.velocity(name), after.velocity(name)
+        across = line.turned_left() / length(line)
+        assert across.dot(u) == pytest.approx(across.dot(v), abs=1e-6)
+
+
+def impulses(after: Shown) -> None:
+    arrows = after.of(Arrow, "impulse")
+    discs = list(after.discs.values())
+    if len(discs) == 2:
+        assert len(arrows) == 2
+        gap = discs[1].centre - discs[0].centre
+        ways = [arrow.end - arrow.start for arrow in arrows]
+        assert length(ways[0] + ways[1]) < NEAR
+        assert all(math.sin(angle_between(way, gap)) < NEAR for way in ways)
+        for arrow in arrows:  # each beside its own sphere, away from the other
+            near = min(discs, key=lambda disc: length(disc.centre - arrow.start))
+            other = discs[1] if near is discs[0] else discs[0]
+            assert (arrow.end - arrow.start).dot(near.centre - other.centre) > 0
+        return
+    for wall in after.of(StraightWall):
+        (arrow,) = arrows
+        way = arrow.end - arrow.start
+        assert abs(way.dot(wall.end - wall.start)) < NEAR
+        assert way.dot(wall.far) < 0
+
+
+def in_words(scene: Scene, before: Shown) -> None:
+    assert scene.title.startswith("Before and after: ")
+    for name in before.discs:
+        assert f"{name} " in scene.description
+        assert name in before.labels()
+    assert "Before: " in scene.description and "After: " in scene.description
+    assert scene.description.endswith(".")
+    if scene.note is not None:
+        assert to_text(scene.note).startswith("Drawn for ")
+
+
+@pytest.mark.parametrize("name", names())
+def test_pictures_of_the_examples(name: str) -> None:
+    solution = solved(text(name))
+    made = scenes(solution)
+    assert [scene.event for scene in made] == sorted({scene.event for scene in made})
+    for scene in made:
+        check(scene)
+        placed = place(scene)
+        for label in placed.labels:
+            assert placed.box[0] <= label.box[0] and label.box[2] <= placed.box[2]
+            assert placed.box[1] <= label.box[1] and label.box[3] <= placed.box[3]
+
+
+# --- generated problems, against the principles ---------------------------------------------------
+
+
+def drawn_as_told(told: Told, made: Sequence[Scene]) -> None:
+    """Arrows as long as the speeds, in the directions of the velocities, before and after."""
+    assert len(made) == len(told.tale.blows)
+    for number, (scene, normal) in enumerate(zip(made, told.normals), 1):
+        check(scene)
+        panels = dict(zip((number - 1, number), shown(scene)))
+        names = list(panels[number].discs)
+        expected = {
+            (name, stage): tuple(map(float, told.velocity(name, stage)))
+            for name in names
+            for stage in panels
+        }
+        fastest = max(map(length, expected.values()))
+        drawn = {key: panels[key[1]].velocity(key[0]) for key in expected}
+        scale = max(map(length, drawn.values())) / fastest
+        for key, v in expected.items():
+            assert drawn[key] == pytest.approx(
+                (v[0] * scale, v[1] * scale), abs=1e-6 + 1e-7 * scale
+            )
+        at_rest = [key for key, v in expected.items() if length(v) < 1e-9 * fastest]
+        for stage, panel in panels.items():
+            resting = sum(1 for _, s in at_rest if s == stage)
+            assert panel.labels().count("at rest") == resting
+        if len(names) == 2:
+            blow = told.tale.blows[number - 1]
+            discs = panels[number].discs
+            centres = discs[blow.second].centre - discs[blow.first].centre
+            assert angle_between(centres, tuple(map(float, normal))) < 1e-6
+
+
+@examples(60)
+@given(strategies.tales())
+def test_arrows_are_in_proportion_to_speeds(tale: Tale) -> None:
+    told = can_happen(tale)
+    drawn_as_told(told, scenes(solved(told.tale.statement("find energy"))))
+
+
+@examples(30)
+@given(strategies.tales(letters=True))
+def test_arrows_are_in_proportion_to_multiples_of_a_letter(tale: Tale) -> None:
+    told = can_happen(tale)
+    made = scenes(
+        solved(
+            told.tale.statement("find velocity(A)" if "A" in told.tale.masses else "find energy")
+        )
+    )
+    drawn_as_told(told, made)
+    assert all(scene.note is None for scene in made)  # u only sets the scale
+
+
+# --- what is written ------------------------------------------------------------------------------
+
+
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+find impulse, deflection(P)
+"""
+
+
+def test_a_wall_in_letters() -> None:
+    (scene,) = scenes(solved(WALL))
+    before, after = shown(scene)
+    assert sorted(before.labels()) == sorted(["P", "m", "u", "α", "u cos α", "u sin α"])
+    assert sorted(after.labels()) == sorted(["P", "m", "β", "u cos α", "eu sin α", "J", "δ"])
+    assert to_text(scene.note) == "Drawn for α = 40° and e = ½."  # type: ignore[arg-type]
+    (dotted,) = after.of(Line, "onward")
+    arrow = before.velocity("P")
+    assert angle_between(dotted.end - dotted.start, arrow) < NEAR
+    (alpha,) = before.of(Arc, "angle")
+    assert (alpha.end - alpha.start) % math.tau == pytest.approx(math.radians(40))
+
+
+def test_the_description_says_the_picture() -> None:
+    (scene,) = scenes(solved(WALL))
+    assert scene.description == (
+        "P touches the wall W, which is horizontal. "
+        "Before: P moves at u at 40° to W, towards it and to the right. "
+        "After: P moves at 0.831u at 22.8° to W, away from it and to the right. "
+        "The impulse on P is perpendicular to W. "
+        "Drawn for α = 40° and e = ½."
+    )
+
+
+def test_a_component_that_turns_out_negative_has_its_sense_beside_it() -> None:
+    question = """
+    sphere A: mass 2, velocity 3i - 4j
+    sphere B: mass 3, velocity 2i + 3j
+    A hits B: along j, e = 3/7
+    find velocity(A), deflection(A), deflection(B)
+    """
+    (scene,) = scenes(solved(question))
+    _, after = shown(scene)
+    (sense,) = after.of(Arrow, "sense")  # w = −1
+    assert (sense.end - sense.start).y > 0
+    assert {"v", "w", "3", "2", "δ_A", "δ_B"} <= set(after.labels())
+    assert len(scene_axes(scene)) == 2
+
+
+def scene_axes(scene: Scene) -> list[Arrow]:
+    return [s for s in scene.shapes if isinstance(s, Arrow) and s.role == "axis"]
+
+
+def test_axes_only_where_they_are_spoken_of() -> None:
+    question = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+    (scene,) = scenes(solved(question + "A hits B: along i\nfind speed(A)"))
+    assert not scene_axes(scene)
+    (scene,) = scenes(solved(question + "A hits B: along 60°\nfind speed(A)"))
+    assert len(scene_axes(scene)) == 2
+
+
+def test_what_is_given_after_the_impact_is_labelled_by_its_value() -> None:
+    question = """
+    sphere A: velocity 3i - 4j
+    sphere B: mass 3, velocity 2i + 3j
+    A hits B: along j
+    given velocity(A) = 3i + 2j, velocity(B) = 2i - j
+    find mass(A), e
+    """
+    (scene,) = scenes(solved(question))
+    _, after = shown(scene)
+    assert sorted(after.labels()) == ["1", "2", "2", "3", "3", "A", "B"]
+    assert not after.of(Arrow, "sense")
+
+
+def test_one_of_several_solutions_is_named() -> None:
+    question = """
+    sphere A: mass m, velocity u at 45°
+    sphere B: mass 2m, at rest
+    A hits B: along i
+    given angle(velocity(A), line_of_centres) = arctan(4)
+    find e
+    """
+    solution = solved(question)
+    assert len(solution["e"].answers) == 2
+    (scene,) = scenes(solution)
+    assert to_text(scene.note) == "Drawn for e = ⅞."  # type: ignore[arg-type]
+
+
+def test_an_impulse_from_outside() -> None:
+    question = "sphere P: mass 2, velocity 3i\nP receives 2i - 8j\nfind velocity(P)"
+    (scene,) = scenes(solved(question))
+    before, after = shown(scene)
+    assert after.velocity("P")[0] == pytest.approx(before.velocity("P")[0] * 4 / 3)
+    assert -after.velocity("P")[1] == pytest.approx(after.velocity("P")[0])
+    (impulse,) = after.of(Arrow, "impulse")
+    assert angle_between(impulse.end - impulse.start, (2, -8)) < NEAR
+
+
+# --- values ---------------------------------------------------------------------------------------
+
+
+def test_pleasant_values_satisfy_what_is_given() -> None:
+    question = """
+    sphere A: mass m, velocity u at alpha
+    sphere B: mass k m, at rest
+    A hits B: along i
+    given along(velocity(A), i) < 0, k > 3, e < 2/3
+    find range of k
+    """
+    solution = solved(question)
+    part = solution.parts[None]
+    told = motion(solution, part, part.branches[0])
+    letters = {chosen.name: chosen.value for chosen, _ in told.free}
+    assert letters["k"] > 3 and letters["e"] < 2 / 3
+    assert letters["e"] * letters["k"] > 1  # for A comes back
+    again = motion(solution, part, part.branches[0])
+    assert [chosen for chosen, _ in again.free] == [chosen for chosen, _ in told.free]
+    assert part.branches[0].objection({**told.numbers, "k": told.numbers["k"] / 100}) is not None
+
+
+def test_values_show_nothing_that_is_so_by_chance() -> None:
+    # With the first choice for e and k, ½ and 2, the first sphere would be brought to rest.
+    question = """
+    sphere A: mass m, velocity u i
+    sphere B: mass k m, at rest
+    A hits B: along i
+    find speed(B)
+    """
+    (scene,) = scenes(solved(question))
+    _, after = shown(scene)
+    assert length(after.velocity("A")) > 1
+
+
+# --- the front door -------------------------------------------------------------------------------
+
+
+def test_each_event_is_drawn_once_and_a_part_by_its_own_values() -> None:
+    question = """
+    wall W: along i
+    sphere P: velocity u at alpha to W
+    P hits W: e = f
+    part a
+    find speed(P)
+    part b
+    given alpha = 60°
+    find speed(P)
+    """
+    solution = solved(question)
+    (first,) = scenes(solution)
+    (second,) = scenes(solution, "b")
+    assert (first.part, first.event) == ("a", 1)
+    assert (second.part, second.event) == ("b", 1)
+    assert to_text(first.note) == "Drawn for α = 40° and f = ½."  # type: ignore[arg-type]
+    assert to_text(second.note) == "Drawn for f = ½."  # type: ignore[arg-type]
+    with pytest.raises(KeyError, match="no part 'c'"):
+        scenes(solution, "c")
+
+
+def test_a_contradiction_cannot_be_drawn() -> None:
+    question = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\ngiven speed(P) = 6\nfind e"
+    with pytest.raises(r.RestitutionError):
+        draw(solved(question.replace("6", "6, e = 1/2")))
+
+
+def test_drawings_show_themselves() -> None:
+    drawings = draw(solved(WALL))
+    assert len(drawings.svgs) == 1
+    html = drawings._repr_html_()
+    assert html.count("<svg") == 1 and "<figure>" in html
+
+
+def test_the_figure_of_a_question_says_nothing_of_its_answers() -> None:
+    scene = figure(solved(WALL))
+    assert scene is not None
+    assert [panel.name for panel in scene.panels] == ["Before"]
+    assert "After" not in scene.description and "e =" not in scene.description
+    (before,) = shown(scene)
+    assert not before.of(Arrow, "impulse")
+
+
+def test_a_picture_is_light_to_import() -> None:
+    code = "import sys, restitution.draw; print(*sys.modules)"
+    made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"sympy", "ziamath", "numpy"} & set(made.stdout.split())
