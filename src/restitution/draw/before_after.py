@@ -34,11 +34,10 @@ from restitution.draw.scene import (
 )
 from restitution.draw.values import Motion, When, drawn_for
 from restitution.expression.tree import Expression, Letter, Number, Pair, Unit, walk
-from restitution.problem import Find, Impact, Kick
+from restitution.problem import Find, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
-from restitution.solve.letters import trees_of_step
 from restitution.vector import Vector
 
 RADIUS = 4.2  # of a sphere on paper

@@ -271,7 +271,7 @@ def _offer(
     *,
     lead: bool = True,
 ) -> _Offer | None:
-    """A free box with its cost, and with a leader line where it is far off; None if that is barred.
+    """A free box with its cost and, where it is far off, a leader line; None if that is barred.
 
     Other ink close by, ink between the label and its point, and a disc around it make a place worse.
     """

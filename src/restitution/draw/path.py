@@ -32,13 +32,12 @@ from restitution.draw.values import Chosen, Motion, drawn_for, motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Pair, Quantity, Unit, walk
 from restitution.expression.tree import Letter as TreeLetter
-from restitution.problem import Arrival, Impact, Kick
+from restitution.problem import Arrival, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
 from restitution.render.text import to_text
 from restitution.solve.forms import plain
-from restitution.solve.letters import trees_of_step
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.vector import Vector

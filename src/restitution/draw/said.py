@@ -38,10 +38,10 @@ from restitution.problem import (
     Let,
     Show,
     Sphere,
+    trees_of_relation,
 )
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solve.letters import trees_of_relation
 from restitution.vector import Vector
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
