@@ -273,7 +273,7 @@ def _offer(
 ) -> _Offer | None:
     """A free box with its cost and, where it is far off, a leader line; None if that is barred.
 
-    Other ink close by, ink between the label and its point, and a disc around it make a place worse.
+    Other ink close by, ink between the label and its point, and a disc around it make it worse.
     """
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))
