@@ -8,10 +8,11 @@ from restitution.expression.tree import Expression, Quantity, has_quantity
 from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Value
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.clauses import clause
+from restitution.wording.clauses import bounds, clause, to_figures
 from restitution.wording.nouns import Noun, kinds_of, line, noun, of_bodies, phrase
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.structure import Named, Words
+from restitution.wording.units import dimension_of_any
 from restitution.wording.words import listed, words
 
 
@@ -35,29 +36,25 @@ def in_terms(find: Find | Show) -> Words:
 
 
 def shown(scene: Scene, show: Show) -> Words:
-    """What is to be shown, as a clause."""
+    """What is to be shown: ``show that P is at rest immediately after the impact``."""
     terms = words(", ", in_terms(show), ",") if show.in_terms_of else words()
-    match show.subject:
-        case None:
-            return words("show", terms, " that ", clause(scene, show.relation))
-        case Range():
-            subject = _range(scene, show.subject.expression)
-        case Extremum():
-            subject = _extreme(scene, show.subject)
-    relation = show.relation
-    if isinstance(show.subject, Extremum) and isinstance(relation, Compare):
-        value = values.value(scene.style, relation.operands[1], None)
-        figures = relation.figures
-        exactness = f", correct to {figures} significant figures" if figures else ""
-        return words("show", terms, " that ", subject, " is ", value, exactness)
-    return words("show", terms, " that ", subject, " is given by ", _range_said(scene, show))
+    return words("show", terms, " that ", _shown(scene, show))
 
 
-def _range_said(scene: Scene, show: Show) -> Words:
-    relation = show.relation
-    if isinstance(relation, Compare) and not any(has_quantity(each) for each in relation.operands):
-        return clause(scene, relation)
-    return words("the condition that ", clause(scene, relation))
+def _shown(scene: Scene, show: Show) -> Words:
+    match show.subject, show.relation:
+        case Extremum() as extreme, Compare((_, value), _, figures):
+            dimension = dimension_of_any((extreme.expression,))
+            said = values.value(scene.style, value, dimension)
+            return words(_extreme(scene, extreme), " is ", said, to_figures(figures))
+        case Range(subject), Compare() as chain if has_quantity(subject):
+            limits = bounds(scene, chain, subject)
+            return words(
+                phrase(scene, subject), " can have any value that is ", limits, ", and no other"
+            )
+        case Range(subject), chain:
+            return words(_range(scene, subject), " is given by ", clause(scene, chain))
+    return clause(scene, show.relation)
 
 
 # --- items ----------------------------------------------------------------------------------------

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from restitution.expression.tree import (
     Binary,
     Expression,
+    Letter,
     Name,
+    Number,
     Polar,
     Quantity,
     has_quantity,
@@ -22,6 +25,7 @@ from restitution.wording.nouns import (
     moment,
     noun,
     of_bodies,
+    place,
     sensed_line,
     whole_energy,
 )
@@ -104,24 +108,24 @@ def mathematics(relation: Compare) -> lay.Layout:
     return lay.Relation(tuple(sides), signs)
 
 
-def _figures(relation: Compare) -> str:
-    if relation.figures is None:
+def to_figures(figures: int | None) -> str:
+    """``, correct to 3 significant figures``, or nothing."""
+    if figures is None:
         return ""
-    plural = "" if relation.figures == 1 else "s"
-    return f", correct to {relation.figures} significant figure{plural}"
+    return f", correct to {figures} significant figure{'' if figures == 1 else 's'}"
 
 
 def _compare(scene: Scene, relation: Compare) -> Words:
     operands, operators = relation.operands, relation.operators
     if not any(has_quantity(each) for each in operands):
-        return words(mathematics(relation), _figures(relation))
+        return words(mathematics(relation), to_figures(relation.figures))
     if len(operands) == 2:
         left, right = operands
         sign: str = operators[0]
         if not has_quantity(left) or (sign == "=" and _is_product(left) and _is_quantity(right)):
             left, right, sign = right, left, _TURNED[sign]
-        return words(_two(scene, left, sign, right), _figures(relation))
-    return words(_chain(scene, relation), _figures(relation))
+        return words(_two(scene, left, sign, right), to_figures(relation.figures))
+    return words(_chain(scene, relation), to_figures(relation.figures))
 
 
 def _is_quantity(tree: Expression) -> bool:
@@ -134,32 +138,28 @@ def _is_product(tree: Expression) -> bool:
 
 def _chain(scene: Scene, relation: Compare) -> Words:
     """``the speed of P is at least 5 m s⁻¹ and at most 6 m s⁻¹``."""
-    operands, operators = relation.operands, relation.operators
-    inner = [n for n, each in enumerate(operands) if has_quantity(each)]
-    dimension = dimension_of_any(operands)
-    if len(inner) == 1 and len(operands) == 3 and inner[0] == 1:
-        low = _VERBS[_TURNED[operators[0]]] + ""
-        high = _VERBS[operators[1]].removeprefix("is ")
-        return words(
-            noun(scene, operands[1]).words(),
-            f" {low}",
-            values.value(scene.style, operands[0], dimension),
-            f" and {high}",
-            values.value(scene.style, operands[2], dimension),
-        )
-    pairs = zip(operands, operators, operands[1:], strict=False)
+    left, middle, right, *more = relation.operands
+    if not more and has_quantity(middle) and not (has_quantity(left) or has_quantity(right)):
+        return words(noun(scene, middle).words(), " is ", bounds(scene, relation, middle))
+    pairs = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
+    said = [clause(scene, Compare((one, other), (sign,))) for one, sign, other in pairs]
+    return listed(said, ", and")
+
+
+def bounds(scene: Scene, relation: Compare, subject: Expression) -> Words:
+    """The other sides of a chain as limits of its subject: ``at least 5 and at most 6``."""
+    dimension = dimension_of_any((subject,))
     said: list[Words] = []
+    pairs = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
     for left, sign, right in pairs:
-        swap = not has_quantity(left)
-        said.append(
-            _two(scene, right, _TURNED[sign], left)
-            if swap and has_quantity(right)
-            else _two(scene, left, sign, right)
+        other, turned = (right, sign) if left == subject else (left, _TURNED[sign])
+        limit = (
+            words(noun(scene, other).words())
+            if has_quantity(other)
+            else _value(scene, other, dimension)
         )
-    out: list[object] = [said[0]]
-    for each in said[1:]:
-        out += [", and ", each]
-    return words(*out)
+        said.append(words(_VERBS[turned].removeprefix("is ") or "equal to ", limit))
+    return listed(said)
 
 
 def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
@@ -169,10 +169,7 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
     if special is not None:
         return special
     subject = noun(scene, left)
-    number = "are " if subject.kind == "position" else None
     verb = _VERBS[sign]
-    if number is not None:
-        verb = verb.replace("is ", number)
     if has_quantity(right):
         other = noun(scene, right)
         if sign == "=" and isinstance(right, Quantity):
@@ -182,12 +179,7 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
         return words(subject.words(), f" {verb}", other.words())
     if values.is_zero(right) and sign in "<>":
         return words(subject.words(), " is negative" if sign == "<" else " is positive")
-    dimension = _dimension(left)
-    return words(subject.words(), f" {verb}", _value(scene, right, dimension))
-
-
-def _dimension(tree: Expression) -> Dimension | None:
-    return dimension_of_any((tree,))
+    return words(subject.words(), f" {verb}", _value(scene, right, dimension_of_any((left,))))
 
 
 def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words:
@@ -206,6 +198,9 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
         case Quantity("velocity", (Name(body),)) if isinstance(right, Polar):
             when = moment(scene, left, body)
             return words(when, " ", Named(body), " is ", moving(scene, right))
+        case Quantity("position", (Name(),)):
+            at = place(scene, left)
+            return words(at.head, " is at ", values.point(right), " ", at.when)
         case Quantity("deflection", (Name(body),)):
             where = noun(scene, left).when
             through = _through(right)
@@ -220,9 +215,9 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
         ):
             when = moment(scene, velocity, body)
             way = line(scene, other)
-            at = "at an angle " if _is_letter(right) else "at an angle of "
+            angle = "at an angle " if _is_letter(right) else "at an angle of "
             return words(
-                when, " ", Named(body), f" is moving {at}", values.laid(right), " to ", way.head
+                when, " ", Named(body), f" is moving {angle}", values.laid(right), " to ", way.head
             )
     return None
 
@@ -237,14 +232,16 @@ def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | No
             share = values.times(factor)
             if _is_letter(factor):
                 share = words("a fraction ", values.laid(factor), " of ")
-            return words(
-                share, whole_energy(scene, lost, whole), " is lost", lost_where(scene, lost)
-            )
+            base = whole_energy(scene, lost, whole)
+            return words(share, base, " is lost", lost_where(scene, lost))
+        case Quantity(), Binary("/", Quantity("energy") as whole, Number() as parts):
+            one = Number(Fraction(1))
+            return _share_lost(scene, left, Binary("*", Binary("/", one, parts), whole))
     return None
 
 
 def _is_letter(tree: Expression) -> bool:
-    return type(tree).__name__ == "Letter"
+    return isinstance(tree, Letter)
 
 
 def _moves(tree: Expression) -> bool:

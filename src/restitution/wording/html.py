@@ -15,10 +15,8 @@ _STYLE = """
   font: 1.05rem/1.6 Georgia, "Times New Roman", serif; }
 .question h1 { font-size: 1.35rem; line-height: 1.25; margin: 0 0 1rem; }
 .question p { margin: .5rem 0; }
-.question .row { display: grid; grid-template-columns: 2.4rem 1fr; }
-.question .row > span:first-child { padding: .5rem 0; }
-.question .asked { margin: .2rem 0; }
-.question .asked p, .question .asked .row > span:first-child { margin: 0; padding: .1rem 0; }
+.question .row { display: grid; grid-template-columns: 2.4rem 1fr; align-items: baseline; }
+.question .asked .row > div > p { margin: .1rem 0; }
 .question .marks { text-align: right; }
 .question .whole { white-space: nowrap; }
 .question math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;

@@ -111,15 +111,19 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         case Pair(x, y):
             return _pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
         case Polar(size, angle, origin, wall):
-            return _polar(scene, size, angle, origin if wall is None else wall)
+            if wall is not None:
+                return _polar(scene, size, angle, "clockwise", wall)
+            return _polar(scene, size, angle, "anticlockwise", origin)
     raise AssertionError(tree)  # a quantity stands in no other node
 
 
-def _polar(scene: Scene, size: Expression, angle: Expression, start: Expression | None) -> Noun:
+def _polar(
+    scene: Scene, size: Expression, angle: Expression, sense: str, start: Expression | None
+) -> Noun:
     """A vector by size and direction, one of them a quantity."""
     origin = line(scene, start).words() if start is not None else (values.EAST,)
-    turned = words(" at an angle of ", phrase(scene, angle), " to ", origin)
-    return Noun(words("the vector of magnitude ", phrase(scene, size), turned))
+    turned = words(phrase(scene, angle), f" {sense} from ", origin)
+    return Noun(words("a vector whose magnitude is ", phrase(scene, size), ", at ", turned))
 
 
 def _led(words_before: str | Words, inner: Noun) -> Noun:
@@ -477,12 +481,18 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
+    return _led("the coordinates of ", place(scene, tree))
+
+
+def place(scene: Scene, tree: Quantity) -> Noun:
+    """What is somewhere, a sphere or its centre, and when."""
     body = name_of(tree.arguments[0]) or ""
-    centre = "the centre of " if _has_size(scene, body) else ""
-    return Noun(words("the coordinates of ", centre, Named(body)), _place_when(scene, tree, body))
+    centre = "the centre of " if _has_size(scene) else ""
+    return Noun(words(centre, Named(body)), _place_when(scene, tree, body))
 
 
-def _has_size(scene: Scene, body: str) -> bool:
+def _has_size(scene: Scene) -> bool:
+    """Whether a sphere's centre has to be told from the sphere."""
     return any(each.radius is not None for each in scene.problem.spheres)
 
 
@@ -507,7 +517,7 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
         case Name(name):
             return Noun((Named(name),))
         case Quantity("position", (Name(name),)):
-            centre = "the centre of " if _has_size(scene, name) else ""
+            centre = "the centre of " if _has_size(scene) else ""
             return Noun(
                 words("the position of ", centre, Named(name)), _place_when(scene, tree, name)
             )
@@ -521,7 +531,7 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
         each.name for each in tree.arguments if isinstance(each, Name) and each.name in spheres
     ]
     if len(bodies) == 2:
-        centres = "the centres of " if _has_size(scene, bodies[0]) else ""
+        centres = "the centres of " if _has_size(scene) else ""
         return Noun(
             words("the distance between ", centres, names(bodies)), _place_when(scene, tree, None)
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from restitution.render.text import NO_BREAK
 from restitution.render.typst import to_typst as equation
 from restitution.render.typst import words as text
 from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
@@ -32,7 +33,8 @@ def said(words: Words) -> str:
 
 def _piece(each: object) -> str:
     if isinstance(each, str):
-        return text(each)
+        # A literal knows no such blank: Typst's own sign for one is outside of it.
+        return "~".join(text(part) if part else "" for part in each.split(NO_BREAK))
     if isinstance(each, Named):
         return f"#emph[{text(each.text)}]"
     return equation(each)  # type: ignore[arg-type]

@@ -1,0 +1,352 @@
+"""Questions worded from statements: nothing lost, nothing invented, and in good English.
+
+What a statement says is read here from its own text, not from what the wording was made of.
+"""
+
+from __future__ import annotations
+
+import doctest
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import fields, is_dataclass, replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from strategies import problems
+
+import restitution as r
+from restitution.errors import StatementError
+from restitution.language import parse
+from restitution.problem import trees
+from restitution.render import layout as lay
+from restitution.wording import (
+    Block,
+    Listing,
+    Named,
+    Question,
+    question,
+    telling,
+    to_html,
+    to_markdown,
+    to_text,
+    to_typst,
+)
+
+ROOT = Path(__file__).parent
+FILES = [
+    *sorted((ROOT.parent / "src" / "restitution" / "examples").glob("*.impact")),
+    *sorted((ROOT / "questions").glob("*.impact")),
+]
+GOLDEN = sorted((ROOT / "wordings").glob("*.txt"))
+IDS = [each.stem for each in FILES]
+
+IMPACT = r"[A-Z]\w*(?: then)? (?:hits|collides with) [A-Z]"
+
+
+@cache
+def worded(path: Path) -> Question:
+    return question(parse(path.read_text(encoding="utf-8")))
+
+
+def lines_of(path: Path) -> list[str]:
+    """The lines of a statement that say something, without comments and title."""
+    text = path.read_text(encoding="utf-8").replace("\\\n", " ")
+    lines = [line.partition("#")[0].strip() for line in text.splitlines()]
+    return [line for line in lines if line and not line.startswith("title")]
+
+
+def sentences(asked: Question) -> list[tuple]:
+    """Every sentence, and every entry of a list together with its lead."""
+    out = list(asked.intro)
+    for part in asked.parts:
+        for block in part.body:
+            if isinstance(block, Listing):
+                out += [(*block.lead, " ", *entry) for _, entry in block.rows()]
+            else:
+                out += block.sentences
+    return out
+
+
+def leaves(value: object, kind: type) -> list:
+    """All nodes of a kind inside pieces and layouts."""
+    found = [value] if isinstance(value, kind) else []
+    if isinstance(value, tuple):
+        found += [one for each in value for one in leaves(each, kind)]
+    elif is_dataclass(value):
+        found += [one for each in fields(value) for one in leaves(getattr(value, each.name), kind)]
+    return found
+
+
+# --- nothing lost ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", FILES, ids=IDS)
+def test_every_number_of_the_statement_is_told(path):
+    asked = worded(path)
+    said = {Fraction(each.digits) for each in leaves(asked, lay.Number)}
+    text = to_text(asked)
+    said |= {Fraction(each) / 100 for each in re.findall(r"(\d+)%", text)}
+    said |= {Fraction(2)} if "twice" in text else set()
+    said |= {Fraction(1), Fraction(2)} if "half of" in text else set()
+    said |= {Fraction(0)} if re.search("negative|positive", text) else set()
+    # The square of a quantity, and "correct to 3 significant figures".
+    said |= {Fraction(2)} if "the square of" in text or "m²" in text else set()
+    said |= {Fraction(each) for each in re.findall(r"correct to (\d+)", text)}
+    said |= {Fraction(2)} if "²" in text else set()
+    said |= {Fraction(0)} if "(1, 0)" in path.read_text(encoding="utf-8") else set()
+    for line in lines_of(path):
+        for number in numbers_in(line):
+            assert number in said, (line, number)
+
+
+def numbers_in(line: str) -> list[Fraction]:
+    """The numbers of a line but those of names, subscripts and stages."""
+    line = re.sub(r"part \w+|\b[A-Z]\w*|\b[a-z]\w*?_?\d+\b", " ", line)
+    line = re.sub(r"\((\s*,)?\s*\d+\s*\)(?!/)|,\s*\d+\)", ")", line) if "find" in line else line
+    line = re.sub(r"([a-z]\( *),? *\d+\)", r"\1)", line)
+    return [
+        Fraction(number) / (100 if percent else 1)
+        for number, percent in re.findall(r"(?<![\w.])(\d+(?:\.\d+)?)(%?)", line)
+    ]
+
+
+@pytest.mark.parametrize("path", FILES, ids=IDS)
+def test_every_letter_and_name_of_the_statement_is_told(path):
+    problem = parse(path.read_text(encoding="utf-8"))
+    asked = question(problem)
+    said = {f"{x.name}_{x.subscript}".rstrip("_") for x in leaves(asked, lay.Letter)}
+    told = {letter for tree in trees(problem) for letter in letters_of(tree)}
+    for _, step in problem.steps():
+        told |= {getattr(step, "letter", None) or "", *(getattr(step, "letters", None) or ())}
+        told |= set(getattr(step, "in_terms_of", None) or ())
+    assert told - {""} <= said
+    names = {each.text for each in leaves(asked, Named)}
+    assert names == {each.name for each in (*problem.spheres, *problem.walls, *problem.points)}
+
+
+def letters_of(tree: object) -> set[str]:
+    if type(tree).__name__ == "Letter":
+        return {tree.name}
+    found: set[str] = set()
+    for each in fields(tree) if is_dataclass(tree) else ():
+        value = getattr(tree, each.name)
+        for one in value if isinstance(value, tuple) else (value,):
+            found |= letters_of(one)
+    return found
+
+
+@pytest.mark.parametrize("path", FILES, ids=IDS)
+def test_every_event_and_every_item_is_told(path):
+    lines = lines_of(path)
+    asked = worded(path)
+    text = " ".join(to_text(asked, 10_000).split())
+    told = " ".join(
+        text
+        for text in map(plain, sentences(asked))
+        if not text.startswith(("Given", "Find", "Show"))
+    )
+    hits = sum(bool(re.match(r"[A-Z]\w* hits ", each)) for each in lines)
+    assert (
+        len(re.findall(r"\b(?<!when )[A-Z]\w*(?: then)? (?:hits|collides with) [A-Z]", told))
+        >= hits
+    )
+    assert text.count("receives an impulse") == sum(" receives " in each for each in lines)
+    shows = [each for each in lines if each.startswith("show ")]
+    assert len(re.findall(r"[Ss]how(?:, [^.]*?,)? that", text)) == len(shows)
+    finds = ", ".join(each for each in lines if each.startswith("find "))
+    assert text.count("range of possible values") >= finds.count("range of")
+    assert len(re.findall("greatest possible|least possible", text)) == sum(
+        each.count("maximum of") + each.count("minimum of") for each in lines
+    )
+    assert text.count("in terms of") == sum(" in terms of " in each for each in lines)
+    assert len(re.findall("percentage", text)) == sum("as a percentage" in each for each in lines)
+    rests = sum(each.startswith("sphere") and "at rest" in each for each in lines)
+    assert text.count("at rest") >= (1 if rests else 0)
+    for word in ("perpendicular", "parallel"):
+        if any(f" {word} to" in each for each in lines):
+            assert word in text
+
+
+def plain(sentence: tuple) -> str:
+    asked = replace(EMPTY, intro=(sentence,))
+    return to_text(asked, 10_000)
+
+
+EMPTY = Question(None, (), ())
+
+
+def test_the_sides_of_an_angle_are_told_where_they_matter():
+    """A wall and an angle, mirrored, is the same question; with a vector asked for it is not."""
+    lines = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+    assert "clockwise" not in to_text(question(parse(lines + "find speed(P)")))
+    said = to_text(question(parse(lines + "find velocity(P)")), 1000)
+    assert "measured clockwise from 𝐢" in said and "𝐣 at 90° anticlockwise from 𝐢" in said
+
+
+@pytest.mark.parametrize(
+    ("mass", "velocity", "facts", "wanted"),
+    [
+        ("2", "3i - 4j", "", ["2 kg", "(3𝐢 − 4𝐣) m s⁻¹"]),
+        ("m", "u i", "", ["mass m,", "velocity u𝐢."]),
+        ("2m", "3u at 60°", "", ["mass 2m,", "speed 3u at"]),
+        ("m", "p i + 3j", "", ["(p𝐢 + 3𝐣) m s⁻¹", "p is a constant"]),
+        ("2", "u at 60°", "given impulse = 12", ["speed u m s⁻¹", "12 N s"]),
+        ("2", "5 at alpha", "", ["5 m s⁻¹ at an acute angle α"]),
+        ("2", "3i", "given energy_lost = 6", ["6 J"]),
+        ("m", "6i", "given impulse = 12", ["m kg", "12 N s"]),
+        ("m", "u cos(alpha) i + u sin(alpha) j", "", ["where α is acute"]),
+        ("2", "u i - j", "", ["(u𝐢 − 𝐣) m s⁻¹"]),
+        ("m", "u(2i + j)", "", ["velocity u(2𝐢 + 𝐣)."]),
+    ],
+)
+def test_units_stand_behind_numbers(mass, velocity, facts, wanted):
+    text = f"wall W: along i\nsphere P: mass {mass}, velocity {velocity}\nP hits W\n{facts}\nfind e"
+    said = to_text(question(parse(text)), 1000).replace("\u00a0", " ")
+    said = re.sub(r", where p is", "\n p is", said)
+    for each in wanted:
+        assert each in said
+
+
+# --- good English ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", FILES, ids=IDS)
+def test_sentences_are_sentences(path):
+    asked = worded(path)
+    for each in sentences(asked):
+        text = plain(each)
+        assert re.match(r"[A-Z]", text), text
+        assert text.endswith((".", ",")), text
+        check_english(each)
+
+
+def check_english(said: tuple) -> None:
+    text = plain(said)
+    for wrong in ("  ", " ,", " .", ",,", "..", ", .", "None", "event", "( "):
+        assert wrong not in text, (wrong, text)
+    # Articles before words: names and mathematics may look like letters.
+    words = "".join(each if isinstance(each, str) else "#" for each in said)
+    assert not re.search(r"\b[Aa] (?!uni)[aeiou]", words), text
+    assert not re.search(r"\b[Aa]n [^aeiou]", words), text
+    assert not re.search(r"\b([a-z]{2,}) \1\b", words), text
+    assert text.count("(") == text.count(")"), text
+
+
+@settings(max_examples=60, deadline=None)
+@given(problems())
+def test_whatever_the_language_can_say_has_words(problem):
+    asked = question(problem)
+    for each in sentences(asked):
+        assert re.match(r"[A-Z]", plain(each)) and plain(each).endswith((".", ","))
+    ET.fromstring(fragment(asked))
+    assert to_markdown(asked) and to_typst(asked)
+
+
+@pytest.mark.parametrize("path", GOLDEN, ids=[each.stem for each in GOLDEN])
+def test_wordings_that_have_been_read(path):
+    (source,) = [each for each in FILES if each.stem == path.stem]
+    assert to_text(worded(source)) + "\n" == path.read_text(encoding="utf-8")
+
+
+def test_there_are_wordings_to_compare_with():
+    assert len(GOLDEN) >= 15
+
+
+# --- how it looks ---------------------------------------------------------------------------------
+
+
+def fragment(asked: Question) -> str:
+    return re.sub(r"<!DOCTYPE html>|<meta[^>]*>", "", to_html(asked))
+
+
+@pytest.mark.parametrize("path", FILES, ids=IDS)
+def test_html_and_markdown_say_the_same(path):
+    asked = worded(path)
+    page = ET.fromstring(fragment(asked))
+    assert not page.findall(".//script")
+    words = [
+        re.findall(r"[A-Za-z]{3,}", " ".join(each for each in one if isinstance(each, str)))
+        for one in sentences(asked)
+    ]
+    seen = "".join(page.itertext())
+    markdown = to_markdown(asked)
+    typst = to_typst(asked)
+    for each in {word for one in words for word in one}:
+        assert each in seen and each in markdown and each in typst
+    assert markdown.replace("\\$", "").count("$") % 2 == 0
+    rows = [
+        *asked.intro,
+        *(row for part in asked.parts for block in part.body for row in told(block)),
+    ]
+    assert len(page.findall(".//math")) == sum(
+        not isinstance(piece, str | Named) for row in rows for piece in row
+    )
+
+
+def told(block: Block) -> list[tuple]:
+    if isinstance(block, Listing):
+        return [block.lead, *(entry for _, entry in block.entries)]
+    return list(block.sentences)
+
+
+def test_text_of_a_user_is_never_markup():
+    problem = parse("title <b>*x*</b> $y$ #z\nsphere P: velocity i\nfind speed(P)")
+    asked = question(problem)
+    assert "<b>" not in to_html(asked)
+    assert r"\<b\>\*x\*\</b\> \$y\$ \#z" in to_markdown(asked)
+    assert '#strong[#"<b>*x*</b> $y$ #z";]' in to_typst(asked)
+
+
+@pytest.mark.parametrize("columns", [40, 80])
+def test_lines_keep_to_the_width(columns):
+    for path in FILES[::7]:
+        for line in to_text(worded(path), columns).splitlines():
+            assert len(line) <= columns or " " not in line.strip() or "𝐣" in line
+
+
+def test_marks_are_printed():
+    text = (ROOT.parent / "src/restitution/examples/mass-ratio.impact").read_text("utf-8")
+    asked = question(parse(text), marks={"a": 5, "b": 1})
+    said = to_text(asked)
+    assert "(5 marks)" in said and "(1 mark)" in said
+    assert [part.marks for part in asked.parts] == [5, 1, None]
+    for made in (to_html(asked), to_markdown(asked), to_typst(asked)):
+        assert "(5 marks)" in made and "(1 mark)" in made
+
+
+def test_parts_have_the_labels_of_the_statement():
+    text = "sphere P: velocity 3i\nfind speed(P)\npart i\nfind energy(P), energy, momentum(P)"
+    asked = question(parse(text))
+    assert [part.label for part in asked.parts] == [None, "i"]
+    (listing,) = asked.parts[1].body
+    assert [number for number, _ in listing.entries] == ["a", "b", "c"]
+
+
+def test_the_front_door():
+    asked = r.question(r.parse("sphere P: velocity 3i\nfind speed(P)"))
+    assert str(asked) == to_text(asked)
+    assert "<article" in asked._repr_html_()
+    assert asked._repr_markdown_() == to_markdown(asked)
+    assert doctest.testmod(telling).failed == 0
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        r.Problem(spheres=(r.Sphere("P", mass=0.1),)),
+        r.Problem(spheres=(r.Sphere("P"),), walls=(r.Wall("P"),)),
+    ],
+)
+def test_what_no_statement_could_say_is_refused(problem):
+    with pytest.raises(StatementError):
+        question(problem)
+
+
+def test_typst_sets_every_question(tmp_path):
+    typst = pytest.importorskip("typst")
+    source = tmp_path / "all.typ"
+    source.write_text("\n".join(to_typst(worded(each)) for each in FILES), encoding="utf-8")
+    assert typst.compile(str(source))[:5] == b"%PDF-"
