@@ -198,7 +198,7 @@ class _Written:
 
 def _solve_file(worker: Worker, file: str, wanted: _Wanted) -> _Written:
     from restitution.export import contract
-    from restitution.export.job import Job
+    from restitution.export.job import Job, Writing
 
     json = wanted.format is Format.json
     text = b""
@@ -209,16 +209,10 @@ def _solve_file(worker: Worker, file: str, wanted: _Wanted) -> _Written:
     except RestitutionError as error:
         line = contract.to_json(contract.unreadable(_name(file), error)) + "\n" if json else ""
         return _Written(UNREADABLE, line, tuple(_pointed(file, text, error)))
-    job = Job(
-        _name(file),
-        problem,
-        wanted.format.value,
-        wanted.part,
-        wanted.answers_only,
-        wanted.width,
-        wanted.limit,
-        wanted.styled,
+    task = Writing(
+        wanted.format.value, wanted.part, wanted.answers_only, wanted.width, wanted.styled
     )
+    job = Job(_name(file), problem, task, wanted.limit)
     try:
         reply = _ask(worker, job)
     except RestitutionError as error:
@@ -237,7 +231,7 @@ def _solve_file(worker: Worker, file: str, wanted: _Wanted) -> _Written:
             if _debugging()
             else f"{job.file}: internal error: {reply.fault.splitlines()[-1]}; {REPORT}"
         )
-    return _Written(0 if reply.answered else UNANSWERED, reply.text, tuple(messages))
+    return _Written(0 if reply.answered else UNANSWERED, reply.content, tuple(messages))
 
 
 def _ask(worker: Worker, job: Job) -> Reply:

@@ -496,6 +496,14 @@ def _line(content: Layout, at: Vector, size: float, share: float = 0.0) -> Place
     return PlacedLabel(label, box, Vector(x, at.y), size)
 
 
+def captioned(placed: Placed, text: str) -> Placed:
+    """The same with a line of words above it."""
+    left, bottom, right, top = placed.box
+    line = _line(Words(text), Vector(left + MARGIN, top + MARGIN), HEADING_SIZE)
+    box = (left, bottom, max(right, line.box[2] + MARGIN), line.box[3] + MARGIN)
+    return replace(placed, words=(*placed.words, line), box=box)
+
+
 def _note(note: Layout | None, box: Box) -> Iterator[PlacedLabel]:
     """The note in lines beneath the picture."""
     if note is None:

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from typing import assert_never
 
 from restitution.draw import style
 from restitution.draw.ink import Segment, arc_span, hatch, right_angle_points, round_hatch, unit
-from restitution.draw.labels import Placed, PlacedLabel, place
+from restitution.draw.labels import Placed, PlacedLabel, captioned, place
 from restitution.draw.scene import (
     Arc,
     Arrow,
@@ -36,6 +36,7 @@ from restitution.vector import Vector
 
 INK, INK_ON_DARK = "#1a1a1a", "#ededed"
 ACCENT, ACCENT_ON_DARK = "#a3161c", "#ff9c8f"  # of an impulse
+GAP = 8.0  # between pictures that stand in one file, in millimetres
 _ID = "{id}"  # stands for the picture's id until its hash is known
 
 
@@ -44,8 +45,29 @@ def to_svg(scene: Scene) -> str:
     return render(place(scene))
 
 
-def render(placed: Placed) -> str:
-    """A placed scene as the text of an SVG file."""
+def stacked(scenes: Sequence[Scene]) -> str:
+    """Scenes below one another as the text of one SVG file, each beneath its title."""
+    if len(scenes) == 1:
+        return to_svg(scenes[0])
+    pictures: list[str] = []
+    width = height = 0.0
+    for scene in scenes:
+        placed = captioned(place(scene), scene.title)
+        left, bottom, right, top = placed.box
+        pictures.append(render(placed, height))
+        width = max(width, right - left)
+        height += top - bottom + GAP
+    size = f"{_number(width)} {_number(height - GAP)}"
+    root = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}mm"'
+        f' height="{_number(height - GAP)}mm" viewBox="0 0 {size}" color="{INK}">'
+    )
+    dark = f"@media (prefers-color-scheme:dark){{svg:root{{color:{INK_ON_DARK}}}}}"
+    return "\n".join([root, f"<style>{dark}</style>", *pictures, "</svg>", ""])
+
+
+def render(placed: Placed, down: float | None = None) -> str:
+    """A placed scene as the text of an SVG file, or of an element so far ``down`` in another."""
     left, bottom, right, top = placed.box
     width, height = _number(right - left), _number(top - bottom)
     glyphs: dict[str, str] = {}
@@ -61,7 +83,7 @@ def render(placed: Placed) -> str:
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
     root = (
         f'<svg xmlns="http://www.w3.org/2000/svg" id="{_ID}" role="img"'
-        f' aria-labelledby="{_ID}-t {_ID}-d" width="{width}mm" height="{height}mm"'
+        f' aria-labelledby="{_ID}-t {_ID}-d"{_size(width, height, down)}'
         f' viewBox="{_number(left)} {_number(-top)} {width} {height}"'
         f' color="{INK}" fill="none" stroke="none" stroke-linejoin="round">'
     )
@@ -77,6 +99,12 @@ def render(placed: Placed) -> str:
     ]
     text = "\n".join(lines)
     return text.replace(_ID, "r" + hashlib.sha256(text.encode()).hexdigest()[:10])
+
+
+def _size(width: str, height: str, down: float | None) -> str:
+    if down is None:
+        return f' width="{width}mm" height="{height}mm"'
+    return f' y="{_number(down)}" width="{width}" height="{height}"'
 
 
 # In a page, lines have the colour of its text; alone or as an image, that of the reader's choice.

@@ -14,7 +14,7 @@ from restitution.render.text import to_text, width
 # Columns of plain text below which a sum is never broken.
 _WHOLE = 24
 
-_STYLE = """
+STYLE = """
 .restitution { --ink: #1b1b1f; --paper: #fff; --soft: #5f6368; --line: #d9dbe0; --mark: #8a1c1c;
   color: var(--ink); background: var(--paper); max-width: 46rem; margin: 0 auto; padding: 1rem;
   font: 1.05rem/1.55 Georgia, "Times New Roman", serif; }
@@ -74,7 +74,12 @@ def to_html(explanation: Explanation) -> str:
 
 def to_fragment(explanation: Explanation) -> str:
     """What stands in a page (or in a notebook), with its style."""
-    out = [f"<style>{_STYLE}</style>", '<article class="restitution">']
+    return f"<style>{STYLE}</style>\n{to_body(explanation)}"
+
+
+def to_body(explanation: Explanation) -> str:
+    """The same without its style, for a page that has it already."""
+    out = ['<article class="restitution">']
     if explanation.title:
         out.append(f"<h1>{escape(explanation.title)}</h1>")
     for part in explanation.parts:

@@ -8,12 +8,13 @@ from __future__ import annotations
 import gc
 import traceback
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.problem import Problem
 
 if TYPE_CHECKING:
+    from restitution.export.sheet import Form, Options
     from restitution.solve.solution import Solution
 
 Format = Literal["text", "markdown", "latex", "html", "json"]
@@ -26,32 +27,58 @@ _WRITING = 0.3
 
 
 @dataclass(frozen=True)
-class Job:
-    """A problem, what is wanted of it, and how: ``limit`` in seconds, ``width`` in characters.
+class Writing:
+    """A solution to be written down, ``width`` characters wide.
 
     ``part`` is the label of the one part wanted, or None for all; ``styled`` is text with bold type
     for a terminal.
     """
 
-    file: str
-    problem: Problem
     form: Format = "text"
     part: str | None = None
     answers_only: bool = False
     width: int = 80
-    limit: float | None = None
     styled: bool = False
 
 
 @dataclass(frozen=True)
-class Reply:
-    """What was written, whether everything asked has an answer, and why an item has none.
+class Drawing:
+    """Pictures to be drawn as one SVG: that of one event, or all (None)."""
 
+    event: int | None = None
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A question to be set on a sheet."""
+
+    form: Form
+    options: Options
+
+
+Task: TypeAlias = Writing | Drawing | Setting
+
+
+@dataclass(frozen=True)
+class Job:
+    """A problem to be solved, and what to make of it: ``limit`` in seconds."""
+
+    file: str
+    problem: Problem
+    task: Task = Writing()
+    limit: float | None = None
+
+
+@dataclass(frozen=True)
+class Reply:
+    """What was made, whether everything asked has an answer, and why an item has none.
+
+    ``content`` is a text (SVG for pictures), or the entry of a sheet.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end.
     """
 
-    text: str
+    content: Any
     answered: bool
     errors: tuple[RestitutionError, ...] = ()
     warnings: tuple[str, ...] = ()
@@ -75,7 +102,7 @@ def stopped(limit: float | None) -> TimeLimitError:
 
 
 def serve(job: Job) -> Reply:
-    """Solve and write down. Raises RestitutionError where nothing at all can be said."""
+    """Solve, and make what is wanted. Raises RestitutionError where nothing at all can be said."""
     from restitution.export import contract
     from restitution.killable import soft_limit
     from restitution.solve import solve
@@ -83,21 +110,33 @@ def serve(job: Job) -> Reply:
     first = None if job.limit is None else job.limit * _FIRST
     with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)):
         solution = solve(job.problem)
-    content = contract.solved(job.file, solution, job.part)
-    errors = _errors(solution, job.part)
+    label = job.task.part if isinstance(job.task, Writing) else None
+    found = contract.solved(job.file, solution, label)
+    errors = _errors(solution, label)
     tired = any(error.kind == TimeLimitError.kind for error in errors)
-    answered = contract.all_answered(content)
-    if job.form == "json":
-        return Reply(contract.to_json(content) + "\n", answered, tired=tired)
-    text, note, fault = _written(solution, job)
-    return Reply(
-        text if text.endswith("\n") else text + "\n",
-        answered and not fault,
-        errors,
-        (*content["warnings"], *note),
-        fault,
-        tired or bool(note or fault),
-    )
+    answered = contract.all_answered(found)
+    match job.task:
+        case Writing("json"):
+            return Reply(contract.to_json(found) + "\n", answered, tired=tired)
+        case Writing():
+            text, note, fault = _written(solution, job.task, job.limit)
+            return Reply(
+                text if text.endswith("\n") else text + "\n",
+                answered and not fault,
+                errors,
+                (*found["warnings"], *note),
+                fault,
+                tired or bool(note or fault),
+            )
+        case Drawing(event):
+            from restitution.export.pictures import picture
+
+            return Reply(picture(solution, event), answered, errors, tuple(found["warnings"]))
+        case Setting(form, options):
+            from restitution.export.sheet import entry
+
+            made = entry(solution, form, options)
+            return Reply(made, answered, errors, tuple(found["warnings"]))
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:
@@ -109,32 +148,34 @@ def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ..
     return tuple(unique.values())
 
 
-def _written(solution: Solution, job: Job) -> tuple[str, tuple[str, ...], str]:
+def _written(
+    solution: Solution, task: Writing, time: float | None
+) -> tuple[str, tuple[str, ...], str]:
     """The working, or the answers alone; why not the working; and the traceback of a fault."""
     from restitution.export.answers import answers
     from restitution.killable import soft_limit
 
-    assert job.form != "json"
+    assert task.form != "json"
     note: tuple[str, ...] = ()
     fault = ""
-    if not job.answers_only:
-        limit = None if job.limit is None else job.limit * _WRITING
+    if not task.answers_only:
+        limit = None if time is None else time * _WRITING
         try:
-            with soft_limit(limit, limit or 0, stopped(job.limit)):
-                return _working(solution, job), (), ""
+            with soft_limit(limit, limit or 0, stopped(time)):
+                return _working(solution, task), (), ""
         except RestitutionError as error:
             note = (f"here are the answers without their working: {error.message}",)
         except Exception:  # noqa: BLE001 - whatever it is, the answers stand
             # The answers are right without their working: they are given, and the fault told.
             fault = traceback.format_exc()
-    return answers(solution, job.form, job.part), note, fault
+    return answers(solution, task.form, task.part), note, fault
 
 
-def _working(solution: Solution, job: Job) -> str:
+def _working(solution: Solution, task: Writing) -> str:
     from restitution.explain import explain, to_html, to_latex, to_markdown, to_text
 
-    explanation = explain(solution, job.part)
-    match job.form:
+    explanation = explain(solution, task.part)
+    match task.form:
         case "markdown":
             return to_markdown(explanation)
         case "latex":
@@ -142,4 +183,4 @@ def _working(solution: Solution, job: Job) -> str:
         case "html":
             return to_html(explanation)
         case _:
-            return to_text(explanation, job.width, job.styled)
+            return to_text(explanation, task.width, task.styled)

@@ -10,7 +10,7 @@ from restitution.render.mathml import to_mathml
 from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
-_STYLE = """
+STYLE = """
 .question { color: #1b1b1f; background: #fff; max-width: 42rem; margin: 0 auto; padding: 1rem;
   font: 1.05rem/1.6 Georgia, "Times New Roman", serif; }
 .question h1 { font-size: 1.35rem; line-height: 1.25; margin: 0 0 1rem; }
@@ -42,15 +42,16 @@ def to_html(question: Question) -> str:
 
 def to_fragment(question: Question) -> str:
     """What stands in a page (or in a notebook), with its style."""
-    out = [f"<style>{_STYLE}</style>", '<article class="question">']
+    out = [f"<style>{STYLE}</style>", '<article class="question">']
     if question.title:
         out.append(f"<h1>{escape(question.title)}</h1>")
-    if question.intro:
-        out.append(_paragraph(*question.intro))
-    for part in question.parts:
-        out += _part(part)
-    out.append("</article>")
+    out += [*opening(question), *map(part, question.parts), "</article>"]
     return "\n".join(out)
+
+
+def opening(question: Question) -> list[str]:
+    """What is told before anything is asked."""
+    return [_paragraph(*question.intro)] if question.intro else []
 
 
 def said(words: Words) -> str:
@@ -80,11 +81,12 @@ def _row(head: str, body: str) -> str:
     return f'<div class="row"><span>({escape(head)})</span><div>{body}</div></div>'
 
 
-def _part(part: QuestionPart) -> list[str]:
+def part(part: QuestionPart) -> str:
+    """A part, with its label at the left and its marks at the right."""
     body = "\n".join(text for block in part.flow() for text in _block(block))
     if part.marks is not None:
         body += f'\n<p class="marks">{count_of_marks(part.marks)}</p>'
-    return [body if part.label is None else _row(part.label, body)]
+    return body if part.label is None else _row(part.label, body)
 
 
 def _block(block: Block) -> Iterator[str]:

@@ -20,10 +20,14 @@ def to_typst(question: Question) -> str:
     if question.title:
         blocks.append(f"#strong[{text(question.title)}]")
     if question.intro:
-        blocks.append(" ".join(map(said, question.intro)))
-    for part in question.parts:
-        blocks.append(_part(part))
+        blocks.append(opening(question))
+    blocks += [part(each) for each in question.parts]
     return "\n\n".join(blocks) + "\n"
+
+
+def opening(question: Question) -> str:
+    """What is told before anything is asked."""
+    return " ".join(map(said, question.intro))
 
 
 def said(words: Words) -> str:
@@ -45,7 +49,8 @@ def _row(head: str, body: str) -> str:
     return f"#grid(columns: (2.2em, 1fr), row-gutter: 0.65em, [{label}], [{body}])"
 
 
-def _part(part: QuestionPart) -> str:
+def part(part: QuestionPart) -> str:
+    """A part, with its label at the left and its marks at the right."""
     body = "\n\n".join(made for block in part.flow() for made in _block(block))
     if part.marks is not None:
         body += f"\n\n#align(right)[{text(count_of_marks(part.marks))}]"

@@ -1,0 +1,214 @@
+"""Questions on sheets of A4: wording, a figure, room for working, and worked solutions.
+
+A sheet is made in two steps. `entry` turns a solved problem into markup, in the process that has
+solved it; `to_pdf` and `to_html` put entries together, and need no algebra for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from html import escape
+from typing import TYPE_CHECKING, Literal
+
+from restitution.errors import UnsupportedError
+from restitution.render.typst import literal, words
+
+if TYPE_CHECKING:
+    from restitution.solve.solution import Solution
+    from restitution.wording import Question, QuestionPart
+
+Form = Literal["pdf", "html"]
+
+DEFAULT_TITLE = "Oblique impacts"
+MISSING_TYPST = "PDF needs typst: pip install 'restitution[pdf]', or take --format html"
+FIGURE = 84
+"""Width of a figure, in millimetres."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a sheet holds beside its questions.
+
+    ``space`` is the room for working after each part, in centimetres; None gives a centimetre for
+    each mark.
+    """
+
+    solutions: bool = False
+    diagrams: bool = True
+    space: float | None = None
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One question of a sheet as markup of its ``form``; ``working`` is empty where not wanted."""
+
+    title: str | None
+    question: str
+    working: str = ""
+
+
+def entry(solution: Solution, form: Form, options: Options) -> Entry:
+    """A solved problem as it stands on a sheet.
+
+    Raises RestitutionError where the problem cannot be worded or explained.
+    """
+    from restitution.explain import explain
+    from restitution.wording import question
+
+    explanation = explain(solution)
+    marks = {part.label: part.marks for part in explanation.parts if part.marks}
+    asked = replace(question(solution.problem, marks=marks), title=None)
+    explained = replace(explanation, title=None)
+    figure = _figure(solution) if options.diagrams else None
+    if form == "pdf":
+        from restitution.explain import typst
+
+        working = typst.to_markup(explained) if options.solutions else ""
+        return Entry(solution.problem.title, _typst_question(asked, figure, options), working)
+    from restitution.explain import html
+
+    working = html.to_body(explained) if options.solutions else ""
+    return Entry(solution.problem.title, _html_question(asked, figure, options), working)
+
+
+def _figure(solution: Solution) -> str | None:
+    """The situation before the first impact, as SVG."""
+    from restitution.draw import figure
+    from restitution.draw.svg import to_svg
+
+    scene = figure(solution)
+    return None if scene is None else to_svg(scene)
+
+
+def _room(part: QuestionPart, options: Options) -> float:
+    """Centimetres of room for the working of a part."""
+    return float(part.marks or 0) if options.space is None else options.space
+
+
+# --- typst --------------------------------------------------------------------------------------
+
+_PAGE = """\
+#set document(title: TITLE, date: none)
+#set page(paper: "a4", margin: (x: 20mm, top: 24mm, bottom: 20mm), numbering: "1 of 1",
+  header: [#set text(size: 9pt); #text(TITLE) #h(1fr) HEAD #v(-0.6em) #line(length: 100%,
+    stroke: 0.4pt)])
+#set text(font: "New Computer Modern", size: 11pt, lang: "en", region: "GB")
+#set par(justify: false, leading: 0.62em)
+#let numbered(number, title, body) = block(above: 1.6em, breakable: true, grid(
+  columns: (1.8em, 1fr), strong[#number], [#if title != none { block(sticky: true, strong(title)) }
+  #body]))
+#let figure-of(svg) = align(center, block(above: 1em, below: 1em,
+  image(bytes(svg), format: "svg", width: WIDTH)))
+#let room(height) = block(height: height, width: 100%, breakable: true)
+"""
+
+
+def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> bytes:
+    """The sheet as a PDF of A4 pages, the same bytes for the same entries.
+
+    Raises UnsupportedError where typst is not installed.
+    """
+    try:
+        import typst
+    except ImportError:
+        raise UnsupportedError(MISSING_TYPST) from None
+    source = _typst_document(entries, title or _title(entries), options)
+    return bytes(typst.compile(source.encode(), ignore_system_fonts=True))
+
+
+def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
+    from restitution.explain.typst import PREAMBLE
+
+    head = words("" if options.solutions else "Name ........................................")
+    page = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
+    blocks = [page.replace("WIDTH", f"{FIGURE}mm"), PREAMBLE]
+    alone = len(entries) == 1
+    for number, each in enumerate(entries, 1):
+        blocks.append(_typst_numbered(number, each.title, each.question, alone, title))
+    if options.solutions:
+        blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Solutions]")
+        for number, each in enumerate(entries, 1):
+            blocks.append(_typst_numbered(number, each.title, each.working, alone, title))
+    return "\n\n".join(blocks) + "\n"
+
+
+def _typst_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:
+    named = "none" if title is None or (alone and title == sheet) else literal(title)
+    return f"#numbered({literal(f'{number}')}, {named})[\n{body}\n]"
+
+
+def _typst_question(question: Question, figure: str | None, options: Options) -> str:
+    from restitution.wording import typst
+
+    opening = typst.opening(question)
+    if figure is not None:
+        opening += f"\n\n#figure-of({literal(figure)})"
+    parts = [f"{typst.part(each)}\n\n#room({_room(each, options):g}cm)" for each in question.parts]
+    return "\n\n".join([opening, *parts])
+
+
+# --- HTML ---------------------------------------------------------------------------------------
+
+_STYLE = """
+body { margin: 0; background: #fff } main { max-width: 46rem; margin: 0 auto; padding: 1rem }
+main > h1 { font: 600 1.3rem/1.3 Georgia, serif; margin: .5rem 0 1rem }
+main > h2 { font: 600 1.15rem/1.3 Georgia, serif; break-before: page }
+.entry { display: grid; grid-template-columns: 2rem 1fr; margin: 1.4rem 0 }
+.entry > .number { font: 600 1.05rem/1.6 Georgia, serif }
+.entry h3 { font: 600 1.05rem/1.6 Georgia, serif; margin: 0 }
+.entry .question, .entry .restitution { padding: 0; margin: 0; max-width: none }
+.figure { text-align: center; margin: 1rem 0; break-inside: avoid } .figure svg { width: 84mm;
+  max-width: 100%; height: auto }
+@media (prefers-color-scheme: dark) { body { background: #17181c; color: #e8e8ec } }
+@media print { @page { size: A4; margin: 20mm } main { padding: 0; max-width: none }
+  body { background: #fff; color: #000 } }
+"""
+
+
+def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> str:
+    """The sheet as one page that needs nothing else and prints on A4."""
+    from restitution.explain.html import STYLE as WORKING
+    from restitution.wording.html import STYLE as QUESTION
+
+    named = title or _title(entries)
+    alone = len(entries) == 1
+    body = [f"<h1>{escape(named)}</h1>"]
+    body += [_html_numbered(n, e.title, e.question, alone, named) for n, e in enumerate(entries, 1)]
+    if options.solutions:
+        body.append("<h2>Solutions</h2>")
+        body += [
+            _html_numbered(n, e.title, e.working, alone, named) for n, e in enumerate(entries, 1)
+        ]
+    inside = "\n".join(body)
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta name="color-scheme" content="light dark">\n'
+        f"<title>{escape(named)}</title>\n<style>{QUESTION}{WORKING}{_STYLE}</style>\n"
+        f"</head>\n<body>\n<main>\n{inside}\n</main>\n</body>\n</html>\n"
+    )
+
+
+def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:
+    named = "" if title is None or (alone and title == sheet) else f"<h3>{escape(title)}</h3>"
+    return (
+        f'<section class="entry"><div class="number">{number}</div><div>{named}\n{body}\n'
+        "</div></section>"
+    )
+
+
+def _html_question(question: Question, figure: str | None, options: Options) -> str:
+    from restitution.wording import html
+
+    blocks = html.opening(question)
+    if figure is not None:
+        blocks.append(f'<div class="figure">{figure}</div>')
+    for each in question.parts:
+        blocks.append(html.part(each))
+        blocks.append(f'<div style="height: {_room(each, options):g}cm"></div>')
+    return '<article class="question">' + "\n".join(blocks) + "</article>"
+
+
+def _title(entries: Sequence[Entry]) -> str:
+    return (entries[0].title if len(entries) == 1 else None) or DEFAULT_TITLE
