@@ -17,6 +17,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from restitution.draw import draw
     from restitution.errors import (
         ContradictionError,
         ImpossibleError,
@@ -50,6 +51,7 @@ __all__ = [
     "Vector",
     "Wall",
     "__version__",
+    "draw",
     "explain",
     "impact",
     "parse",
@@ -69,6 +71,7 @@ _NAMES_OF_MODULES = {
         "TimeLimitError",
         "UnsupportedError",
     ),
+    "draw": ("draw",),
     "explain": ("explain",),
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -30,8 +30,17 @@ class Drawings:
 
         return tuple(to_svg(scene) for scene in self.scenes)
 
-    def _repr_html_(self) -> str:
-        return "\n".join(f"<figure>{svg}</figure>" for svg in self.svgs)
+    def _repr_mimebundle_(self, **wanted: Any) -> dict[str, Any]:
+        """For Jupyter: PNG on white, which every theme shows; SVG where typst is not installed."""
+        from restitution.draw.pages import converted
+        from restitution.draw.svg import stacked
+        from restitution.errors import UnsupportedError
+
+        svg = stacked(self.scenes)
+        try:
+            return {"image/png": converted(svg, "png", 160)}
+        except UnsupportedError:
+            return {"image/svg+xml": svg}
 
 
 def draw(solution: Solution, part: str | None = None) -> Drawings:

@@ -31,7 +31,7 @@ class Options:
     """What a sheet holds beside its questions.
 
     ``space`` is the room for working after each part, in centimetres; None gives a centimetre for
-    each mark.
+    each mark, and nothing where the solutions stand behind.
     """
 
     solutions: bool = False
@@ -83,7 +83,9 @@ def _figure(solution: Solution) -> str | None:
 
 def _room(part: QuestionPart, options: Options) -> float:
     """Centimetres of room for the working of a part."""
-    return float(part.marks or 0) if options.space is None else options.space
+    if options.space is not None:
+        return options.space
+    return 0.0 if options.solutions else float(part.marks or 0)
 
 
 # --- typst --------------------------------------------------------------------------------------

@@ -1,0 +1,92 @@
+"""One file from its statement to what was asked of it, by the process that solves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from restitution.cli import REPORT, UNANSWERED, UNREADABLE
+from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
+from restitution.errors import RestitutionError, StatementError
+
+if TYPE_CHECKING:
+    from restitution.export.job import Job, Reply, Task
+    from restitution.killable import Worker
+    from restitution.problem import Problem
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What became of one file: its exit status, what was made, and what is said of it."""
+
+    status: int
+    content: Any = None
+    messages: tuple[str, ...] = ()
+
+
+def worker_of(early: Worker | None) -> Worker:
+    """The process that was started with the command, or one of its own."""
+    from restitution.export.job import prepare, serve
+    from restitution.killable import Worker
+
+    return early or Worker(serve, prepare)
+
+
+def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer:
+    """Read a file and have the task done; what is wrong is told, in JSON too if that is asked."""
+    from restitution.export import contract
+    from restitution.export.job import Job, Writing
+
+    writing = task if isinstance(task, Writing) else Writing()
+    json = writing.form == "json"
+    text = b""
+    try:
+        text = read(file)
+        problem = parse(text)
+        _require_part(problem, writing.part)
+    except RestitutionError as error:
+        line = contract.to_json(contract.unreadable(shown_name(file), error)) + "\n"
+        return Answer(UNREADABLE, line if json else None, tuple(pointed(file, text, error)))
+    job = Job(shown_name(file), problem, task, limit)
+    try:
+        reply = _reply(worker, job)
+    except RestitutionError as error:
+        unfinished = contract.unfinished(job.file, problem, error, writing.part)
+        line = contract.to_json(unfinished) + "\n"
+        return Answer(UNANSWERED, line if json else None, tuple(pointed(file, text, error)))
+    messages = [f"{job.file}: warning: {warning}" for warning in reply.warnings]
+    for missing in reply.errors:
+        messages += pointed(file, text, missing)
+    if reply.fault:
+        messages.append(
+            reply.fault
+            if debugging()
+            else f"{job.file}: internal error: {reply.fault.splitlines()[-1]}; {REPORT}"
+        )
+    return Answer(0 if reply.answered else UNANSWERED, reply.content, tuple(messages))
+
+
+def _reply(worker: Worker, job: Job) -> Reply:
+    """The reply to a job; whatever else happens, as a RestitutionError."""
+    from restitution.errors import UnsupportedError
+    from restitution.export.job import stopped
+    from restitution.killable import LostError
+
+    try:
+        reply: Reply = worker.ask(job, job.limit)
+    except TimeoutError:
+        raise stopped(job.limit) from None
+    except LostError as error:
+        if debugging() and error.details:
+            say(error.details)
+        raise UnsupportedError(f"internal error: {one_line(error)}; {REPORT}") from None
+    if reply.tired:
+        worker.close()
+    return reply
+
+
+def _require_part(problem: Problem, label: str | None) -> None:
+    labels = [part.label for part in problem.parts if part.label is not None]
+    if label is not None and label not in labels:
+        known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
+        raise StatementError(f"there is no part {label!r}: {known}")

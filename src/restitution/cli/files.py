@@ -1,0 +1,136 @@
+"""Reading statements, and saying what is wrong with them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from restitution.cli import REPORT
+from restitution.errors import RestitutionError, StatementError
+
+if TYPE_CHECKING:
+    from restitution.problem import Problem
+
+
+def read(file: str) -> bytes:
+    """The bytes of a file, no more than one beyond what a statement may have.
+
+    Raises StatementError where there is nothing to read.
+    """
+    from restitution.expression.limits import MAX_TEXT_BYTES
+
+    try:
+        if file == "-":
+            return sys.stdin.buffer.read(MAX_TEXT_BYTES + 1)
+        with Path(file).open("rb") as stream:
+            return stream.read(MAX_TEXT_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise StatementError(f"cannot be read: {reason}{_hint(file)}") from None
+
+
+def _hint(file: str) -> str:
+    from restitution import examples
+
+    name = Path(file).name.removesuffix(".impact")
+    if name in examples.names():
+        return f"; did you mean: restitution examples {name} | restitution solve -"
+    return ""
+
+
+def parse(text: bytes) -> Problem:
+    """The problem that a text states. Raises RestitutionError, whatever goes wrong."""
+    from restitution.errors import UnsupportedError
+    from restitution.language import parse
+
+    try:
+        return parse(text)
+    except RestitutionError:
+        raise
+    except Exception as error:
+        if debugging():
+            raise
+        name = f"{type(error).__name__}: {one_line(error)}"
+        raise UnsupportedError(f"internal error: {name}; {REPORT}") from None
+
+
+def pointed(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:
+    """The message of an error and of those beside it, with the place in the text."""
+    yield "\n".join(_with_place(file, text, error))
+    for other in getattr(error, "others", ()):
+        yield "\n".join(_with_place(file, text, other))
+
+
+def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:
+    place = "".join(f":{n}" for n in (error.line, error.column) if n is not None)
+    plain = error.kind == "time limit" or (error.line is None and error.kind == "syntax")
+    kind = "" if plain else f"{error.kind}: "
+    yield f"{shown_name(file)}{place}: {kind}{printable(error.message)}"
+    if error.line is None:
+        return
+    lines = text.decode("utf-8", errors="replace").removeprefix("\ufeff")
+    # The same three ends of a line as the language knows, and no others.
+    numbered = lines.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    if not 0 < error.line <= len(numbered):
+        return
+    line = numbered[error.line - 1]
+    column = error.column or 0
+    first = max(0, column - _SHOWN // 2) if len(line) > _SHOWN else 0
+    shown = printable(line[first : first + _SHOWN])
+    yield f"{error.line:>5} | {shown.rstrip()}"
+    if column:
+        before = shown[: column - 1 - first]
+        yield f"      | {' ' * sum(_columns(each) for each in before)}^"
+
+
+_SHOWN = 72
+
+
+def _columns(character: str) -> int:
+    """How many columns of a terminal a character takes."""
+    from unicodedata import combining, east_asian_width
+
+    if combining(character):
+        return 0
+    return 2 if east_asian_width(character) in "WF" else 1
+
+
+def printable(text: str) -> str:
+    """Without what a terminal would take for a command."""
+    return "".join(
+        each if each.isprintable() else " " if each.isspace() else "\N{REPLACEMENT CHARACTER}"
+        for each in text
+    )
+
+
+def shown_name(file: str) -> str:
+    """The name of a file as it can be shown."""
+    return printable(os.fsencode(file).decode("utf-8", errors="replace"))
+
+
+def one_line(error: BaseException) -> str:
+    """What an error says, on one line that is not too long."""
+    return printable(" ".join(str(error).split()))[:200]
+
+
+def say(message: str) -> None:
+    """To standard error."""
+    typer.echo(message, err=True)
+
+
+def debugging() -> bool:
+    """Whether failures of the program are to be shown in full."""
+    return bool(os.environ.get("RESTITUTION_DEBUG"))
+
+
+def terminal_width() -> int:
+    """Columns for text: those of the terminal within reason, else 80."""
+    if not sys.stdout.isatty():
+        return 80
+    return max(40, min(shutil.get_terminal_size().columns, 120))
