@@ -24,7 +24,15 @@ from restitution.explain.quantities import (
 )
 from restitution.explain.steps import Origin, Row, Side, Words, shown, side
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import AtTime, Expression, Letter, Name, Quantity, walk
+from restitution.expression.tree import (
+    AtTime,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    has_quantity,
+    walk,
+)
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -494,10 +502,14 @@ def _show_ordered(
     first, last = lay.from_tree(left), lay.from_tree(right)
     angle = _angle_tree(work, left)
     rows: list[Row] = []
-    if quantities_in(work, left, now):
-        rows.append(chain(Side(first, a), side(a, look(a, angle=angle))))
-    if quantities_in(work, right, now):
-        rows.append(chain(Side(last, b), side(b, look(b, angle=angle))))
+    for tree, name, value in ((left, first, a), (right, last, b)):
+        found = side(value, look(value, angle=angle))
+        if quantities_in(work, tree, now) and not _stated(work, name, [found]):
+            rows.append(chain(Side(name, value), found))
+    if angle and isinstance(left, Letter) and not has_quantity(right):
+        from restitution.explain.bounds import explain_conditions
+
+        explain_conditions(work, left, now)
     words: Words = ()
     if not angle:
         gap = (
@@ -607,13 +619,17 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
             for quantity in quantities_in(work, tree, now):
                 sub_result(work, quantity)
     given = dict(result.counterexample or {})
-    words: list[str | Layout] = [f"{result.text} is false"]
+    claim: str | Layout = result.text
+    if isinstance(relation, Compare) and item.subject is None and relation.figures is None:
+        operands = tuple(lay.from_tree(each) for each in relation.operands)
+        claim = lay.Relation(operands, tuple(lay.SIGNS.get(op, op) for op in relation.operators))
+    words: list[str | Layout] = [claim, " is false"]
     if given:
         words.append(": for instance with ")
         for index, (name, value) in enumerate(given.items()):
             if index:
                 words.append(", ")
-            words += [lay.letter(name), " = ", _written(value)]
+            words.append(lay.equation(lay.letter(name), _written(value)))
         words.append(" it does not hold")
     words.append(".")
     work.write("note", words=tuple(words))

@@ -22,7 +22,7 @@ from restitution.expression.tree import Degrees, Expression, Letter, Quantity, h
 from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solve import algebra
+from restitution.solve import algebra, forms
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import Role
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from restitution.explain.working import Working
 
 _DRAWS = 60
+_STEP = 1e-12
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 _FLIPPED = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
 
@@ -439,6 +440,11 @@ def explain_range(work: Working, tree: Expression, answer_: Answer, now: int) ->
     work.write("result", [Row((laid,), (), (None,), "A1")], words=("So the range is",))
 
 
+def explain_conditions(work: Working, tree: Expression, now: int) -> None:
+    """The conditions that bound a letter, where an inequality for it has to be shown."""
+    _range_working(work, tree, now)
+
+
 def _range_working(work: Working, tree: Expression, now: int) -> None:
     x = work.model.unknowns.letter(tree.name) if isinstance(tree, Letter) else None
     if x is None:
@@ -492,13 +498,14 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
         name = lay.from_tree(tree)
         ends = []
         for end in (role.low, role.high):
+            near = _near(work, tree, now, symbol, end, value)
             try:
-                limit = sp.limit(value, symbol, end, "+" if end == role.low else "-")
+                limit = sp.limit(near, symbol, end, "+" if end == role.low else "-")
             except (NotImplementedError, ValueError):
-                limit = value.subs(symbol, end)
-            ends.append(tidy_angle(limit) if is_angle else tidy(limit))
+                limit = near.subs(symbol, end)
+            ends.append(_unwound(work, tidy_angle(limit)) if is_angle else tidy(limit))
         if not all(
-            _is_limit(work, value, symbol, at_, end)
+            _is_limit(work, _near(work, tree, now, symbol, at_, value), symbol, at_, end)
             for at_, end in zip((role.low, role.high), ends, strict=True)
         ):
             continue
@@ -520,13 +527,37 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
         work.write("result", rows, words=words, mark="M1")
 
 
+def _near(
+    work: Working, tree: Expression, now: int, symbol: sp.Symbol, end: sp.Expr, value: sp.Expr
+) -> sp.Expr:
+    """A value as it is written near an end: the same angle may need another half turn there."""
+    raw = work.model.story.evaluator(now).value(tree)
+    if not isinstance(raw, Angle):
+        return value
+    step = _STEP if end == 0 or work.model.sign(end) < 0 else -_STEP
+    there = {**work.model.sample, symbol.name: work.model.number(end) + step}
+    own = Angle(work.put(raw.x), work.put(raw.y), raw.measure)
+    return sp.sympify(forms.angle(own, [there]), strict=True)
+
+
+def _unwound(work: Working, angle: sp.Expr) -> sp.Expr:
+    """Without arctan(tan x): x itself, less the half turns between them."""
+    for inner in angle.atoms(sp.atan):
+        x = inner.args[0].args[0] if isinstance(inner.args[0], sp.tan) else None
+        if x is None:
+            continue
+        turns = round(float((work.model.number(x) - work.model.number(inner)) / sp.pi))
+        angle = angle.xreplace({inner: x - turns * sp.pi})
+    return sp.expand(angle)
+
+
 def _is_limit(
     work: Working, value: sp.Expr, symbol: sp.Symbol, place: sp.Expr, limit: sp.Expr
 ) -> bool:
     """Whether an expression comes near a limit, by numbers."""
     try:
         there = work.model.number(place)
-        step = 1e-12 if place == 0 or work.model.sign(place) < 0 else -1e-12
+        step = _STEP if place == 0 or work.model.sign(place) < 0 else -_STEP
         near = at(value, {**work.model.sample, symbol.name: there + step})
         far = at(limit, {**work.model.sample, symbol.name: there})
     except (UndefinedError, KeyError, ArithmeticError):

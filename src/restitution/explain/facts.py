@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
+from restitution.explain.geometry import angle_letter
 from restitution.explain.phrases import chain, look, square, sum_of_products
 from restitution.explain.quantities import (
     components,
@@ -27,6 +28,7 @@ from restitution.problem import (
     AtRest,
     Compare,
     Given,
+    Impact,
     Kick,
     Part,
     Problem,
@@ -37,6 +39,7 @@ from restitution.render.layout import Layout
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation as StoryEquation
 from restitution.solve.quantities import event_of, is_line
+from restitution.solve.story import Happening
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -222,6 +225,13 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
     stage = stage_of(work, tree, now, body)
     v = work.model.story.velocity(body, stage)
     residual = sp.sympify(v.dot(v) - sp.sympify(value, strict=True) ** 2, strict=True)
+    story = work.model.story
+    event = story.latest(body, stage)
+    if event is not None and event.number in work.model.frames:
+        u = event.before[body]
+        if story.field.is_zero(u.x) and story.field.is_zero(u.y):
+            along = work.model.after(event.number, body)
+            return _speed_along(work, tree, other, along, value, now)
 
     def step() -> Step:
         parts = [x for x in components(work, body, stage) if x != 0]
@@ -240,6 +250,20 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
         )
         return Step("fact", (row,), words=_words(tree, other))
 
+    return Equation(residual, "fact", now, step, (tree, other, now))
+
+
+def _speed_along(
+    work: Working, tree: Quantity, other: Expression, w: Any, value: Any, now: int
+) -> Equation:
+    """A sphere that was at rest moves along the line of centres: its speed is one component."""
+    w = tidy(-w) if work.model.sign(w) < 0 else w
+
+    def step() -> Step:
+        row = chain(side(work.put(w)), put_in(work, other, now), mark="B1")
+        return Step("fact", (row,), words=_words(tree, other))
+
+    residual = sp.sympify(w - sp.sympify(value, strict=True), strict=True)
     return Equation(residual, "fact", now, step, (tree, other, now))
 
 
@@ -358,8 +382,12 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
     if isinstance(quantity, Quantity) and quantity.kind == "direction":
         body = name_of(quantity)
         assert body is not None
-        v = work.model.story.velocity(body, stage_of(work, quantity, now, body))
+        stage = stage_of(work, quantity, now, body)
+        v = work.model.story.velocity(body, stage)
         x, y = work.put(v.x), work.put(v.y)
+        event = work.model.story.latest(body, stage)
+        if event is not None and ("setting", event.number) not in work.done:
+            words = (*_moves_off(work, event, body), *words)
         target = plain(work, work.model.story.evaluator(now).value(other))
         tangent = tidy(sp.tan(target))
         if x != 0 and not tangent.has(sp.zoo):
@@ -368,6 +396,24 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
             )
     a_, b_ = put_in(work, left, now), put_in(work, right, now)
     return Step("fact", (chain(a_, b_, mark="M1"),), words=words)
+
+
+def _moves_off(work: Working, event: Happening, body: str) -> Words:
+    """Why the direction of a sphere that was at rest tells the line of centres."""
+    u = event.before[body]
+    still = work.model.story.field.is_zero(u.x) and work.model.story.field.is_zero(u.y)
+    if not still or not isinstance(event.step, Impact) or event.step.offset is None:
+        return ()
+    theta = angle_letter(work)
+    r = work.model.story.radius(body)
+    ratio = lay.fraction(lay.from_tree(event.step.offset), look(tidy(2 * work.put(r))))
+    return (
+        f"{body} was at rest, and moves off along the line of centres. This makes an angle ",
+        theta,
+        " with the path of the other sphere, where ",
+        lay.equation(lay.function("sin", theta), ratio),
+        ". ",
+    )
 
 
 def _tangent_row(target: sp.Expr, made: Side) -> Row:

@@ -285,10 +285,7 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     if r is None:
         return
     d = work.put(raw)
-    if work.open(d):
-        return
     happening = work.model.happening(frame.number)
-    approach = happening.before[step.first] - happening.before[step.second]
     theta = angle_letter(work)
     d = d if work.sign(d) >= 0 else tidy(-d)
     ratio = tidy(d / (2 * work.put(r)))
@@ -302,7 +299,6 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
         ),
         chain(shown(lay.function("cos", theta)), side(cosine), mark="A1"),
     ]
-    del approach
     still = happening.before[step.second]
     path = f"the path of {step.first}"
     if not (story.field.is_zero(still.x) and story.field.is_zero(still.y)):

@@ -179,6 +179,8 @@ def half_m(mass: Any, *components: Any) -> Layout:
     squares = [square(each) for each in parts]
     m = look(mass)
     inside = squares[0] if len(squares) == 1 else Brackets(lay.total(squares))
+    if _begins(inside) and not (_numeric(m) or _begins(m)):
+        return Product((lay.product(half, lay.bracketed(m)), inside), "×")
     if _numeric(m) or _begins(m) or _begins(inside):
         return Product((half, lay.bracketed(m), inside), "×")
     return lay.product(half, lay.bracketed(m), inside)
@@ -239,6 +241,9 @@ def sum_of_products(pairs: Iterable[tuple[Any, Any]]) -> Layout:
         elif second == Number("1") or first == Number("1"):
             term = second if first == Number("1") else first
             sign, term = lay.split_sign(term)
+            flip = sign == "-"
+        elif isinstance(rest, Number) and other == "+" and not _begins(size):
+            term = lay.product(rest, size)  # 4m
             flip = sign == "-"
         elif _begins(rest) and not (sign == "-" and not terms):
             term = product_of(size, second)

@@ -455,9 +455,8 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     dot = tidy(a.dot(b))
     final = _result(name, None, value, angle=True)
     if work.sign(dot) == 0:
-        row = chain(shown(lay.Words("scalar product")), side(sp.Integer(0)), mark="M1")
-        del row
-        return Derived((final,), value)
+        row = chain(shown(_dot_layout(a, b)), side(sp.Integer(0)), mark="M1")
+        return Derived((row, final), value, ("The scalar product is zero:",))
     frame = _frame_along(work, tree, now)
     if sharp and frame is not None:
         u, v = frame
@@ -475,7 +474,26 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
             final,
         )
         return Derived(rows, value)
+    if not sharp and not _numeric_angle(a, b):
+        for one, other in ((a, b), (b, a)):
+            if one.x == 0 or one.y == 0:
+                return Derived((_tangent_to(work, name, one, other), final), value)
     return Derived((*_cosine_rows(work, a, b, value, sharp), final), value)
+
+
+def _tangent_to(work: Working, name: Layout, axis: Vector, v: Vector) -> Row:
+    """The tangent of the angle between a vector and one that is parallel to an axis."""
+    along, across = (v.x, v.y) if axis.y == 0 else (v.y, v.x)
+    way = axis.x if axis.y == 0 else axis.y
+    along = tidy(-along) if work.sign(way) < 0 else along
+    across = tidy(-across) if work.sign(across) < 0 else across
+    tangent = tidy(across / along)
+    return chain(
+        side(tangent, lay.function("tan", Brackets(name))),
+        side(tangent, lay.fraction(look(across), look(along))),
+        side(tangent),
+        mark="M1",
+    )
 
 
 def _short_angle(name: Layout) -> Layout:
@@ -550,6 +568,11 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
         )
     if frame.wall is not None:
         return _deflection_at_wall(work, event.number, body, value, name)
+    if work.sign(before.cross(after)) == 0:
+        words = f"The motion of {body} is reversed:"
+        if work.sign(dot) > 0:
+            words = f"{body} goes on in the same direction:"
+        return Derived((final,), value, (words,))
     rows = _cosine_rows(work, _scaled(before), _scaled(after), value)
     return Derived(
         (*rows, final),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from restitution.components import Model, model, protected_letters, rejected_values
 from restitution.errors import RestitutionError
+from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.marks import again, settled
@@ -20,6 +22,7 @@ from restitution.expression.tree import Quantity, has_quantity, letters
 from restitution.problem import Part, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
+from restitution.solve.forms import signed
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.solve.story import lets_of
 from restitution.vector import Vector
@@ -116,9 +119,18 @@ def _answers(item: ItemResult) -> str:
 def _models(solution: Solution, part: PartSolution) -> list[Model]:
     protected = protected_letters(part.part)
     return [
-        model(solution.problem, part.part, branch, part.roles, protected)
+        _without_bars(model(solution.problem, part.part, branch, part.roles, protected))
         for branch in part.branches
     ]
+
+
+def _without_bars(told: Model) -> Model:
+    """Sizes |x| in the values without bars, by the signs that they have in the story."""
+    values = {
+        symbol: tidy(signed(value, [told.sample])) if value.has(sp.Abs) else value
+        for symbol, value in told.final.items()
+    }
+    return replace(told, final=values)
 
 
 def _worked(

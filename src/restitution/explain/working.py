@@ -241,6 +241,8 @@ class Working:
             return self.value_row(symbol, value=value)
         if value.free_symbols & set(self.known):
             return chain(side(name), side(value), side(self.put(value)), mark="M1")
+        if symbol in self.known:
+            return chain(side(name), side(value), side(self.known[symbol]), mark="M1")
         return chain(side(name), side(value))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
@@ -315,8 +317,16 @@ class Working:
             if each.number in self.model.frames
             and any(s.name in hidden for s in sp.sympify(each.residual, strict=True).free_symbols)
         }
+        lines = {
+            number
+            for number, frame in self.model.frames.items()
+            for each in group
+            if frame.by_values and each.kind == "fact" and each.number >= number
+            if symbols & self.open(tuple(frame.n))
+        }
         return sorted(
             {each.number for each in group if each.kind in ("momentum", "restitution")}
+            | lines
             | {c.number for c in self.model.components.values() if c.symbol in symbols}
             | of_before
         )
@@ -976,6 +986,8 @@ class Working:
         first: Row,
     ) -> list[Row]:
         common = _common(masses)
+        if common == 1 and not any(self.open(v) for _, v in right):
+            return []
         total = tidy(sum((m / common * u for m, u in left), sp.Integer(0)))
         ratios = [(tidy(m / common), v) for m, v in right]
         value = sum((m * v for m, v in ratios), sp.Integer(0))

@@ -93,8 +93,6 @@ def to_text(layout: Layout) -> str:
             return _sum(terms)
         case Product():
             return _product(layout)
-        case Fraction(Words("d"), Product((Words("d"), Letter() as by))):
-            return f"d/d{to_text(by)}"  # a rate of change
         case Fraction(Number(a), Number(b)) if (a, b) in VULGAR:
             return VULGAR[a, b]
         case Fraction():
@@ -227,6 +225,8 @@ def _factor(factor: Layout, sign: str) -> str:
 
 
 def _slash(fraction: Fraction) -> str:
+    if isinstance(fraction.below, Product) and fraction.below.factors[0] == Words("d"):
+        return f"d/d{to_text(fraction.below.factors[1])}"  # a rate of change
     above, below = to_text(fraction.above), to_text(fraction.below)
     if isinstance(fraction.above, Fraction):
         above = f"({_slash(fraction.above)})"
