@@ -204,7 +204,7 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
         derived = derive(work, tree, now, percentage=item.percentage)
         rows = _ending(work, derived.rows, lay.from_tree(tree), derived.value, answer_, item)
         rows = _once(work, tree, rows)
-        uses = _found_before(work, tree, now)
+        uses = found_before(work, tree, now)
         work.write("result", rows, derived.principle, derived.words, uses=uses)
         return
     for quantity in quantities_in(work, tree, now):
@@ -212,7 +212,7 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
     _final(work, tree, found, answer_, now, item.percentage)
 
 
-def _found_before(work: Working, tree: Expression, now: int) -> dict[str, Origin]:
+def found_before(work: Working, tree: Expression, now: int) -> dict[str, Origin]:
     """The values on which a tree rests that had to be found."""
     body = name_of(tree) if isinstance(tree, Quantity) else None
     event = None
@@ -294,7 +294,7 @@ def sub_result(work: Working, asked: Asked) -> None:
     derived = derive(work, tree, now, name=asked.name if asked.letter is not None else None)
     if not derived.rows:
         return
-    uses = _found_before(work, tree, now)
+    uses = found_before(work, tree, now)
     work.write("result", derived.rows, derived.principle, derived.words, uses=uses)
 
 
@@ -308,6 +308,12 @@ def _final(
         return
     if not quantities_in(work, tree, now):
         if isinstance(tree, Letter) and _stated(work, look(name), ending):
+            return
+        last = work.steps[-1] if work.steps else None
+        if last is not None and last.rows and last.rows[-1].operands[0] == name:
+            # The line just written says the same in another form.
+            neat = chain(Side(name, value), *ending, mark="A1")
+            work.steps[-1] = replace(last, rows=(*last.rows[:-1], neat))
             return
         own = side(evaluated(work, tree, now), name)
         sides = [Side(name, own.value), *ending]
@@ -464,7 +470,7 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
     value = derived.value
     last = Side(lay.from_tree(right), evaluated(work, right, now))
     note: Words = ("as required",)
-    uses = _found_before(work, left, now)
+    uses = found_before(work, left, now)
     if rows:
         final = rows[-1]
         if final.operands[0] != lay.from_tree(left):

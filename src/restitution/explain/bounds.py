@@ -12,7 +12,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy, tidy_angle
-from restitution.explain.asked import prepare, sub_result
+from restitution.explain.asked import found_before, prepare, sub_result
 from restitution.explain.phrases import answer, chain, listed, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import Row, Side, Words, side
@@ -48,6 +48,7 @@ class Bound:
     right: Any
     value: sp.Expr  # left − right, or what has to be positive
     asks: str  # the sign that ``value`` has to have against 0
+    bare: bool = False  # written at once without the factors that are positive anyway
 
 
 # --- random admissible points -------------------------------------------------------------------
@@ -289,8 +290,8 @@ def _from_story(work: Working) -> list[Bound]:
             sign = ">"
             if work.model.sign(value) < 0:
                 value = -value
-        words: Words = (f"This is needed, as otherwise {need.reason}:",)
-        found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+        words: Words = (f"This must hold, as otherwise {need.reason}:",)
+        found.append(Bound(words, value, sign, sp.Integer(0), value, sign, bare=True))
     return found
 
 
@@ -352,6 +353,8 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), "M1")]
     value = work.put(bound.value)
     simple, sign = _reduced(work, value, bound.asks)
+    if bound.bare and simple.free_symbols:
+        rows = [Row((look(sp.factor(simple)), right.layout), (sign,), (simple, right.value), "M1")]
     if simple.free_symbols and several:
         # Only one of them need hold, so none can be checked by itself.
         rows = [
@@ -632,7 +635,8 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             rows = [
                 r for r in derived.rows if r.operands and isinstance(r.operands[0], lay.Function)
             ] or derived.rows
-            work.write("result", rows, derived.principle, derived.words)
+            uses = found_before(work, asked.tree, asked.now)
+            work.write("result", rows, derived.principle, derived.words, uses=uses)
         else:
             sub_result(work, asked)
     value = sp.sympify(evaluated(work, tree, now), strict=True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
-from restitution.render.layout import Layout, Phrase, Sum
+from restitution.render.layout import Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
 from restitution.render.text import to_text, width
@@ -34,7 +34,7 @@ STYLE = """
 .restitution td.s { width: 1%; white-space: nowrap; }
 .restitution td.m, .restitution .mark { color: var(--mark); font: 600 .8rem/1 system-ui, sans-serif;
   text-align: right; white-space: nowrap; }
-.restitution td.m { width: 6rem; padding-right: 0; }
+.restitution td.m { width: 6rem; padding: 0 0 0 .6rem; }
 .restitution .mark { float: right; padding: .4rem 0 0 .6rem; }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
@@ -54,6 +54,7 @@ STYLE = """
 @media print { .restitution { --ink: #000; --paper: #fff; --soft: #333; --line: #999;
   --mark: #000; max-width: none; padding: 0; font-size: 11pt; }
   .restitution table, .restitution p { break-inside: avoid; }
+  .restitution td { vertical-align: middle; }
   .restitution p { break-after: avoid; } }
 """
 
@@ -115,9 +116,7 @@ def _step(step: Step) -> list[str]:
 
 
 def _said(words: Words) -> str:
-    return "".join(
-        escape(each) if isinstance(each, str) else to_mathml(each) for each in words
-    ).strip()
+    return "".join(escape(each) if isinstance(each, str) else _cell(each) for each in words).strip()
 
 
 def _rows(rows: Sequence[Row]) -> list[str]:
@@ -171,6 +170,12 @@ def _cell(layout: Layout | None) -> str:
         return "".join(pieces).replace("</math><math>", "</math><wbr><math>")
     if isinstance(layout, Said):
         return escape(layout.text)
+    if isinstance(layout, Relation) and width(to_text(layout)) > _WHOLE:
+        start, *others = layout.operands
+        return _cell(start) + "".join(
+            f"<wbr><math><mo>{escape(sign)}</mo></math>{_cell(each)}"
+            for sign, each in zip(layout.signs, others, strict=True)
+        )
     if isinstance(layout, Phrase):
         gap = escape(layout.separator)
         return gap.join(_cell(each) for each in layout.items)
