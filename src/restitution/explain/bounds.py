@@ -454,6 +454,7 @@ def _range_working(work: Working, tree: Expression, now: int) -> None:
         prepare(work, tree, now)
         for asked in quantities_in(work, tree, now):
             sub_result(work, asked)
+    told: list[tuple[sp.Expr, str]] = []
     for bound in _bounds(work):
         value = _final(work, bound.value)
         if (
@@ -465,7 +466,9 @@ def _range_working(work: Working, tree: Expression, now: int) -> None:
             )
         ):
             continue
-        if _ever_fails(work, value, bound.asks):
+        said = _reduced(work, value, bound.asks)
+        if said not in told and _ever_fails(work, value, bound.asks):
+            told.append(said)
             _told(work, bound, x)
     if x is None:
         _ends(work, tree, now)
