@@ -296,6 +296,38 @@ def test_ranges_name_the_condition_that_bounds() -> None:
     assert text.count("k > ⅘") == 2
 
 
+def test_a_difference_of_angles_is_told_by_its_tangent() -> None:
+    text = to_text(
+        told(
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/3\n"
+            "let beta = angle(velocity(P), W)\ngiven alpha - beta = arctan(1/2)\nfind tan(alpha)"
+        )
+    )
+    assert "(tan α − ⅓ tan α)/(1 + ⅓ tan²α) = ½" in text
+    assert "(tan α − 1)(tan α − 3) = 0" in text
+
+
+def test_the_ends_of_a_range_of_angles_are_those_of_the_angle_itself() -> None:
+    """The tangent changes sign on the way: arctan of it would be half a turn off at one end."""
+    text = to_text(
+        told(
+            "wall W: along i\nsphere P: velocity u at alpha to W\ngiven alpha > 45°\nP hits W\n"
+            "find range of deflection(P) in terms of alpha"
+        )
+    )
+    assert "angle of deflection of P increases from α to 2α." in " ".join(text.split())
+
+
+def test_an_inequality_of_letters_is_told_with_the_condition_behind_it() -> None:
+    text = to_text(
+        told(
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+            "given deflection(P) = 90°\nunknown e\nshow alpha >= 45°"
+        )
+    )
+    assert "1/tan²α ≤ 1" in text
+
+
 def test_extrema_are_found_by_differentiating() -> None:
     text = to_text(
         told(

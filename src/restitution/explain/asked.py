@@ -272,13 +272,10 @@ def _ending(
     ):
         return made
     pair = tuple(target) if isinstance(target, tuple) else target
-    made.append(
-        chain(
-            Side(name, pair),
-            *answer(pair, angle=answer_.angle, percentage=item.percentage),
-            mark="A1",
-        )
-    )
+    ending = answer(pair, angle=answer_.angle, percentage=item.percentage)
+    if not made and _stated(work, name, ending):
+        return made  # an impulse from outside has told it
+    made.append(chain(Side(name, pair), *ending, mark="A1"))
     return made
 
 

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.geometry import angle_letter
-from restitution.explain.phrases import chain, look, square, sum_of_products
+from restitution.explain.phrases import chain, look, minus, square, sum_of_products
 from restitution.explain.quantities import (
     components,
     name_of,
@@ -22,7 +22,7 @@ from restitution.explain.quantities import (
 from restitution.explain.steps import Row, Side, Step, Words, shown, side
 from restitution.explain.working import Equation
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.expression.tree import Binary, Expression, Letter, Quantity, has_quantity, letters
 from restitution.problem import (
     Aligned,
     AtRest,
@@ -131,7 +131,7 @@ def _of_compare(work: Working, relation: Compare, now: int) -> list[Equation]:
         if op != "=":
             continue
         if not has_quantity(left) and not has_quantity(right):
-            found += _between_letters(work, left, right)
+            found += _sum_of_angles(work, left, right, now) or _between_letters(work, left, right)
         else:
             found += _equality(work, left, right, now)
     return found
@@ -167,6 +167,40 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
         return Step("setting", tuple(rows), words=("From the data:",))
 
     return [Equation(residual, "fact", -1, step, ("letters", str(residual)))]
+
+
+def _sum_of_angles(work: Working, left: Expression, right: Expression, now: int) -> list[Equation]:
+    """``α − β = arctan(1/2)``, where β names an angle of the motion: by its tangent."""
+    story = work.model.story
+    if not isinstance(left, Binary) or left.op not in ("+", "-") or letters(right):
+        return []
+    first, second = left.left, left.right
+    if not (isinstance(first, Letter) and isinstance(second, Letter)):
+        return []
+    if not {first.name, second.name} & set(story.lets):
+        return []
+    evaluator = story.evaluator(now)
+    a, b = evaluator.value(left), evaluator.value(right)
+    if not isinstance(a, Angle) and not isinstance(b, Angle):
+        return []
+    need = solve_facts.equal(story, a, b, None)[0]
+    assert isinstance(need, StoryEquation)
+
+    def step() -> Step:
+        tangents = [tidy(sp.tan(plain(work, evaluator.value(each)))) for each in (first, second)]
+        p, q = tangents
+        sign = 1 if left.op == "+" else -1
+        one = lay.Number("1")
+        first_, second_, both = look(p), lay.bracketed(look(q)), look(tidy(p * q))
+        if sign > 0:
+            above, below = lay.total([first_, second_]), minus(one, both)
+        else:
+            above, below = minus(first_, second_), lay.total([one, both])
+        made = side((p + sign * q) / (1 - sign * p * q), lay.fraction(above, below))
+        row = _tangent_row(plain(work, b), made)
+        return Step("fact", (row,), words=_words(left, right))
+
+    return [Equation(sp.sympify(need.value, strict=True), "fact", now, step, (left, right, now))]
 
 
 def silent(equation: Equation) -> bool:
