@@ -794,8 +794,9 @@ def _at_an_end(
 
 def explain_meets(work: Working, relation: Meets, now: int) -> None:
     """``show A and B collide again``: their components along the line compared."""
-    need = solve_facts.requirements(relation, work.model.story, now)[0]
-    if not isinstance(need, Condition):
+    need, *more = solve_facts.requirements(relation, work.model.story, now)
+    by_places = more and relation.second.name in work.model.story.spheres
+    if not isinstance(need, Condition) or by_places:
         return
     bound = _meeting(work, relation, need, now)
     left, right = _final_side(work, bound.left), _final_side(work, bound.right)

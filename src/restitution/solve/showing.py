@@ -10,7 +10,8 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import MissingError, RestitutionError, UnsupportedError
-from restitution.problem import Compare, Extremum, Range, Show
+from restitution.problem import Compare, Extremum, Range, Show, trees_of_relation
+from restitution.solve.coefficients import without_impossible
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import requirements
 from restitution.solve.numbers import FIELD, TINY, UndefinedError, at
@@ -30,6 +31,9 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
     if step.subject is not None:
         return _show_found(worker, step, now, line)
     outcome, branches = worker.solved(step.in_terms_of, step)
+    if not outcome.accepted:
+        trees = list(trees_of_relation(step.relation))
+        branches = without_impossible(branches, outcome.setting, trees, now)
     for branch in branches:
         refuted = _refute(worker, outcome, branch, step, now)
         if refuted is not None:
@@ -88,7 +92,10 @@ def _refute(
             continue
         checked += 1
     if checked == 0:
-        raise UnsupportedError("no admissible values of the letters were found to test this with")
+        # No simple numbers satisfy the facts: those serve by which the solution was accepted.
+        found = outcome.accepted[branch.number - 1].samples if outcome.accepted else ()
+        stories = [setting.tell(Numbers(each)) for each in (*found, branch.sample)]
+        return {} if any(claim_fails(claim, story, now, step) for story in stories) else None
     return None
 
 

@@ -51,6 +51,13 @@ from restitution.problem import (
 from restitution.render.layout import display, display_point, display_vector
 from restitution.render.text import to_text
 from restitution.solve import forms
+from restitution.solve.coefficients import (
+    COEFFICIENTS,
+    impossible_coefficients,
+    made_of,
+    outside,
+    without_impossible,
+)
 from restitution.solve.letters import is_angle
 from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.part import (
@@ -212,19 +219,16 @@ class _Worker:
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
         if not accepted:
-            blamed = outcome.refused
-            implied = blamed and all(t.kind == "coefficient" for t in blamed)
-            if implied and self._warn_of_coefficient(outcome, blamed):
-                # The data imply an impossible coefficient: said, and the rest answered.
-                accepted = self._with_impossible_coefficient(outcome)
+            # Where the data imply an impossible coefficient, that is said, and the rest answered.
+            accepted = self._with_impossible_coefficient(outcome)
             if not accepted:
                 raise impossible(outcome.trials, self.part.place)
-        made = []
-        for number, trial in enumerate(accepted, 1):
-            made.append(self._branch(outcome.setting, outcome.letters, trial, number))
+        made = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
+        if not outcome.accepted:
+            self._warn_of_coefficient(made)
         return made
 
-    def _branch(self, setting: Setting, letters_: Letters, trial: Trial, number: int) -> Branch:
+    def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
         numbers = setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
@@ -241,33 +245,34 @@ class _Worker:
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
-        kept = []
+        """What only a coefficient speaks against; passing through each other is out of question."""
+        kept: list[Trial] = []
+        through: list[Trial] = []
         known = outcome.letters.all_roles()
         for trial in outcome.refused:
+            if trial.kind != "coefficient":
+                continue
             free = sorted(set(known) - set(trial.found.values))
             values = sample(free, known, random.Random(41))
             try:
                 for name, value in trial.found.values.items():
                     values[name] = at(value, values)
-            except (UndefinedError, KeyError):
+                story = outcome.setting.tell(Numbers(values))
+            except (UndefinedError, KeyError, ImpossibleError):
                 continue
-            kept.append(replace(trial, samples=(values,)))
-        return kept
+            wrong = [each for each in story.happenings if outside(each)]
+            implied = set(trial.found.values)
+            if not all(made_of(h.step) <= implied for h in wrong):
+                continue  # a letter that is data: the facts about it clash
+            negative = any(each.e < 0 for each in wrong)
+            (through if negative else kept).append(replace(trial, samples=(values,)))
+        return kept or through
 
-    def _warn_of_coefficient(self, outcome: Outcome, trials: list[Trial]) -> bool:
-        """Whether it is a letter that came out impossible, and not a number in the text."""
-        implied = []
-        for trial in trials:
-            for name, value in trial.found.values.items():
-                role = outcome.setting.roles.get(name)
-                if role is not None and role.kind == "restitution":
-                    text = f"{name} = {to_text(display(exact.tidy(value)))}"
-                    if text not in implied:
-                        implied.append(text)
-        text = f"the data imply {' or '.join(implied)}, and {trials[0].reason}"
+    def _warn_of_coefficient(self, branches: list[Branch]) -> None:
+        implied = [wrong.text for each in branches for wrong in impossible_coefficients(each)]
+        text = f"the data imply {' or '.join(dict.fromkeys(implied))}, and {COEFFICIENTS}"
         if implied and text not in self.warnings:
             self.warnings.append(text)
-        return bool(implied)
 
     # --- items --------------------------------------------------------------------------------
 
@@ -324,7 +329,8 @@ class _Worker:
             raise StatementError(
                 "a percentage needs a ratio, such as energy_lost/energy(0) as a percentage"
             )
-        self._refuse_coefficient(item, outcome)
+        if not outcome.accepted:
+            branches = without_impossible(branches, outcome.setting, [item.expression], now)
         answers: list[Answer] = []
         for branch in branches:
             trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
@@ -386,29 +392,6 @@ class _Worker:
         walls = frozenset(wall.name for wall in self.problem.walls)
         angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
         return is_angle(tree, angles, walls)
-
-    def _refuse_coefficient(self, item: Value, outcome: Outcome) -> None:
-        """No value for what contains an impossible coefficient."""
-        if outcome.accepted:
-            return
-        blamed = {
-            name
-            for trial in outcome.refused
-            for name in trial.found.values
-            if name in outcome.setting.roles and outcome.setting.roles[name].kind == "restitution"
-        } or {"e"}
-        named = letters(item.expression)
-        for name, (let, _) in outcome.setting.lets.items():
-            if name in named:
-                named |= letters(let.expression)
-        if named & blamed:
-            trial = outcome.refused[0]
-            name = min(named & blamed)
-            value = trial.found.values.get(name)
-            if value is None:
-                raise ImpossibleError(str(trial.reason))
-            shown = to_text(display(exact.tidy(value)))
-            raise ImpossibleError(f"{name} = {shown} rejected: {trial.reason}")
 
     def _complete(
         self,

@@ -1,0 +1,163 @@
+"""Data that imply an impossible coefficient of restitution: what rests on it has no value.
+
+The facts may fix a quantity without it: where a velocity after the impact is given, momentum tells
+the other, and the coefficient is only what Newton's law makes of the two. So every impact in
+question gets a coefficient of its own, and a quantity is kept if the facts fix it all the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from restitution import exact
+from restitution.errors import ImpossibleError, RestitutionError
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import Expression, Letter, letters
+from restitution.problem import Arrival, Event, Impact, Kick, Step
+from restitution.render.layout import display
+from restitution.render.text import to_text
+from restitution.solve.conditions import Equation
+from restitution.solve.numbers import FIELD, TINY, Sample
+from restitution.solve.part import Numbers, Setting
+from restitution.solve.solution import Branch
+from restitution.solve.story import Happening
+
+COEFFICIENTS = "a coefficient of restitution lies in [0, 1]"
+OWN = "coefficient {}"  # no name that a letter can have
+STEP = TINY**2
+Numeric = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Impossible:
+    """A coefficient outside [0, 1]: what it is, as text, and the letters that it is made of."""
+
+    text: str
+    event: int
+    letters: frozenset[str]
+
+
+def impossible_coefficients(branch: Branch) -> list[Impossible]:
+    """The coefficients outside [0, 1], in the order of the impacts."""
+    found = []
+    for told, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
+        if outside(told):
+            shown = to_text(display(exact.tidy(exactly.e)))
+            e = told.step.e if isinstance(told.step, Impact) else None
+            name = e.name if isinstance(e, Letter) else "e"
+            found.append(Impossible(f"{name} = {shown}", told.number, made_of(told.step)))
+    return found
+
+
+def outside(told: Happening) -> bool:
+    """Whether an event, told in numbers, has an impossible coefficient."""
+    return told.e is not None and not -TINY <= told.e <= 1 + TINY
+
+
+def made_of(step: Event) -> frozenset[str]:
+    """The letters in the coefficient of an impact."""
+    if not isinstance(step, Impact):
+        return frozenset()
+    return frozenset({"e"}) if step.e is None else letters(step.e)
+
+
+def without_impossible(
+    branches: Sequence[Branch], setting: Setting, trees: Sequence[Expression], now: int
+) -> list[Branch]:
+    """The branches in which expressions do not rest on an impossible coefficient.
+
+    Raises ImpossibleError where there is none.
+    """
+    kept = [each for each in branches if not any(_rests(each, setting, t, now) for t in trees)]
+    if branches and not kept:
+        named = {name for tree in trees for name in letters(tree)}
+        wrong = impossible_coefficients(branches[0])
+        blamed = next((each for each in wrong if each.letters & named), wrong[0])
+        raise ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}")
+    return kept
+
+
+def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool:
+    """Whether the facts leave an expression open, were the coefficients no longer tied together.
+
+    To first order, at this solution: they fix it if its gradient is made up of theirs.
+    """
+    if any(letters(tree) & wrong.letters for wrong in impossible_coefficients(branch)):
+        return True
+    freed, own = _freed(branch, setting)
+    values = {**branch.sample, **own}
+    unknowns = [*branch.values, *own]
+
+    def facts(at: Sample) -> Numeric:
+        story = freed.tell(Numbers(at))
+        wanted = (*story.equations, *freed.requirements(story))
+        return tuple(each.value for each in wanted if isinstance(each, Equation))
+
+    def asked(at: Sample) -> Numeric:
+        value = freed.tell(Numbers(at)).evaluator(now).value(tree)
+        if isinstance(value, Angle):
+            return (value.measure(),)
+        return value if isinstance(value, tuple) else (value,)
+
+    try:
+        fixed = _gradients(facts, values, unknowns)
+        return any(not _made_up(row, fixed) for row in _gradients(asked, values, unknowns))
+    except (RestitutionError, ArithmeticError):
+        return True
+
+
+def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
+    """The setting with a coefficient of its own for every impact in question, and their values."""
+    wrong = impossible_coefficients(branch)
+    events = {each.event for each in wrong}
+    names = {name for each in wrong for name in each.letters}
+    own: Sample = {}
+    parts = []
+    number = 0
+    for part in setting.problem.parts:
+        steps: list[Step] = []
+        for step in part.steps:
+            number += isinstance(step, Impact | Kick | Arrival)
+            if (
+                isinstance(step, Impact)
+                and number <= len(branch.numbers.happenings)
+                and (number in events or made_of(step) & names)
+            ):
+                name = OWN.format(number)
+                own[name] = branch.numbers.happenings[number - 1].e
+                step = replace(step, e=Letter(name))
+            steps.append(step)
+        parts.append(replace(part, steps=tuple(steps)))
+    part = parts[setting.problem.parts.index(setting.part)]
+    problem = replace(setting.problem, parts=tuple(parts))
+    return replace(setting, problem=problem, part=part), own
+
+
+def _gradients(
+    function: Callable[[Sample], Numeric], values: Sample, names: Sequence[str]
+) -> list[list[Any]]:
+    """For every component of a function its derivatives by each name."""
+    here = function(values)
+    moved = [function({**values, name: values[name] + STEP}) for name in names]
+    return [[(each[n] - here[n]) / STEP for each in moved] for n in range(len(here))]
+
+
+def _made_up(row: Sequence[Any], of: Sequence[Sequence[Any]]) -> bool:
+    """Whether a row is a linear combination of others: by elimination."""
+    rest = [list(each) for each in of]
+    row = list(row)
+    small = FIELD.context.sqrt(TINY)
+    for column in range(len(row)):
+        sizes = [abs(each[column]) for each in rest]
+        if not sizes or max(sizes) < small:
+            if abs(row[column]) > small:
+                return False
+            continue
+        pivot = rest[sizes.index(max(sizes))]
+        rest = [each for each in rest if each is not pivot]
+        for each in (*rest, row):
+            share = each[column] / pivot[column]
+            each[:] = [a - share * b for a, b in zip(each, pivot, strict=True)]
+    return True
