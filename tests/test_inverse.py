@@ -184,3 +184,22 @@ def test_a_perfectly_elastic_impact_runs_backwards(data: dict[str, Fraction | in
     text = story(data, **back).replace("A hits B", first) + "find velocity(A), velocity(B)"
     assert answers(text, "velocity(A)") == [(-data["a"], -data["b"])]
     assert answers(text, "velocity(B)") == [(-data["c"], -data["d"])]
+
+
+def test_a_value_that_several_solutions_share_is_shown_once() -> None:
+    """Four solutions go together by their numbers; each value is shown once."""
+    solution = solve(
+        parse(
+            "sphere A: mass 1, velocity a i + b j\nsphere B: mass 1, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven a^2 = 16, b^2 = 4\nfind a, b, velocity(A, 0)\n"
+        )
+    )
+    pairs = {
+        (x.value, y.value)
+        for x, y in zip(solution["a"].answers, solution["b"].answers, strict=True)
+        if x.solution == y.solution
+    }
+    assert pairs == {(4, 2), (4, -2), (-4, 2), (-4, -2)}
+    assert [answer.value for answer in solution["a"].distinct] == [4, -4]
+    assert str(solution).splitlines()[0] == "a = 4  or  −4"
+    assert len(solution["velocity(A, 0)"].distinct) == 4

@@ -113,7 +113,7 @@ def _answers(item: ItemResult) -> str:
         return f"{item.text}: {item.error.message}"
     if item.holds is not None:
         return f"{item.text}: {'shown' if item.holds else 'false'}"
-    return f"{item.text} = " + " or ".join(each.display for each in item.answers)
+    return f"{item.text} = " + " or ".join(each.display for each in item.distinct)
 
 
 def _models(solution: Solution, part: PartSolution) -> list[Model]:

@@ -63,7 +63,7 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
         if item.counterexample:
             values = ", ".join(f"{name} = {value}" for name, value in item.counterexample.items())
             yield f", for instance with {values}"
-    for number, answer in enumerate(item.answers):
+    for number, answer in enumerate(item.distinct):
         if number:
             yield "  or  "
         yield _answer(item, answer)

@@ -63,6 +63,17 @@ class ItemResult:
     error: RestitutionError | None = None
 
     @property
+    def distinct(self) -> tuple[Answer, ...]:
+        """The answers without those that repeat an earlier one's value, as people want them.
+
+        ``answers`` has one for every solution of the part, so that items can be put together.
+        """
+        first: dict[Any, Answer] = {}
+        for answer in self.answers:
+            first.setdefault(answer.exact, answer)
+        return tuple(first.values())
+
+    @property
     def exact(self) -> Any:
         """The exact value of the first answer: a SymPy expression, a pair, or a set."""
         return self._first().value
@@ -173,7 +184,7 @@ class Solution:
             elif item.holds is not None:
                 shown = "shown" if item.holds else "false"
             else:
-                shown = "  or  ".join(answer.display for answer in item.answers)
+                shown = "  or  ".join(answer.display for answer in item.distinct)
             lines.append(
                 f"{label}{item.text} = {shown}"
                 if item.holds is None
