@@ -123,6 +123,9 @@ UNFORESEEN = (
 )
 
 
+UNWIELDY = 120
+
+
 def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
     """A defect, as an answer to the one who asked."""
     said = f"{type(error).__name__}: {error}".rstrip(": ")
@@ -437,6 +440,8 @@ class _Worker:
         rng = random.Random(43)
         samples = [sample(sorted(known), known, rng) for _ in range(3)]
         for trial in outcome.refused:
+            if any(sp.count_ops(value) > UNWIELDY for value in trial.found.values.values()):
+                continue  # nobody would read it, and it takes long to put into a tidy form
             try:
                 told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
                 if self._of_letters(item.expression):
