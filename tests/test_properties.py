@@ -213,8 +213,8 @@ def tell(tale: Tale) -> Told | None:
 # --- reading answers --------------------------------------------------------------------------
 
 
-FUNCTIONS = "sqrt sin cos tan atan acos asin pi oo Abs CRootOf".split()
-SETS = "Interval Lopen Ropen open Union FiniteSet EmptySet".split()
+FUNCTIONS = ["sqrt", "sin", "cos", "tan", "atan", "acos", "asin", "pi", "oo", "Abs", "CRootOf"]
+SETS = ["Interval", "Lopen", "Ropen", "open", "Union", "FiniteSet", "EmptySet"]
 
 
 def symbolic(text: str) -> Any:
