@@ -444,7 +444,45 @@ def _tidy(expression: Expr) -> Expr:
     found = [_tidy_letters(each) for each in starts]
     if isinstance(expression, Mul) and expression.has(sympy.Abs):
         found.append(_with_bars(expression))
-    return _oriented(min(found, key=cost))
+    return _compounded(_oriented(min(found, key=cost)))
+
+
+def _compounded(value: Expr) -> Expr:
+    """sin(α − θ) for sin α cos θ − cos α sin θ, and so on, throughout."""
+    if value.is_Atom or not (value.has(sympy.sin) or value.has(sympy.tan)):
+        return value
+    arguments = [_compounded(each) for each in value.args]
+    if tuple(arguments) != value.args:
+        value = _rebuilt(value, arguments)
+    if isinstance(value, Add) and len(value.args) == 2:
+        return _of_two_angles(value)
+    return value
+
+
+def _of_two_angles(total: Add) -> Expr:
+    first, second = total.args
+    trigonometric = [
+        {f for f in Mul.make_args(term) if isinstance(f, sympy.sin | sympy.cos)}
+        for term in (first, second)
+    ]
+    if any(len(each) != 2 for each in trigonometric):
+        return total
+    angles = sorted({f.args[0] for each in trigonometric for f in each}, key=sympy.default_sort_key)
+    if len(angles) != 2 or any(len({f.args[0] for f in each}) != 2 for each in trigonometric):
+        return total
+    a, b = angles
+    sines, cosines = (sympy.sin(a), sympy.sin(b)), (sympy.cos(a), sympy.cos(b))
+    for left, right, function in (
+        (sines[0] * cosines[1], cosines[0] * sines[1], sympy.sin),
+        (cosines[0] * cosines[1], -sines[0] * sines[1], sympy.cos),
+    ):
+        for x, y in ((first, second), (second, first)):
+            factor, other = x / left, y / right
+            if factor == other:
+                return factor * function(a + b)
+            if factor == -other:
+                return factor * function(a - b)
+    return total
 
 
 def _with_bars(value: Mul) -> Expr:
@@ -612,6 +650,7 @@ def _core(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
     restored = _restore(best, back)
     for angle in present:
         restored = _into_root(restored, angle)
+    restored = _divided_roots(restored)
     # As it was given may be much shorter, where it was collected by hand.
     if cost(value) < cost(restored) - (3 if _has_fractions(value) else 1):
         if not isinstance(value, Add):
@@ -674,18 +713,36 @@ def _tidy_roots(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
 
 def _joined_roots(factors: list[Expr]) -> list[Expr]:
     """√(a − b) √(a + b), which SymPy keeps apart, as √(a² − b²)."""
-    roots = [
-        each
-        for each in factors
-        if isinstance(each, Pow) and abs(each.exp) == _HALF and isinstance(each.base, Add)
-    ]
+    roots = [each for each in factors if isinstance(each, Pow) and abs(each.exp) == _HALF]
     for first, second in combinations(roots, 2):
+        if not (first.base.free_symbols and second.base.free_symbols):
+            continue
+        rest = [each for each in factors if each not in (first, second)]
         if first.exp == second.exp:
             inside = _conjugates(first.base, second.base)
             if inside is not None:
-                rest = [each for each in factors if each not in (first, second)]
                 return [*rest, Pow(inside, first.exp)]
+        if first.base.is_Symbol or second.base.is_Symbol:
+            continue
+        # √(a b) / √a is √b, as both roots are real.
+        inside = sympy.cancel(first.base ** (2 * first.exp) * second.base ** (2 * second.exp))
+        if cost(inside) < cost(first.base) + cost(second.base) - 1:
+            return _joined_roots([*rest, sympy.sqrt(_factored(inside))])
     return factors
+
+
+def _divided_roots(value: Expr) -> Expr:
+    """√(a b)/a as √(b/a), where a is positive."""
+    if not isinstance(value, Mul):
+        return value
+    for root in value.args:
+        if not (isinstance(root, Pow) and root.exp == _HALF and isinstance(root.base, Mul)):
+            continue
+        below = sympy.fraction(value)[1]
+        for factor in Mul.make_args(below):
+            if isinstance(factor, Add) and factor in root.base.args and _one_sign(factor):
+                return value / root * factor * sympy.sqrt(root.base / factor**2)
+    return value
 
 
 def _over_a_square(inside: Expr) -> Expr:
@@ -807,7 +864,16 @@ def _with_angles(value: Expr, angles: list[_Angle]) -> Expr:
         found = _with_angle(best, angle)
         # A square of squares has become one square: 1 − sin²α in it is seen now.
         best = found if found == best else _with_angle(found, angle)
-    return best
+    return _divided(best) if any(a.tangent in best.free_symbols for a in angles) else best
+
+
+def _divided(value: Expr) -> Expr:
+    """(a tan α + b)/tan α as a + b/tan α, where that is shorter."""
+    above, below = sympy.fraction(value)
+    if below is S.One or isinstance(below, Add) or not isinstance(above, Add):
+        return value
+    terms = Add(*[term / below for term in above.args])
+    return terms if cost(terms) < cost(value) - 1 else value
 
 
 def _with_angle(best: Expr, angle: _Angle) -> Expr:
@@ -969,8 +1035,8 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
         return plain
     letters = sorted(total.free_symbols, key=sympy.default_sort_key)
     # 2e + √3 e − 1 as (2 + √3)e − 1
-    gathered = min((rest, _collected_in(rest, tuple(letters))), key=cost)
-    plain = content, [(gathered, S.One)]
+    gathered = _collected_in(rest, tuple(letters))
+    plain = content, [(gathered if cost(gathered) < cost(rest) + 0.75 else rest, S.One)]
     try:
         poly = sympy.Poly(rest, *letters, domain="EX")
     except sympy.PolynomialError:
@@ -1063,7 +1129,7 @@ def _signed(
         if base is S.NegativeOne:
             sign = -sign
             continue
-        if isinstance(base, Add) and _negative(base):
+        if isinstance(base, Add) and (_all_negative(base) or _negative(base)):
             base = -base
             if power.is_odd:
                 sign = -sign
@@ -1104,7 +1170,7 @@ def _samples(total: Expr) -> Iterator[float]:
         if letter not in masked
         for end in (
             (Float("0.0001"), Float(1000))
-            if letter.is_positive
+            if letter.is_positive or letter.name == "root"
             else (Float("0.0001"), Float("0.9999"))
         )
     ]
@@ -1146,7 +1212,7 @@ def _collected(total: Expr) -> Expr:
         if cost(found) < least + slack:
             best, least = found, min(least, cost(found))
     components = _components(letters)
-    if len(components) > 1:
+    if len(components) > 1 or (components and isinstance(components[0], sympy.Dummy)):
         found = _collected_in(total, components)
         # (1 − e) cos α + (1 + e) cos β rather than cos α + cos β − e(cos α − cos β)
         whole = isinstance(found, Add) and all(
@@ -1188,8 +1254,17 @@ def _collected_in(total: Add, letters: tuple[Symbol, ...]) -> Expr:
 
 def _turns(total: Add) -> bool:
     """Whether a sum reads better behind a minus: −1 − e, and e − 1, which is never positive."""
-    minuses = sum(term.could_extract_minus_sign() for term in total.args)
-    return minuses == len(total.args) or (minuses > 0 and _negative(total))
+    return _all_negative(total) or (
+        any(_is_minus(term) for term in total.args) and _negative(total)
+    )
+
+
+def _all_negative(total: Add) -> bool:
+    return all(_is_minus(term) for term in total.args)
+
+
+def _is_minus(term: Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0].is_negative)
 
 
 def _keep(coefficient: Expr, power: Expr) -> Expr:

@@ -258,6 +258,7 @@ def function(name: str, argument: Layout, exponent: Layout | None = None) -> Lay
     )
     if (
         isinstance(argument, Product)
+        and not name.startswith("arc")
         and argument.sign == ""
         and len(argument.factors) == 2
         and isinstance(argument.factors[0], Number)
@@ -546,7 +547,7 @@ def _numbers_first(others: list[Expr]) -> bool:
     letters = set().union(*[each.free_symbols for each in others])
     if any(each.has(*_DIRECT) for each in others):
         return True
-    return all(_class(each) == "coefficient" for each in letters)
+    return any(_class(each) == "coefficient" for each in letters)
 
 
 def _term_order(term: Expr) -> tuple[Any, ...]:
@@ -665,10 +666,10 @@ def _assemble(
     for each in surds:
         surd *= int(each)
     below_surd = 1
-    lettered = [each for each in roots_above if each.free_symbols]
+    gathered = [each for each in roots_above if not each.is_Rational]
     inside_above: list[Expr] = list(roots_above)
     inside_below: list[Expr] = []
-    merged = bool(lettered)
+    merged = bool(gathered)
     if surd != 1:
         if merged and q == surd:
             # u√((1 + e²)/2), but u√(2(5 + e²))/4
@@ -1139,9 +1140,15 @@ def _display_sides(value: Any, angle: bool, percentage: bool) -> list[Layout]:
     rounded = _rounded(value, angle)
     if rounded is None:
         return [from_sympy(value, degrees=angle)]
-    if value.has(sympy.CRootOf) or exact.cost(value) > 40:
+    if _is_long(value):
         return [rounded]
     return [from_sympy(value, degrees=angle), rounded]
+
+
+def _is_long(value: Expr) -> bool:
+    """Whether nobody would print the exact form of a value that has a decimal one."""
+    most = 28 if value.has(*_DIRECT) else 40
+    return bool(value.has(sympy.CRootOf)) or exact.cost(value) > most
 
 
 def _display_percentage(value: Expr) -> list[Layout]:
@@ -1217,11 +1224,12 @@ def _display_pair(x: Any, y: Any, build: Any) -> Layout:
     )
     if not ready or all(each is None for each in rounded):
         return whole
+    long = any(_is_long(each) for each in (first, second))
     parts = [
         each if each is not None else _short_decimal(value)
         for each, value in zip(rounded, (first, second), strict=True)
     ]
-    return equation(whole, build(*parts))
+    return build(*parts) if long else equation(whole, build(*parts))
 
 
 def _short_decimal(value: Expr) -> Layout:

@@ -17,7 +17,7 @@ from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
 from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
-from restitution.solve.part import Desk, Outcome
+from restitution.solve.part import Desk, Outcome, Trial
 from restitution.solve.ranges import (
     DRAWS,
     DRAWS_TRIED,
@@ -50,22 +50,18 @@ def find_extremum(
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
-    found: list[tuple[Candidate, bool, Any, Sample]] = []
+    found: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
     for trial, value in _images(outcome, item.expression, now):
         best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:
-            found.append(best)
+            found.append((trial, best))
     if not found:
         raise ContradictionError("no values satisfy all that is told")
-    candidate, reached, _, drawn = max(found, key=lambda each: sign * each[2])
-    value = forms.plain(candidate.value, [drawn])
-    if angle and value.has(sp.atan, sp.asin, sp.acos, sp.atan2, sp.pi):
+    trial, (candidate, reached, _, _) = max(found, key=lambda each: sign * each[1][2])
+    value = forms.plain(candidate.value, outcome.witnesses(trial))
+    if angle:
         value = exact.tidy_angle(value)
-    place = candidate.where[name]
-    if place.has(sp.atan, sp.atan2):
-        place = exact.tidy_angle(place)
-    else:
-        place = exact.tidy(place)
+    place = forms.bound(candidate.where[name])
     shown = to_text(display(value, angle=angle, percentage=item.percentage))
     role = setting.roles[name]
     where = to_text(display(place, angle=role.kind == "angle", name=role.symbol(name)))

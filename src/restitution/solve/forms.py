@@ -210,8 +210,13 @@ def _number(x: sp.Expr) -> sp.Expr:
 def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
     """A speed from the components of a velocity along a line and perpendicular to it."""
     length = sp.sqrt(tidy(line.dot(line)))
-    parts = (tidy(neat(each / length)) for each in (value.dot(line), value.cross(line)))
-    return plain(root(sum((each**2 for each in parts), sp.Integer(0))), samples)
+    parts = [neat(each / length) for each in (value.dot(line), value.cross(line))]
+    # √6 − √2 e as √2 (√3 − e): the root goes outside.
+    scale, parts = min(
+        ((s, [tidy(each * sp.sqrt(s)) for each in parts]) for s in (1, 2, 3)),
+        key=lambda found: sum(exact.cost(each) for each in found[1]),
+    )
+    return plain(root((parts[0] ** 2 + parts[1] ** 2) / scale), samples)
 
 
 def direction(value: Vector, samples: Samples) -> Vector:

@@ -5,11 +5,13 @@ This is about size and equality, not about beauty: the textbook form is ``exact.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import lru_cache
 
 import sympy as sp
 
 _LARGE = 400
+_LONG = 60
 
 
 @lru_cache(maxsize=4096)
@@ -31,7 +33,35 @@ def neat(x: sp.Expr) -> sp.Expr:
         result = sp.cancel(sp.together(x))
     except (sp.PolynomialError, NotImplementedError):
         return sp.together(x)
+    if result.has(sp.sin) and sp.count_ops(result) > _LONG:
+        with suppress(sp.PolynomialError):  # a cosine under a root
+            result = _reduced(result)
     return pythagoras(sp.factor_terms(result))
+
+
+def _reduced(x: sp.Expr) -> sp.Expr:
+    """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
+    above, below = sp.fraction(x)
+    for angle in sorted({each.args[0] for each in x.atoms(sp.sin)}, key=sp.default_sort_key):
+        above, below = (_without_cos_squared(each, angle) for each in (above, below))
+    if below == 0:
+        return x
+    found = sp.cancel(above / below)
+    return found if sp.count_ops(found) < sp.count_ops(x) else x
+
+
+def _without_cos_squared(x: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    c = sp.cos(angle)
+    poly = sp.Poly(x, c)
+    square = 1 - sp.sin(angle) ** 2
+    return sp.expand(
+        sp.Add(
+            *[
+                coefficient * square ** (power // 2) * c ** (power % 2)
+                for (power,), coefficient in poly.terms()
+            ]
+        )
+    )
 
 
 def pythagoras(x: sp.Expr) -> sp.Expr:
