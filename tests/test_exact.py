@@ -75,6 +75,35 @@ TEXTBOOK = [
     ((3 + sqrt(3) + (1 + sqrt(3)) * e) * u, "u*(1 + sqrt(3))*(e + sqrt(3))"),
     (sqrt((1 + e**2) / 2) * u, "sqrt(2)*u*sqrt(e**2 + 1)/2"),
     (m * u * (1 + e) * Z / 3 * 2, "2*m*u*(e + 1)*sin(alpha)/3"),
+    # the sign goes inside a sum that has a minus
+    (-2 * (2 * k - 1) / (3 * k), "2*(1 - 2*k)/(3*k)"),
+    (-(14 * e - 1) / 5, "(1 - 14*e)/5"),
+    (-2 * (1 + e) / (4 * e - 1), "2*(e + 1)/(1 - 4*e)"),
+    ((e - 1) ** 2 * C**2 + 4 * Z**2, "(1 - e)**2*cos(alpha)**2 + 4*sin(alpha)**2"),
+    # roots
+    (sqrt(2 * a - b) * sqrt(2 * a + b), "sqrt(4*a**2 - b**2)"),
+    (b * sqrt(4 * a**2 - b**2) / (4 * a**2 - b**2), "b/sqrt(4*a**2 - b**2)"),
+    (sqrt((1 - e) * (3 - e)) / (3 - e), "sqrt((1 - e)/(3 - e))"),
+    (
+        sqrt((m_1 - e * m_2) ** 2 * C**2 / (m_1 + m_2) ** 2 + Z**2),
+        "sqrt((m_1 + m_2)**2*sin(alpha)**2 + (-e*m_2 + m_1)**2*cos(alpha)**2)/(m_1 + m_2)",
+    ),
+    # components and surds gathered
+    ((u + v - e * (u - v)) / 2, "(u*(1 - e) + v*(e + 1))/2"),
+    (1 - sqrt(3) - 2 * e - sqrt(3) * e, "-e*(sqrt(3) + 2) - sqrt(3) + 1"),
+    (u * (2 - C**2 - e * C**2) / 2, "u*(-(e + 1)*cos(alpha)**2 + 2)/2"),
+    # tangents and compound angles
+    (Z * C / (1 + Z**2), "tan(alpha)/(2*tan(alpha)**2 + 1)"),
+    ((a * T + b) / T, "a + b/tan(alpha)"),
+    (Z * cos(beta) - C * sin(beta), "sin(alpha - beta)"),
+    (
+        (C * sin(beta) + e * Z * cos(beta)) / sympy.Abs(e * Z * sin(beta) - C * cos(beta)),
+        "(e*tan(alpha) + tan(beta))/Abs(e*tan(alpha)*tan(beta) - 1)",
+    ),
+    (
+        sqrt((1 + e) ** 2 * Z**2 * C**2 + (C**2 - e * Z**2) ** 2),
+        "sqrt(e**2*sin(alpha)**2 + cos(alpha)**2)",
+    ),
 ]
 
 
@@ -206,6 +235,8 @@ ANGLES = [
     (sympy.atan2(-4, -3), atan(Q(4, 3)) - pi),
     (sympy.atan2(S(4), S(-3)), pi - atan(Q(4, 3))),
     (acos(Q(1, 3)), acos(Q(1, 3))),
+    (-acos(Q(13, 14)), -atan(3 * sqrt(3) / 13)),
+    (-acos(Q(1, 7)), -atan(4 * sqrt(3))),
     (asin(4 / sqrt(17)), atan(4)),
     (atan(2) + atan(3) + pi, 7 * pi / 4),
     (atan(Z / C), alpha),

@@ -30,6 +30,7 @@ from sympy import (
 
 from restitution.exact import tidy
 from restitution.expression import tree as t
+from restitution.language import parse
 from restitution.render.latex import to_latex
 from restitution.render.layout import (
     Layout,
@@ -51,6 +52,7 @@ from restitution.render.layout import (
 from restitution.render.mathml import to_mathml
 from restitution.render.text import to_text, width
 from restitution.render.typst import to_typst, words
+from restitution.solve import solve
 
 u, v, w, m, M, k, g, h, a, r = symbols("u v w m M k g h a r", positive=True)
 m_1, m_2 = symbols("m_1 m_2", positive=True)
@@ -68,6 +70,15 @@ EXPRESSIONS = [
     (sqrt(5) - 1, "√5 − 1"),
     (tidy((sqrt(5) - 1) / 4), "(√5 − 1)/4"),
     (sqrt(3) / 3, "1/√3"),
+    (1 / sqrt(1 + e), "1/√(1 + e)"),
+    (sqrt(2) * u * sqrt(5 - 2 * e + e**2) / 4, "u√(2(5 − 2e + e²))/4"),
+    (sqrt(2) * u * sqrt(4 - sqrt(3)) / 4, "u√(2(4 − √3))/4"),
+    (k * (2 * k - 1) / (2 - k), "k(2k − 1)/(2 − k)"),
+    (4 + k - 3 * e * k, "4 + k − 3ek"),
+    (1 - e + 2 * tan(alpha) ** 2, "1 − e + 2 tan²α"),
+    (-u * cos(7 * pi / 18), "−u cos 70°"),
+    (sympy.Abs(e * tan(alpha) - 1), "|1 − e tan α|"),
+    (atan(3 * e), "arctan(3e)"),
     (sqrt(3) * u / 3, "u/√3"),
     (2 * sqrt(3) / 3, "2√3/3"),
     (Q(1, 2), "½"),
@@ -483,3 +494,74 @@ def test_width_counts_columns() -> None:
 def test_huge_numbers_are_rounded() -> None:
     # 3000 log₁₀ 9 = 2862.7275, and 10^0.7275 = 5.34
     assert to_text(from_sympy(S(9) ** 3000)) == "5.34 × 10²⁸⁶²"
+
+
+PRINTED = [
+    ("wall W: along i", "P hits W", "deflection(P)", "α + arctan(e tan α)"),
+    ("wall W: along i", "P hits W: e = 1", "deflection(P)", "2α"),
+    ("wall W: along i", "P hits W", "cos(deflection(P))", "(cos²α − e sin²α)/√(cos²α + e² sin²α)"),
+    ("wall W: along phi", "P hits W", "speed(P)", "u√(cos²(α + φ) + e² sin²(α + φ))"),
+    ("wall W: along i + 2j", "P hits W", "direction(W)", "𝐢 + 2𝐣"),
+]
+
+
+@pytest.mark.parametrize(("wall", "event", "item", "shown"), PRINTED, ids=[x[3] for x in PRINTED])
+def test_answers_in_letters(wall: str, event: str, item: str, shown: str) -> None:
+    text = f"{wall}\nsphere P: mass m, velocity u at -alpha\n{event}\nfind {item}\n"
+    assert solve(parse(text))[item].display == shown
+
+
+def test_the_direction_after_a_perfectly_elastic_impact() -> None:
+    # Between −90° and 180° whatever the acute angles are, so a plain sum says it all.
+    text = "wall W: along phi\nsphere P: velocity u at alpha\nP hits W: e = 1\n"
+    assert solve(parse(text + "find direction(P)"))["direction(P)"].display == "2φ − α"
+
+
+CORNER = """
+wall AB: along i
+wall BC: along 180° - phi
+sphere P: velocity u at alpha to AB
+P hits AB
+P hits BC
+find tan(angle(velocity(P), BC)), speed(P)
+"""
+
+
+def test_a_corner_of_any_angle_in_tangents() -> None:
+    solution = solve(parse(CORNER))
+    assert solution["tan(angle(velocity(P), BC))"].display == (
+        "e(tan φ + e tan α)/|1 − e tan α tan φ|"
+    )
+    assert solution["speed(P)"].display == (
+        "u√((cos α cos φ − e sin α sin φ)² + e²(cos α sin φ + e sin α cos φ)²)"
+    )
+
+
+def test_an_angle_on_either_side_of_90_degrees() -> None:
+    text = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j
+find deflection(A)
+"""
+    # 41 − 84e is positive for small e and negative for large.
+    assert solve(parse(text))["deflection(A)"].display == "90° − arctan((41 − 84e)/(63(1 + e)))"
+
+
+def test_the_tangent_of_a_right_angle() -> None:
+    text = "wall W: along i\nsphere P: velocity u at 45° to W\nP hits W: e = 1\n"
+    result = solve(parse(text + "find tan(deflection(P)), deflection(P)"))
+    error = result["tan(deflection(P))"].error
+    assert error is not None
+    assert error.message == "The tangent has no value, as the angle is a right angle"
+    assert result["deflection(P)"].display == "90°"
+
+
+@pytest.mark.parametrize("item", ["impulse", "2 speed(P)", "energy + energy_lost", "deflection(P)"])
+def test_no_percentage_of_what_has_a_unit(item: str) -> None:
+    text = "wall W: along i\nsphere P: mass 2, velocity 3 at 45° to W\nP hits W: e = 1/2\n"
+    result = solve(parse(text + f"find {item} as a percentage, speed(P)"))
+    first, second = result.parts[None].items
+    assert first.error is not None
+    assert "a percentage needs a ratio" in first.error.message
+    assert second.error is None
