@@ -692,8 +692,8 @@ def _assemble(
         root_above = Root(fraction(_plain_product(inside_above), _plain_product(inside_below)))
     upper = sorted(above, key=_factor_order)
     lower = sorted(below, key=_factor_order)
-    front = [x for x in upper if _factor_order(x)[0] < 7]
-    functions = [x for x in upper if _factor_order(x)[0] >= 7]
+    functions = [x for x in upper if isinstance(x[0], _DIRECT)]
+    front = [x for x in upper if x not in functions]
     letters_above = [_laid_power(*x) for x in front]
     functions_above = [_laid_power(*x) for x in functions]
     if root_above is not None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -139,10 +140,14 @@ _FUNCTIONS: dict[type, Any] = {
 }
 
 
+@lru_cache(maxsize=256)
+def _number(x: sp.Expr | None) -> Any:
+    return None if x is None else at(x, {})
+
+
 def draw(role: Role, rng: random.Random) -> Any:
     """A random value that a letter may have."""
-    low = None if role.low is None else at(role.low, {})
-    high = None if role.high is None else at(role.high, {})
+    low, high = _number(role.low), _number(role.high)
     share = _CTX.mpf(rng.randrange(1, 10**12)) / 10**12
     if low is not None and high is not None:
         return low + share * (high - low)

@@ -428,8 +428,12 @@ class Outcome:
         return [trial for trial in self.trials if trial.samples]
 
     def witnesses(self, trial: Trial) -> Witnesses:
-        """The samples of an accepted trial, with more to be had."""
-        return Witnesses(self, trial)
+        """The samples of an accepted trial, with more to be had; drawn once for all items."""
+        return self._witnesses.setdefault(id(trial), Witnesses(self, trial))
+
+    @cached_property
+    def _witnesses(self) -> dict[int, Witnesses]:
+        return {}
 
     @property
     def refused(self) -> list[Trial]:
