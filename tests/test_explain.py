@@ -311,7 +311,7 @@ def test_the_ends_of_a_range_of_angles_are_those_of_the_angle_itself() -> None:
     """The tangent changes sign on the way: arctan of it would be half a turn off at one end."""
     text = to_text(
         told(
-            "wall W: along i\nsphere P: velocity u at alpha to W\ngiven alpha > 45°\nP hits W\n"
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
             "find range of deflection(P) in terms of alpha"
         )
     )
