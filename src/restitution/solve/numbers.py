@@ -145,13 +145,15 @@ def _number(x: sp.Expr | None) -> Any:
     return None if x is None else at(x, {})
 
 
-def draw(role: Role, rng: random.Random) -> Any:
-    """A random value that a letter may have."""
+def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Any:
+    """A random value that a letter may have; ``at_edge`` near an end of them, or extreme."""
     low, high = _number(role.low), _number(role.high)
     share = _CTX.mpf(rng.randrange(1, 10**12)) / 10**12
+    if at_edge:
+        share = share / 50 if rng.random() < 0.5 else 1 - share / 50
     if low is not None and high is not None:
         return low + share * (high - low)
-    spread = _CTX.exp(2 * rng.gauss(0, 1) * _CTX.mpf("0.6"))
+    spread = _CTX.exp(rng.choice((-4, 4)) if at_edge else 2 * rng.gauss(0, 1) * _CTX.mpf("0.6"))
     if low is not None:
         return low + spread * (1 + share / 1000)
     if high is not None:
@@ -159,9 +161,11 @@ def draw(role: Role, rng: random.Random) -> Any:
     return rng.gauss(0, 1) * (1 + share / 1000)
 
 
-def sample(names: Iterable[str], roles: Mapping[str, Role], rng: random.Random) -> Sample:
+def sample(
+    names: Iterable[str], roles: Mapping[str, Role], rng: random.Random, at_edge: bool = False
+) -> Sample:
     """Random admissible values for letters and hidden unknowns."""
-    return {name: draw(roles.get(name, REAL), rng) for name in names}
+    return {name: draw(roles.get(name, REAL), rng, at_edge) for name in names}
 
 
 def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:

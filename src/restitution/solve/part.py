@@ -52,6 +52,7 @@ SAMPLES_WANTED = 4
 # Where the form of an answer hangs on a sign, four points are too few.
 SAMPLES_FOR_SIGNS = 24
 SAMPLES_TRIED = 160
+EDGES_TRIED = 4
 SYMBOLIC = Symbolic()
 
 
@@ -224,8 +225,14 @@ class Setting:
             name.startswith("_") for name in free
         )
         tries = SAMPLES_TRIED if depends else 1
-        for _ in range(tries):
-            values = sample(free, known, rng)
+        edges_left = EDGES_TRIED
+        for attempt in range(tries):
+            # Signs that hold at a few typical values may fail near the ends.
+            at_edge = len(accepted) >= SAMPLES_WANTED and (attempt % 2 == 0 or edges_left > 0)
+            if len(accepted) >= wanted and not edges_left:
+                break
+            edges_left -= at_edge and edges_left > 0
+            values = sample(free, known, rng, at_edge)
             try:
                 for name, value in found.values.items():
                     values[name] = at(value, values)
@@ -247,8 +254,6 @@ class Setting:
                 continue
             if wrong is None:
                 accepted.append(values)
-                if len(accepted) == wanted:
-                    break
             else:
                 reasons[wrong] += 1
         if accepted:
