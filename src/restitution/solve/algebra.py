@@ -14,6 +14,7 @@ import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested
+from restitution.solve.letters import Role
 from restitution.solve.neat import neat
 from restitution.solve.numbers import vanishes
 
@@ -52,7 +53,7 @@ def solve_system(
     unknowns: Sequence[sp.Symbol],
     angles: frozenset[sp.Symbol],
     acute: frozenset[sp.Symbol],
-    roles: Mapping[str, object],
+    roles: Mapping[str, Role],
 ) -> list[Found]:
     """All solutions of equations (each = 0) for the unknowns, earliest eliminated first.
 
@@ -62,7 +63,7 @@ def solve_system(
     """
 
     def zero(x: sp.Expr) -> bool:
-        return vanishes(x, roles)  # type: ignore[arg-type]
+        return vanishes(x, roles)
 
     sought = list(unknowns)
     current = [sp.sympify(each, strict=True) for each in equations]
@@ -125,7 +126,7 @@ def solve_system(
                 if c is None or s is None:
                     continue
                 q = scale[symbol]
-                values[symbol.name] = q * _angle_of(c, s)
+                values[symbol.name] = _within(q * _angle_of(c, s), roles[symbol.name])
                 if q == 1:
                     found_angles[symbol.name] = (c, s)
             elif symbol in assignment:
@@ -140,6 +141,14 @@ def solve_system(
         }
         solutions.append(Found(values, found_angles, tuple(rest)))
     return solutions
+
+
+def _within(angle: sp.Expr, role: Role) -> sp.Expr:
+    """The same direction, where more than 180° are allowed, a turn further on if need be."""
+    wide = role.low is not None and role.high is not None and bool(role.high > sp.pi)
+    if wide and angle.is_number and bool(angle < role.low):
+        return angle + 2 * sp.pi
+    return angle
 
 
 def _angle_of(c: sp.Expr, s: sp.Expr) -> sp.Expr:
@@ -413,6 +422,9 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
     # root is kept, to be refused with a reason.
     able = [factor for factor in factors if not _nonzero(factor)]
     if not any(factor.free_symbols & free for factor in able):
+        of_data = [factor for factor in able if factor.free_symbols]
+        if of_data:
+            return None if any(zero(factor) for factor in of_data) else of_data
         able = [f for f in factors if any(not s.name.startswith("_") for s in f.free_symbols)]
     for factor in able:
         inside = factor.free_symbols & free

@@ -793,6 +793,9 @@ def _to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -
     candidates = present - chosen - setting.protected
     candidates = candidates - setting.spared or candidates
     if not candidates:
+        # Facts may fix a letter that answers were to be in terms of: then they need not be.
+        candidates = [name for name in present if name not in chosen | setting.data]
+    if not candidates:
         return None
     left_out = any(
         isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
