@@ -473,6 +473,7 @@ class Story:
         zero = Vector(self.field.zero, self.field.zero)
         unknown = False
         if wall.centre is not None:
+            self._contacts.pop((name, wall.name), None)  # it may be struck on its other side
             known = self.place(name, number)
             if known is not None and self.tracks[name].places[-1][0] == number:
                 c = known[0] - self.read_vector(wall.centre, "")
