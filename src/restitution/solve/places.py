@@ -258,8 +258,15 @@ def meeting(
         ) / ww
         c = story.neat(gap - approach * flight)
     flight = story.rational(flight)
+    # Where they begin at one place they collide there and then.
+    together = r is None and story.field.is_zero(gap.dot(gap))
     story.conditions.append(
-        Condition(flight, ">", f"{step.first} and {step.second} are separating", "time")
+        Condition(
+            flight,
+            ">=" if together else ">",
+            f"{step.first} and {step.second} are separating",
+            "time",
+        )
     )
     time = start + flight
     for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
