@@ -217,7 +217,7 @@ def check(placed: Placed) -> ET.Element:
         assert not re.search(r"\.\d{3}|e-|nan|inf", each.attrib["d"])
 
     left, top, width, height = (float(each) for each in root.attrib["viewBox"].split())
-    page = (left, -top - height, left + width, -top)
+    page = (left - 0.01, -top - height - 0.01, left + width + 0.01, -top + 0.01)  # as rounded
     words = [*placed.labels, *placed.words]
     boxes = [each.box for each in words]
     for box in boxes:
@@ -233,7 +233,7 @@ def check(placed: Placed) -> ET.Element:
         if name == "ring":
             continue
         for x, y in densely(line):
-            assert within((x, y, x, y), page)
+            assert within((x, y, x, y), page), (name, x, y)
             for box in boxes:
                 assert apart((x, y, x, y), box) > line_width / 2, (name, box)
     return root
@@ -340,7 +340,7 @@ def test_a_whole_impact() -> None:
     placed = place(impact())
     root = check(placed)
     assert len(render(placed).encode()) < 60_000
-    assert placed.box[2] - placed.box[0] == pytest.approx(84)
+    assert placed.box[2] - placed.box[0] == pytest.approx(84, abs=0.2)
     assert {each.size for each in placed.labels} == {3.0}
     # Each outline is stored once.
     store = [each.attrib["d"] for each in root.iter(NS + "path") if each.get("id")]

@@ -113,7 +113,7 @@ def place(scene: Scene) -> Placed:
         *(padded(piece.box, MARGIN) for piece in pieces),
         *(padded(label.box, MARGIN) for label in labels),
         *(padded(each.box, MARGIN) for each in headings),
-        *(panel.box for panel in scene.panels),
+        *(piece.box for panel in scene.panels for piece in _frame(panel)),
     ]
     box = union([scene.box, *drawn])
     words = (*headings, *_note(scene.note, box))
@@ -273,7 +273,7 @@ def _offer(
 ) -> _Offer | None:
     """A free box with its cost and, where it is far off, a leader line; None if that is barred.
 
-    Other ink close by, ink between the label and its point, and a disc around it make it worse.
+    Ink close by, ink between the label and its point, and a disc around it make a place worse.
     """
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))

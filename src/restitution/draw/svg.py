@@ -35,6 +35,7 @@ from restitution.render.glyphs import UNITS, outline
 from restitution.vector import Vector
 
 INK, INK_ON_DARK = "#1a1a1a", "#ededed"
+PAPER_OF_DARK = "#161616"
 ACCENT, ACCENT_ON_DARK = "#a3161c", "#ff9c8f"  # of an impulse
 GAP = 8.0  # between pictures that stand in one file, in millimetres
 _ID = "{id}"  # stands for the picture's id until its hash is known
@@ -107,12 +108,13 @@ def _size(width: str, height: str, down: float | None) -> str:
     return f' y="{_number(down)}" width="{width}" height="{height}"'
 
 
-# In a page, lines have the colour of its text; alone or as an image, that of the reader's choice.
+# In a page, lines have the colour of its text; alone or as an image, that of the reader's choice,
+# with a ground of its own, as a page that shows the image may be light all the same.
 _STYLE = (
     f"#{_ID}:not(:root){{color:inherit}}"
     f"#{_ID}:not(:root) .impulse{{color:light-dark({ACCENT},{ACCENT_ON_DARK})}}"
     "@media (prefers-color-scheme:dark){"
-    f"#{_ID}:root{{color-scheme:dark;color:{INK_ON_DARK}}}"
+    f"#{_ID}:root{{color-scheme:dark;color:{INK_ON_DARK};background:{PAPER_OF_DARK}}}"
     f"#{_ID}:root .impulse{{color:{ACCENT_ON_DARK}}}"
     "}"
 )
