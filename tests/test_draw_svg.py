@@ -37,6 +37,7 @@ from restitution.render.glyphs import Box, outline
 from restitution.vector import Vector
 
 NS = "{http://www.w3.org/2000/svg}"
+HREF = "{http://www.w3.org/1999/xlink}href"
 ALPHA, U = l.Letter("alpha"), l.Letter("u")
 U_COS = l.Product((U, l.Function("cos", ALPHA)))
 
@@ -162,7 +163,7 @@ def inked(root: ET.Element) -> list[Box]:
                     x, y, s = (float(n) for n in re.findall(r"-?[\d.]+", moved))
                 else:
                     x, y, s = float(child.attrib["x"]), float(child.attrib["y"]), 1.0
-                points = [p for path in store[child.attrib["href"][1:]] for p in path]
+                points = [p for path in store[child.attrib[HREF][1:]] for p in path]
             else:
                 x, y, s = 0.0, 0.0, 1.0
                 points = [p for path in pieces(child.attrib["d"]) for p in path]
@@ -202,7 +203,7 @@ def check(placed: Placed) -> ET.Element:
 
     ids = [each.attrib["id"] for each in root.iter() if "id" in each.attrib]
     assert len(ids) == len(set(ids))
-    used = {each.attrib["href"] for each in root.iter() if "href" in each.attrib}
+    used = {each.attrib[HREF] for each in root.iter() if HREF in each.attrib}
     assert used <= {f"#{each}" for each in ids}
     assert set(root.attrib["aria-labelledby"].split()) <= set(ids)
     assert root.attrib["role"] == "img"
@@ -418,7 +419,7 @@ def test_a_dimension_line_has_two_heads() -> None:
 
 def test_an_impulse_has_two_shafts_and_a_hollow_head() -> None:
     root = drawn(Arrow("impulse", Vector(5, 5), Vector(25, 5)))
-    shaft = classes(root, "shaft")[0]
+    shaft = classes(root, "impulse")[0]
     assert shaft.get("fill") is None and root.attrib["fill"] == "none"
     (line,) = pieces(shaft.attrib["d"])
     tails = sorted(y for x, y in line if x == 5)

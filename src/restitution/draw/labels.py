@@ -43,6 +43,7 @@ _FARTHER = (0.0, 0.5, 1.1, 1.9, 2.8, 4.0, 5.5, 7.5)
 _SLIDES = (0.0, 0.25, -0.25, 0.5, -0.5)  # of a label's width or height, along its side
 _ENOUGH = 16  # offers, after which none farther off are looked for
 _ALL = 60
+_HEAVY = 0.17  # half the width of a line that should not part a label from what it names
 _GRID = 1.6
 _GROWTH = 5.0
 _ROUNDS = 10
@@ -282,7 +283,7 @@ def _offer(
         if overlap(piece.box, close) and touched(box, (piece,), 1.0):
             cost += 0.35
         if parted(nearest, point, piece):
-            cost += 0.8
+            cost += 3.0 if piece.half > _HEAVY else 0.8
     middle = Vector((left + right) / 2, (bottom + top) / 2)
     for disc in near.discs:
         if point != disc.centre and math.hypot(*(middle - disc.centre)) < disc.radius:

@@ -83,7 +83,8 @@ def render(placed: Placed, down: float | None = None) -> str:
     ]
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
     root = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" id="{_ID}" role="img"'
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+        f' id="{_ID}" role="img"'
         f' aria-labelledby="{_ID}-t {_ID}-d"{_size(width, height, down)}'
         f' viewBox="{_number(left)} {_number(-top)} {width} {height}"'
         f' color="{INK}" fill="none" stroke="none" stroke-linejoin="round">'
@@ -111,6 +112,8 @@ def _size(width: str, height: str, down: float | None) -> str:
 # In a page, lines have the colour of its text; alone or as an image, that of the reader's choice,
 # with a ground of its own, as a page that shows the image may be light all the same.
 _STYLE = (
+    f"#{_ID} [stroke]{{stroke:currentColor}}#{_ID} [fill]{{fill:currentColor}}"
+    f"#{_ID} .impulse{{color:{ACCENT}}}"
     f"#{_ID}:not(:root){{color:inherit}}"
     f"#{_ID}:not(:root) .impulse{{color:light-dark({ACCENT},{ACCENT_ON_DARK})}}"
     "@media (prefers-color-scheme:dark){"
@@ -160,7 +163,7 @@ def _shape(shape: Shape) -> str:
             kind = "ghost" if ghost else "disc"
             return f'<circle class="{kind}"{_circle(centre, radius)}{_stroke(stroke)}/>'
         case Dot(_, centre, radius):
-            return f'<circle class="dot"{_circle(centre, radius)} fill="currentColor"/>'
+            return f'<circle class="dot"{_circle(centre, radius)} fill="{INK}"/>'
         case RightAngle():
             data = _polyline(right_angle_points(shape))
             return _path("right-angle", data, style.RIGHT_ANGLE)
@@ -171,8 +174,8 @@ def _shape(shape: Shape) -> str:
     assert_never(shape)
 
 
-def _path(name: str, data: str, stroke: style.Stroke) -> str:
-    return f'<path class="{name}" d="{data}"{_stroke(stroke)}/>'
+def _path(name: str, data: str, stroke: style.Stroke, colour: str = INK) -> str:
+    return f'<path class="{name}" d="{data}"{_stroke(stroke, colour)}/>'
 
 
 def _wall(edge: str, strokes: Iterable[Segment]) -> str:
@@ -199,13 +202,13 @@ def _arrow(arrow: Arrow) -> str:
     way = unit(arrow.end - arrow.start)
     if arrow.role == "impulse":
         data = _double_arrow(arrow.start, arrow.end, head)
-        return f'<g class="impulse" color="{ACCENT}">{_path("shaft", data, stroke)}</g>'
+        return _path("impulse", data, stroke, ACCENT)
     # A shaft ends within its head, short of the tip, so that the tip alone marks the end.
     back = way * (0.6 * head.length)
     shaft = _polyline((arrow.start + back if arrow.both else arrow.start, arrow.end - back))
     tips = [(arrow.end, way), (arrow.start, -way)][: 1 + arrow.both]
     heads = "".join(_head(tip, direction, head) for tip, direction in tips)
-    ink = f' fill="currentColor"{_opacity("fill", stroke.strength)}'
+    ink = f' fill="{INK}"{_opacity("fill", stroke.strength)}'
     return _path(arrow.role, shaft, stroke) + f'<path class="head" d="{heads}"{ink}/>'
 
 
@@ -247,10 +250,10 @@ def _label(placed: PlacedLabel, glyphs: dict[str, str]) -> str:
         name = glyphs.setdefault(mark.path, f"g{len(glyphs)}")
         x, y = _number(mark.x * UNITS), _number(-mark.y * UNITS)
         if mark.scale == 1:
-            uses.append(f'<use href="#{_ID}-{name}" x="{x}" y="{y}"/>')
+            uses.append(f'<use xlink:href="#{_ID}-{name}" x="{x}" y="{y}"/>')
         else:
             moved = f"translate({x} {y}) scale({mark.scale:g})"
-            uses.append(f'<use href="#{_ID}-{name}" transform="{moved}"/>')
+            uses.append(f'<use xlink:href="#{_ID}-{name}" transform="{moved}"/>')
     bars = "".join(
         f"M{_number(left * UNITS)} {_number(-top * UNITS)}h{_number((right - left) * UNITS)}"
         f"v{_number((top - bottom) * UNITS)}h{_number((left - right) * UNITS)}Z"
@@ -259,7 +262,7 @@ def _label(placed: PlacedLabel, glyphs: dict[str, str]) -> str:
     if bars:
         uses.append(f'<path d="{bars}"/>')
     moved = f"translate({_point(placed.baseline)}) scale({unit_size:.5g})"
-    group = f'<g class="label" fill="currentColor" transform="{moved}">{"".join(uses)}</g>'
+    group = f'<g class="label" fill="{INK}" transform="{moved}">{"".join(uses)}</g>'
     if not placed.label.ringed:
         return group
     left, bottom, right, top = placed.box
@@ -271,8 +274,8 @@ def _label(placed: PlacedLabel, glyphs: dict[str, str]) -> str:
 # --- attributes -----------------------------------------------------------------------------------
 
 
-def _stroke(stroke: style.Stroke) -> str:
-    text = f' stroke="currentColor" stroke-width="{_number(stroke.width)}"'
+def _stroke(stroke: style.Stroke, colour: str = INK) -> str:
+    text = f' stroke="{colour}" stroke-width="{_number(stroke.width)}"'
     if stroke.dashes:
         text += f' stroke-dasharray="{" ".join(_number(each) for each in stroke.dashes)}"'
     if stroke.round:
