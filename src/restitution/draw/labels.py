@@ -32,7 +32,7 @@ from restitution.render.layout import Layout, Phrase, Words
 from restitution.vector import Vector
 
 CLEARANCE = 0.3  # from the ink of a label to any line, and to the frame
-APART = 0.6  # from label to label
+ASIDE, ABOVE = 1.5, 0.9  # from label to label, so that no two read as one
 MARGIN = 0.6  # from any ink to the edge of the picture
 HEADING_SIZE = 3.2
 NOTE_SIZE = 2.6
@@ -140,7 +140,7 @@ class _Offer:
 
 def _offered(box: Box, size: float, cost: float, leader: Segment | None = None) -> _Offer:
     ends = [(*end, *end) for end in leader or ()]
-    return _Offer(box, size, cost, leader, padded(union([box, *ends]), APART / 2))
+    return _Offer(box, size, cost, leader, padded(union([box, *ends]), ASIDE / 2))
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +170,7 @@ class _Ground:
             and box[2] <= region[2]
             and box[3] <= region[3]
             and not touched(box, self.pieces, CLEARANCE)
-            and not any(overlap(box, each, APART) for each in self.solid)
+            and not any(_together(box, each) for each in self.solid)
         )
 
 
@@ -231,7 +231,7 @@ def _on_sides(
     for farther in _FARTHER:
         gap = label.gap + farther
         for place, point in enumerate((label.at, *label.moves)):
-            reach = max(extent) + gap + 1.0
+            reach = max(extent) + gap + ASIDE
             x, y = point
             near = ground.around((x - reach, y - reach, x + reach, y + reach))
             for rank, side in sides.items():
@@ -274,16 +274,16 @@ def _offer(
 ) -> _Offer | None:
     """A free box with its cost and, where it is far off, a leader line; None if that is barred.
 
-    Ink close by, ink between the label and its point, and a disc around it make a place worse.
+    Ink close by, other ink than the point's own before it, and a disc around make a place worse.
     """
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))
-    close = padded(box, 1.0)
+    close, spot = padded(box, 1.0), (*point, *point)
     for piece in near.pieces:
         if overlap(piece.box, close) and touched(box, (piece,), 1.0):
             cost += 0.35
-        if parted(nearest, point, piece):
-            cost += 3.0 if piece.half > _HEAVY else 0.8
+        if parted(nearest, point, piece) and not touched(spot, (piece,), 0.2):
+            cost += 6.0 if piece.half > _HEAVY else 0.8
     middle = Vector((left + right) / 2, (bottom + top) / 2)
     for disc in near.discs:
         if point != disc.centre and math.hypot(*(middle - disc.centre)) < disc.radius:
@@ -365,7 +365,7 @@ def _clash(one: _Offer, two: _Offer) -> bool:
     """Whether two labels cannot both stand so: on each other, or with a leader line on one."""
     if not overlap(one.reach, two.reach):
         return False
-    if overlap(one.box, two.box, APART):
+    if _together(one.box, two.box):
         return True
     if one.leader is not None and crosses(padded(two.box, CLEARANCE), *one.leader):
         return True
@@ -373,6 +373,16 @@ def _clash(one: _Offer, two: _Offer) -> bool:
         return False
     return crosses(padded(one.box, CLEARANCE), *two.leader) or (
         one.leader is not None and parted(*one.leader, stick(*two.leader, 0.0))
+    )
+
+
+def _together(one: Box, two: Box) -> bool:
+    """Whether two labels stand on each other, or so near that they could be read as one."""
+    return (
+        one[0] < two[2] + ASIDE
+        and two[0] < one[2] + ASIDE
+        and one[1] < two[3] + ABOVE
+        and two[1] < one[3] + ABOVE
     )
 
 
