@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from strategies import CONTENTS, pictures
 
-from restitution.draw import style
+from restitution.draw import style, svg
 from restitution.draw.labels import Placed, place
 from restitution.draw.scene import (
     Arc,
@@ -375,6 +375,43 @@ def test_two_pictures_share_no_id() -> None:
     assert ids[0].isdisjoint(ids[1])
 
 
+def luminance(colour: str, strength: float, ground: str) -> float:
+    """Relative luminance, as WCAG defines it, of ink of a strength on a ground."""
+    total = 0.0
+    for at, weight in ((1, 0.2126), (3, 0.7152), (5, 0.0722)):
+        over, under = int(colour[at : at + 2], 16), int(ground[at : at + 2], 16)
+        part = (strength * over + (1 - strength) * under) / 255
+        total += weight * (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4)
+    return total
+
+
+def test_lines_are_seen_on_light_and_dark_grounds() -> None:
+    strokes = [stroke for role, stroke in style.STROKES.items() if role != "frame"]
+    weakest = min(each.strength for each in [*strokes, style.GHOST, style.DISC, style.WALL])
+    for ink, accent, ground in (
+        (svg.INK, svg.ACCENT, "#ffffff"),
+        (svg.INK_ON_DARK, svg.ACCENT_ON_DARK, svg.PAPER_OF_DARK),
+        (svg.INK_ON_DARK, svg.ACCENT_ON_DARK, "#000000"),
+    ):
+        for colour, strength in ((ink, weakest), (accent, 1.0)):
+            pair = [luminance(colour, strength, ground), luminance(ground, 1, ground)]
+            assert (max(pair) + 0.05) / (min(pair) + 0.05) >= 4.5
+
+
+def test_the_style_of_a_picture_touches_nothing_else_on_its_page() -> None:
+    root = ET.fromstring(to_svg(impact()))
+    css = root.find(NS + "style")
+    assert css is not None and css.text is not None
+    assert "@media (prefers-color-scheme:dark)" in css.text
+    selectors = re.findall(r"([^{}]+)\{(?=[^{}]*\})", css.text)
+    assert len(selectors) >= 5
+    assert all(each.startswith("#" + root.attrib["id"]) for each in selectors)
+    # Viewers that read no style find plain colours.
+    for each in root.iter():
+        assert each.get("stroke") in (None, "none", svg.INK, svg.ACCENT)
+        assert each.get("fill") in (None, "none", svg.INK)
+
+
 def classes(root: ET.Element, name: str) -> list[ET.Element]:
     return [each for each in root.iter() if each.get("class") == name]
 
@@ -498,6 +535,22 @@ def test_a_letter_stays_in_its_disc_unless_an_arrow_starts_there() -> None:
     assert ((left + right) / 2, (bottom + top) / 2) == pytest.approx((20, 20))
     arrow = Arrow("velocity", Vector(20, 20), Vector(38, 30))
     check(place(Scene("", "", (0, 0, 40, 40), (disc, arrow), (letter,))))
+
+
+def test_a_label_is_not_parted_from_its_point_by_a_strong_line() -> None:
+    bar = Arrow("velocity", Vector(5, 18.4), Vector(35, 18.4))
+    label = Label(U, Vector(20, 20), ("s", "n"), 2.0)
+    box = place(Scene("", "", (0, 0, 40, 40), (bar,), (label,))).labels[0].box
+    assert box[1] > 20
+
+
+def test_labels_side_by_side_do_not_read_as_one() -> None:
+    labels = tuple(Label(U_COS, Vector(20 + 8 * k, 20), ("e", "w")) for k in range(4))
+    placed = place(Scene("", "", (0, 0, 80, 40), labels=labels)).labels
+    for one, two in combinations([each.box for each in placed], 2):
+        aside = max(two[0] - one[2], one[0] - two[2])
+        above = max(two[1] - one[3], one[1] - two[3])
+        assert aside > 1.2 or above > 0.5
 
 
 def test_labels_that_want_the_same_place_make_room_for_each_other() -> None:

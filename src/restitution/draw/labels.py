@@ -17,6 +17,7 @@ from restitution.draw import style
 from restitution.draw.ink import (
     Piece,
     Segment,
+    Stick,
     crosses,
     ink,
     overlap,
@@ -37,13 +38,14 @@ MARGIN = 0.6  # from any ink to the edge of the picture
 HEADING_SIZE = 3.2
 NOTE_SIZE = 2.6
 LEADER_FROM = 2.4  # a label this much farther off than it asked for gets a leader line
+SHORTEST = 1.6  # way from a label to its point that a leader line can be drawn on
 SMALLEST = 0.8  # of the size asked for
 
 _FARTHER = (0.0, 0.5, 1.1, 1.9, 2.8, 4.0, 5.5, 7.5)
 _SLIDES = (0.0, 0.25, -0.25, 0.5, -0.5)  # of a label's width or height, along its side
 _ENOUGH = 16  # offers, after which none farther off are looked for
 _ALL = 60
-_HEAVY = 0.17  # half the width of a line that should not part a label from what it names
+_STRONG = 0.17  # half the width of a straight line that should not part a label from its point
 _GRID = 1.6
 _GROWTH = 5.0
 _ROUNDS = 10
@@ -279,16 +281,19 @@ def _offer(
     left, bottom, right, top = box
     nearest = Vector(min(max(point[0], left), right), min(max(point[1], bottom), top))
     close, spot = padded(box, 1.0), (*point, *point)
+    far = farther >= LEADER_FROM
     for piece in near.pieces:
         if overlap(piece.box, close) and touched(box, (piece,), 1.0):
             cost += 0.35
         if parted(nearest, point, piece) and not touched(spot, (piece,), 0.2):
-            cost += 6.0 if piece.half > _HEAVY else 0.8
+            strong = isinstance(piece, Stick) and piece.half > _STRONG
+            cost += 6.0 if strong else 0.8
+            far |= strong
     middle = Vector((left + right) / 2, (bottom + top) / 2)
     for disc in near.discs:
         if point != disc.centre and math.hypot(*(middle - disc.centre)) < disc.radius:
             cost += 2.5
-    if not lead or farther < LEADER_FROM or math.hypot(*(point - nearest)) < LEADER_FROM:
+    if not lead or not far or math.hypot(*(point - nearest)) < SHORTEST:
         return _offered(box, size, cost)
     way = unit(point - nearest)
     leader = nearest + way * 0.5, point - way * max(0.3, min(gap - 0.4, 0.6 * gap))
