@@ -134,9 +134,10 @@ class Label:
     """Words or mathematics that name something, and where they would like to stand.
 
     ``at`` is the point named, and ``sides`` where the label may stand beside it, best first;
-    ``gap`` is the distance to keep from that point. A ``fixed`` label stands at its first side and
-    nowhere else (a letter in its disc). A ``ringed`` one is a number in a small circle. ``moves``
-    are other points that the label may name as well, such as other places along an arrow.
+    ``gap`` is the distance to keep from that point. A ``fixed`` label stands at its first side (a
+    letter in its disc) and nowhere else, unless a line runs there. A ``ringed`` one is a number in
+    a small circle. ``moves`` are other points that the label may name as well, such as other
+    places along an arrow.
     """
 
     content: Layout
@@ -151,7 +152,7 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """A part of a picture with a heading; its box is left, bottom, right, top."""
+    """A part of a picture; its box is left, bottom, right, top, and its heading stands above it."""
 
     name: str
     box: tuple[float, float, float, float]

@@ -3,7 +3,8 @@
 Colours and lines are presentation attributes, so that every viewer shows them, typst and Inkscape
 among them. A short style follows the page: within a page lines take the colour of its text, and a
 picture of its own turns light where the reader prefers dark. Every outline of a glyph is stored
-once. Ids begin with a hash of the picture, so that several may stand on one page.
+once. Ids begin with a hash of the picture, so that several may stand on one page; one that stands
+there twice repeats its ids for the same content.
 """
 
 from __future__ import annotations
