@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.draw import describe
-from restitution.draw.ink import Ring, Stick, ink, overlap, unit
+from restitution.draw.ink import Piece, Ring, ink, overlap, stick, unit
 from restitution.draw.said import Angle, Sayings, Words, state_after, supplement
 from restitution.draw.scene import (
     WIDTH,
@@ -32,7 +32,7 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, When, drawn_for
+from restitution.draw.values import Motion, When, axes, drawn_for
 from restitution.expression.tree import Expression, Letter, Number, Pair, Unit, walk
 from restitution.problem import Find, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
@@ -50,6 +50,7 @@ MARGIN = 2.4  # above and below what is drawn
 EDGE = 1.2  # between what is drawn and the frame of its panel
 SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels elsewhere
 _WIDEST = 5.6  # of a label of a component, in em
+_FAR = 3.0  # enough room beside an arrow
 _ZERO = 1e-9
 
 _I, _J = Vector(1.0, 0.0), Vector(0.0, 1.0)
@@ -108,7 +109,7 @@ class _Drawing:
         boxes = [_expected(label) for label in self.labels if not label.fixed]
         return union([*(piece.box for piece in self.ink()), *boxes])
 
-    def ink(self) -> Iterator[Stick | Ring]:
+    def ink(self) -> Iterator[Piece]:
         return (piece for shape in self.shapes for piece in ink(shape))
 
 
@@ -173,10 +174,9 @@ def _view(motion: Motion, said: Sayings, number: int) -> _View:
     if isinstance(step, Kick):
         body = _Body(step.body, Vector(0.0, 0.0), None)
         return _View(motion, said, number, "blow", (body,), _I, _J)
-    frame = motion.told.frames[number]
-    n, t = unit(motion.vector(frame.n)), unit(motion.vector(frame.t))
     assert isinstance(step, Impact)
-    if frame.wall is not None:
+    n, t = axes(motion, number)
+    if motion.told.frames[number].wall is not None:
         body = _Body(step.first, n * RADIUS, -n)
         return _View(motion, said, number, "wall", (body,), n, t)
     assert happening.centres is not None
@@ -309,7 +309,7 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
         drawing.labels.append(
             Label(lay.Words("at rest"), body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
         )
-        _sense_of_nothing(view, body, when, body.centre + _J * (RADIUS + 1.4), drawing)
+        _sense_of_nothing(view, body, when, body.centre + _J * RADIUS, drawing)
         return
     way, length = v / size, size * scale
     arriving = arrives(body.towards, v, when)
@@ -323,7 +323,7 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
         _in_one_direction(view, body, when, tail, tip, drawing)
         if abs(along) < 1e-6:
             end = tail if arriving else tip
-            _sense_of_nothing(view, body, when, end + unit(end - body.centre) * 1.5, drawing)
+            _sense_of_nothing(view, body, when, end, drawing)
     else:
         _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
     for index, angle in enumerate(words.angles):
@@ -371,15 +371,14 @@ def _triangle(
     if math.hypot(*(tip - body.centre)) < math.hypot(*(tail - body.centre)):
         legs.reverse()
     corner = tail + legs[0][0] * legs[0][1]
+    ends = (tail, corner), (corner, tip)
+    drawing.shapes += [Arrow("component", start, end) for start, end in ends]
     inside = (tail + tip + corner) / 3
-    for start, end, (axis, value, part) in zip((tail, corner), (corner, tip), legs):
-        drawing.shapes.append(Arrow("component", start, end))
+    for (start, end), (axis, value, part) in zip(ends, legs):
         middle = (start + end) / 2
         outward = axis.turned_left()
         outward = outward if outward.dot(middle - inside) > 0 else -outward
-        if part is None:
-            continue
-        label = _directed(part, axis, value, middle, outward, drawing)
+        label = None if part is None else _directed(part, axis, value, middle, outward, drawing)
         if label is not None:
             drawing.labels.append(_beside(label, start, end, outward))
     if min(abs(along), abs(across)) > 2.5:
@@ -473,15 +472,26 @@ def _directed(
     if sense.dot(axis * value) >= 0:
         return size
     if isinstance(size, lay.Letter):
-        _sense(size, sense, at + outward * 1.6, outward, drawing)
+        _sense(size, sense, at, outward, drawing)
         return None
     return lay.negative(part) if sign == "+" else size
 
 
 def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: _Drawing) -> None:
-    start, end = at - sense * 2.2, at + sense * 2.2
-    drawing.shapes.append(Arrow("sense", start, end))
-    drawing.labels.append(_beside(label, start, end, outward))
+    """A small arrow for the sense in which a letter is positive, beside a point."""
+    best: tuple[float, Arrow] | None = None
+    pieces = list(drawing.ink())
+    for off in (1.6, 3.2, -1.6, 4.8, -3.2):
+        for along in (0.0, 3.0, -3.0):
+            middle = at + outward * off + sense * along
+            arrow = Arrow("sense", middle - sense * 2.2, middle + sense * 2.2)
+            room = min(_room(arrow, pieces), 1.4)
+            if best is None or room > best[0] + 0.1:
+                best = room, arrow
+    assert best is not None
+    _, arrow = best
+    drawing.shapes.append(arrow)
+    drawing.labels.append(_beside(label, arrow.start, arrow.end, outward))
 
 
 def _sense_of_nothing(view: _View, body: _Body, when: When, at: Vector, drawing: _Drawing) -> None:
@@ -623,10 +633,11 @@ def _beside_all(
 ) -> tuple[float, list[tuple[Arrow, Vector]]]:
     """Arrows of impulses beside spheres, all on the side and at the distance with room for them."""
     best: tuple[float, list[tuple[Arrow, Vector]]] = (-1.0, [])
+    pieces = list(drawing.ink())
     for off in (2.2, 4.2, 6.2):
         for side in sides:
             arrows = [_impulse(b, way, side * (RADIUS + off)) for b, way in zip(bodies, ways)]
-            room = min(_room(arrow, drawing) for arrow in arrows)
+            room = min(_room(arrow, pieces) for arrow in arrows)
             if room > best[0] + 0.2:
                 best = room, [(arrow, side) for arrow in arrows]
         if best[0] >= 1.3:
@@ -640,24 +651,28 @@ def _impulse(body: _Body, way: Vector, offset: Vector) -> Arrow:
     return Arrow("impulse", start, start + way * IMPULSE)
 
 
-def _room(arrow: Arrow, drawing: _Drawing) -> float:
-    """The distance from an arrow to the nearest thing drawn."""
+def _room(arrow: Arrow, pieces: Sequence[Piece]) -> float:
+    """The distance from an arrow to the nearest ink, no more than ``_FAR``; none in a sphere."""
     points = [arrow.start + (arrow.end - arrow.start) * (k / 6) for k in range(7)]
-    return min(_distance(point, shape) for point in points for shape in drawing.shapes)
+    extent = stick(arrow.start, arrow.end, _FAR).box
+    return min(
+        (
+            _distance(point, piece)
+            for piece in pieces
+            if overlap(extent, piece.box)
+            for point in points
+        ),
+        default=_FAR,
+    )
 
 
-def _distance(point: Vector, shape: Shape) -> float:
-    """From a point to a shape, by its ink."""
-    found = 99.0
-    for piece in ink(shape):
-        if isinstance(piece, Ring):
-            found = min(found, abs(math.hypot(*(point - piece.centre)) - piece.radius))
-            continue
-        way = piece.end - piece.start
-        size = way.dot(way)
-        share = min(1.0, max(0.0, (point - piece.start).dot(way) / size)) if size else 0.0
-        found = min(found, math.hypot(*(point - piece.start - way * share)))
-    return found
+def _distance(point: Vector, piece: Piece) -> float:
+    if isinstance(piece, Ring):
+        return max(0.0, math.hypot(*(point - piece.centre)) - piece.radius)
+    way = piece.end - piece.start
+    size = way.dot(way)
+    share = min(1.0, max(0.0, (point - piece.start).dot(way) / size)) if size else 0.0
+    return math.hypot(*(point - piece.start - way * share))
 
 
 # --- labels ---------------------------------------------------------------------------------------

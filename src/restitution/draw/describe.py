@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from restitution.draw.values import Chosen, Motion, When, drawn_for, unit_of_speed
+from restitution.draw.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
@@ -95,7 +95,7 @@ def _setting(motion: Motion, number: int) -> str:
         return f"{step.body} receives an impulse {way}."
     assert isinstance(step, Impact)
     frame = motion.told.frames[number]
-    n = motion.vector(frame.n)
+    n, _ = axes(motion, number)
     if frame.wall is not None:
         wall = motion.story.walls[frame.wall]
         lies = _inclination(n.turned_left())
@@ -152,7 +152,7 @@ def _moving(motion: Motion, number: int, body: str, when: When) -> str:
         return f"{moves} {_heading(v)}"
     assert isinstance(step, Impact)
     frame = motion.told.frames[number]
-    n = motion.vector(frame.n)
+    n, _ = axes(motion, number)
     along = n * (v.dot(n) / n.dot(n))
     across = v - along
     angle = math.degrees(math.atan2(math.hypot(*across), math.hypot(*along)))

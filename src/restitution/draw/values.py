@@ -142,9 +142,21 @@ def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
     return None
 
 
+def axes(motion: Motion, number: int) -> tuple[Vector, Vector]:
+    """Unit vectors along the line of centres and across it, as the working resolves by them."""
+    frame = motion.told.frames[number]
+    try:
+        n, t = motion.vector(frame.n), motion.vector(frame.t)
+    except _FAILURES:  # no value in letters: by the motion itself
+        centres = motion.story.happenings[number - 1].oriented()
+        n = _floats(centres if frame.wall is None else -centres)
+        t = n.turned_left()
+    return n / math.hypot(*n), t / math.hypot(*t)
+
+
 def _chosen(name: str, pleasant: Fraction | None, value: Any, role: Role) -> Chosen:
     angle = role.kind == "angle"
-    if pleasant is not None:
+    if pleasant is not None and pleasant.denominator <= 20:
         return Chosen(name, pleasant, angle)
     number = math.degrees(float(value)) if angle else float(value)
     near = Fraction(number).limit_denominator(1 if angle else 60)
@@ -167,7 +179,7 @@ def _representative(
         return {}, dict(branch.sample), branch.numbers
     pattern = _pattern(branch.numbers)
     best: tuple[float, dict[str, Fraction], dict[str, Any], Story] | None = None
-    for picked in _tries(free, roles):
+    for picked in (*_tries(free, roles), *_rounded(free, roles, branch.sample)):
         values: dict[str, Any] = {
             name: _radians(x) if roles[name].kind == "angle" else FIELD.number(x)
             for name, x in picked.items()
@@ -218,6 +230,17 @@ def _tries(free: Sequence[str], roles: Mapping[str, Role]) -> Iterator[dict[str,
         yield {
             name: values[min(len(values) - 1, int(rng.random() * min(reach, len(values))))]
             for name, values in zip(free, lists)
+        }
+
+
+def _rounded(
+    free: Sequence[str], roles: Mapping[str, Role], sample: Mapping[str, Any]
+) -> Iterator[dict[str, Fraction]]:
+    """The numbers by which the solution was found, with few figures (angles in degrees)."""
+    for figures in (1, 2, 3):
+        yield {
+            name: Fraction(f"{math.degrees(x) if roles[name].kind == 'angle' else x:.{figures}g}")
+            for name, x in ((name, float(sample[name])) for name in free)
         }
 
 
