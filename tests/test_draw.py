@@ -16,6 +16,7 @@ from test_properties import Told, can_happen, examples
 
 import restitution as r
 from restitution.draw import draw, figure, scenes
+from restitution.draw.before_after import TINY
 from restitution.draw.ink import ink
 from restitution.draw.labels import place
 from restitution.draw.scene import (
@@ -195,6 +196,8 @@ def unchanged_across(before: Shown, after: Shown) -> None:
         else:
             return
         u, v = before.velocity(name), after.velocity(name)
+        if any(0 < length(each) < TINY + NEAR for each in (u, v)):
+            continue
         across = line.turned_left() / length(line)
         assert across.dot(u) == pytest.approx(across.dot(v), abs=1e-6)
 
@@ -228,7 +231,7 @@ def in_words(scene: Scene, before: Shown) -> None:
     assert "Before: " in scene.description and "After: " in scene.description
     assert scene.description.endswith(".")
     if scene.note is not None:
-        assert to_text(scene.note).startswith("Drawn for ")
+        assert to_text(scene.note).startswith(("Drawn for ", "The shortest arrows"))
 
 
 @pytest.mark.parametrize("name", names())
@@ -263,6 +266,10 @@ def drawn_as_told(told: Told, made: Sequence[Scene]) -> None:
         drawn = {key: panels[key[1]].velocity(key[0]) for key in expected}
         scale = max(map(length, drawn.values())) / fastest
         for key, v in expected.items():
+            if 0 < length(v) * scale < TINY:
+                assert angle_between(drawn[key], v) < NEAR
+                assert length(drawn[key]) == pytest.approx(TINY)
+                continue
             assert drawn[key] == pytest.approx(
                 (v[0] * scale, v[1] * scale), abs=1e-6 + 1e-7 * scale
             )
@@ -396,6 +403,37 @@ def test_an_impulse_from_outside() -> None:
     assert -after.velocity("P")[1] == pytest.approx(after.velocity("P")[0])
     (impulse,) = after.of(Arrow, "impulse")
     assert angle_between(impulse.end - impulse.start, (2, -8)) < NEAR
+
+
+def test_long_names_stand_in_their_spheres_and_long_labels_are_left_out() -> None:
+    question = """
+    sphere Ball1: mass 2, velocity sqrt(g h/(2 + k) + u^2/(1 + k) + k g h + 2 u k + u^2 k^2 + g k) i
+    sphere B: mass 7/2, at rest
+    Ball1 hits B: along i
+    find energy_lost
+    """
+    (scene,) = scenes(solved(question))
+    before, _ = shown(scene)
+    assert sorted(before.labels()) == ["2", "7/2", "B", "Ball1", "at rest"]
+    (name,) = [x for x in place(scene).labels if to_text(x.label.content) == "Ball1"][:1]
+    disc = before.discs["Ball1"]
+    corners = [(x, y) for x in name.box[::2] for y in name.box[1::2]]
+    assert all(length((x - disc.centre.x, y - disc.centre.y)) < disc.radius for x, y in corners)
+
+
+def test_an_arrow_too_short_to_be_seen_is_longer_than_to_scale_and_the_note_says_so() -> None:
+    question = """
+    sphere A: mass 1, velocity 100i + 50j
+    sphere B: mass 100, velocity 0.3j
+    A hits B: along i, e = 1
+    find velocity(A)
+    """
+    (scene,) = scenes(solved(question))
+    check(scene)
+    before, after = shown(scene)
+    assert length(before.velocity("B")) == pytest.approx(TINY)
+    assert length(after.velocity("B")) > TINY
+    assert to_text(scene.note) == "The shortest arrows are longer than to scale."  # type: ignore[arg-type]
 
 
 # --- values ---------------------------------------------------------------------------------------

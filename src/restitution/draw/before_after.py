@@ -38,10 +38,12 @@ from restitution.problem import Find, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
+from restitution.render.text import to_text
 from restitution.vector import Vector
 
 RADIUS = 4.2  # of a sphere on paper
 LONGEST = 17.0  # of an arrow of velocity
+TINY = 1.5  # no arrow is shorter, or it could not be seen
 IMPULSE = 9.0  # the length of every arrow of an impulse
 GAP = 2.0  # between the panels
 FRAME = 0.2  # of room around them for their frames
@@ -50,6 +52,7 @@ MARGIN = 2.4  # above and below what is drawn
 EDGE = 1.2  # between what is drawn and the frame of its panel
 SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels elsewhere
 _WIDEST = 5.6  # of a label of a component, in em
+_LONGEST = 60  # of any label, in signs on one line
 _FAR = 3.0  # enough room beside an arrow
 _ZERO = 1e-9
 
@@ -118,7 +121,7 @@ def before_and_after(
 ) -> Scene:
     """The picture of one impact, or of one blow from outside. ``number`` is that of the event."""
     view = _view(motion, said, number)
-    drawings = _fitted(view, panels)
+    scale, drawings = _fitted(view, panels)
     boxes = [each.box() for each in drawings]
     bottom, top = min(box[1] for box in boxes), max(box[3] for box in boxes)
     height = top - bottom + 2 * MARGIN
@@ -146,12 +149,12 @@ def before_and_after(
             Panel(when.capitalize(), (box[0], -lowered, *box[2:]))
             for when, box in zip(panels, frames)
         ),
-        _note(view, panels),
+        _note(view, panels, scale),
     )
 
 
-def _fitted(view: _View, panels: Sequence[When]) -> list[_Drawing]:
-    """The panels to one scale, the largest at which they fit."""
+def _fitted(view: _View, panels: Sequence[When]) -> tuple[float, list[_Drawing]]:
+    """The panels to one scale, the largest at which they fit, with that scale."""
     fastest = max(
         math.hypot(*view.velocity(body.name, when)) for body in view.bodies for when in panels
     )
@@ -161,7 +164,7 @@ def _fitted(view: _View, panels: Sequence[When]) -> list[_Drawing]:
         drawings = [_panel(view, when, scale) for when in panels]
         boxes = [each.box() for each in drawings]
         if max(b[2] - b[0] for b in boxes) <= PANEL - 2 * EDGE or longest < SHORTEST:
-            return drawings
+            return scale, drawings
         longest *= 0.93
 
 
@@ -204,7 +207,16 @@ def _panel(view: _View, when: When, scale: float) -> _Drawing:
     _lines(view, drawing)
     for body in view.bodies:
         _names(view, body, drawing)
+    drawing.labels = [label for label in drawing.labels if _is_readable(label)]
     return drawing
+
+
+def _is_readable(label: Label) -> bool:
+    """Whether a label is short enough for a panel; the description has what it would say."""
+    if len(to_text(label.content)) > _LONGEST:  # before it is set, which takes its time
+        return False
+    left, _, right, _ = outline(label.content).box
+    return (right - left) * label.size < 0.75 * PANEL
 
 
 def _lines(view: _View, drawing: _Drawing) -> None:
@@ -270,22 +282,28 @@ def _inside(view: _View, name: str) -> bool:
 
 
 def _names(view: _View, body: _Body, drawing: _Drawing) -> None:
-    """The letter of a sphere within its circle, and its mass."""
-    told = view.motion.told
-    name = Label(lay.Letter(body.name), body.centre, ("centre",), 0.0, 3.2, fixed=True)
-    mass = told.story.spheres[body.name].mass
-    if mass is None:
-        drawing.labels.append(name)
-        return
-    laid = lay.as_layout(mass) if not isinstance(mass, float) else lay.decimal_number(mass)
-    left, bottom, right, top = outline(laid).box
-    if (right - left) * 2.6 < 1.45 * RADIUS and (top - bottom) * 2.6 < 0.65 * RADIUS:
-        drawing.labels.append(replace(name, at=body.centre + _J * 1.4))
-        at = body.centre - _J * 1.6
-        drawing.labels.append(Label(laid, at, ("centre",), 0.0, 2.6, fixed=True))
-    else:
-        drawing.labels.append(name)
-        drawing.labels.append(Label(laid, body.centre, _sides(-_J), RADIUS + 0.8, 2.6))
+    """The name of a sphere and its mass, within its circle if they are short."""
+    letter = lay.Letter(body.name) if len(body.name) == 1 else lay.Words(body.name)
+    left, _, right, _ = outline(letter).box
+    size = min(3.2, 1.4 * RADIUS / (right - left))
+    name = Label(letter, body.centre, ("centre",), 0.0, size, fixed=True)
+    given = view.motion.told.story.spheres[body.name].mass
+    if given is not None:
+        mass = Label(
+            lay.as_layout(given), body.centre - _J * 1.6, ("centre",), 0.0, 2.6, fixed=True
+        )
+        if _fits(mass):
+            name = replace(name, at=body.centre + _J * 1.4)
+        else:
+            mass = Label(mass.content, body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
+        drawing.labels.append(mass)
+    drawing.labels.append(name)
+
+
+def _fits(label: Label) -> bool:
+    """Whether a label is small enough to stand in a circle, with another one above or below."""
+    left, bottom, right, top = (label.size * x for x in outline(label.content).box)
+    return right - left < 1.45 * RADIUS and top - bottom < 0.65 * RADIUS
 
 
 # --- velocities -----------------------------------------------------------------------------------
@@ -311,7 +329,7 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
         )
         _sense_of_nothing(view, body, when, body.centre + _J * RADIUS, drawing)
         return
-    way, length = v / size, size * scale
+    way, length = v / size, max(TINY, size * scale)
     arriving = arrives(body.towards, v, when)
     tail = body.centre - way * (RADIUS + length) if arriving else body.centre + way * RADIUS
     lifted = None if arriving else _lifted(view, body, way, length)
@@ -319,9 +337,9 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
     tip = tail + way * length
     drawing.shapes.append(Arrow("velocity", tail, tip))
     along, across = v.dot(view.n) * scale, v.dot(view.t) * scale
-    if abs(along) < 1e-6 or abs(across) < 1e-6:
+    if abs(along) < 1e-6 or abs(across) < 1e-6 or size * scale < TINY:
         _in_one_direction(view, body, when, tail, tip, drawing)
-        if abs(along) < 1e-6:
+        if abs(along) < 1e-6 and size * scale >= TINY:
             end = tail if arriving else tip
             _sense_of_nothing(view, body, when, end, drawing)
     else:
@@ -339,6 +357,8 @@ def _in_one_direction(
     way = unit(tip - tail)
     along = abs(way.dot(view.n)) > abs(way.dot(view.t))
     axis, part = (view.n, parts[0]) if along else (view.t, parts[1])
+    if abs(way.dot(axis)) < 1 - 1e-9:  # too short for its components to be seen
+        part = None
     outward = _clear_side(body, way)
     label = words.size
     if label is None and view.kind == "blow":
@@ -456,6 +476,8 @@ def _final(view: _View, x: Any) -> Any:
 
 def _laid(x: Any) -> Layout | None:
     laid = lay.from_sympy(x)
+    if len(to_text(laid)) > _LONGEST:
+        return None
     left, _, right, _ = outline(laid).box
     return laid if right - left <= _WIDEST else None
 
@@ -634,9 +656,12 @@ def _beside_all(
     """Arrows of impulses beside spheres, all on the side and at the distance with room for them."""
     best: tuple[float, list[tuple[Arrow, Vector]]] = (-1.0, [])
     pieces = list(drawing.ink())
-    for off in (2.2, 4.2, 6.2):
+    for off, ahead in ((2.2, 0.0), (4.2, 0.0), (2.2, 4.0), (6.2, 0.0), (4.2, 4.0)):
         for side in sides:
-            arrows = [_impulse(b, way, side * (RADIUS + off)) for b, way in zip(bodies, ways)]
+            arrows = [
+                _impulse(body, way, side * (RADIUS + off) + way * ahead)
+                for body, way in zip(bodies, ways)
+            ]
             room = min(_room(arrow, pieces) for arrow in arrows)
             if room > best[0] + 0.2:
                 best = room, [(arrow, side) for arrow in arrows]
@@ -754,18 +779,20 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
     return lowered
 
 
-def _note(view: _View, panels: Sequence[When]) -> Layout | None:
-    """The values by which letters are drawn."""
-    chosen = drawn_for(view.motion, (view.number,), panels)
+def _note(view: _View, panels: Sequence[When], scale: float) -> Layout | None:
+    """The values by which letters are drawn, and whether an arrow is longer than to scale."""
     words: list[Layout] = []
+    chosen = drawn_for(view.motion, (view.number,), panels)
     if chosen:
         words.append(lay.Words("Drawn for"))
-        for index, each in enumerate(chosen):
-            value = describe.value_of(each)
-            relation = lay.Relation((lay.letter(each.name), value), ("=",))
-            last = index == len(chosen) - 1
-            end = "." if last else " and" if index == len(chosen) - 2 else ","
+        for index, each in enumerate(chosen, 1):
+            relation = lay.Relation((lay.letter(each.name), describe.value_of(each)), ("=",))
+            left = len(chosen) - index
+            end = "." if left == 0 else " and" if left == 1 else ","
             words.append(lay.Phrase((relation, lay.Words(end)), ""))
+    sizes = [math.hypot(*view.velocity(body.name, when)) for body in view.bodies for when in panels]
+    if any(1e-6 < size * scale < TINY for size in sizes):
+        words.append(lay.Words("The shortest arrows are longer than to scale."))
     return lay.Phrase(tuple(words)) if words else None
 
 
