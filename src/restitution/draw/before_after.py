@@ -201,8 +201,6 @@ def _panel(view: _View, when: When, scale: float) -> _Drawing:
     for body in view.bodies:
         _velocity(view, body, when, scale, drawing)
     if when == "after":
-        for body in view.bodies:
-            _deflection(view, body, scale, drawing)
         _impulses(view, drawing)
     _lines(view, drawing)
     for body in view.bodies:
@@ -346,6 +344,8 @@ def _velocity(view: _View, body: _Body, when: When, scale: float, drawing: _Draw
         _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
     for index, angle in enumerate(words.angles):
         _angle(view, body, angle, (tail, tip), arriving, abs(across), index, drawing)
+    if when == "after":
+        _deflection(view, body, tail, length, len(words.angles), drawing)
 
 
 def _in_one_direction(
@@ -442,8 +442,8 @@ def _lifted(view: _View, body: _Body, way: Vector, length: float) -> Vector | No
     return body.centre + side * (RADIUS + 1.5)
 
 
-def _components(view: _View, body: _Body, when: When) -> tuple[Layout | None, Layout | None]:
-    """The labels of the components along and across, signed; None where too long to write."""
+def _components(view: _View, body: _Body, when: When) -> tuple[Any, Any]:
+    """The components along and across in the letters of the working; None where it has none."""
     told, number, name = view.motion.told, view.number, body.name
     known = view.words(name, when).known
     if view.kind == "blow":
@@ -452,7 +452,7 @@ def _components(view: _View, body: _Body, when: When) -> tuple[Layout | None, La
         v = told.happening(number).before[name]
         if known:
             v = told.branch.story.velocity(name, number if when == "after" else number - 1)
-        return _laid(told.presentable(v.x)), _laid(told.presentable(v.y))
+        return told.presentable(v.x), told.presentable(v.y)
     along, across = told.before(number, name)
     if when == "after":
         component = told.components[number, name]
@@ -461,12 +461,12 @@ def _components(view: _View, body: _Body, when: When) -> tuple[Layout | None, La
         assert isinstance(step, Impact)
         if not known and view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = told.happening(number).e
-            product = _laid(-e * told.before(number, name)[0])
-            if product is not None and e.free_symbols:
-                return product, _laid(across)
+            rebound = -e * told.before(number, name)[0]
+            if e.free_symbols and _laid(rebound) is not None:
+                along = rebound
     elif known:
         along, across = (_final(view, x) for x in (along, across))
-    return _laid(along), _laid(across)
+    return along, across
 
 
 def _final(view: _View, x: Any) -> Any:
@@ -483,20 +483,20 @@ def _laid(x: Any) -> Layout | None:
 
 
 def _directed(
-    part: Layout, axis: Vector, value: float, at: Vector, outward: Vector, drawing: _Drawing
+    part: Any, axis: Vector, value: float, at: Vector, outward: Vector, drawing: _Drawing
 ) -> Layout | None:
-    """The label of a component whose arrow is drawn: its size.
+    """The label of a component whose arrow is drawn: its size, if that is short.
 
     A letter counted positive the other way gets a small arrow for its sense instead.
     """
-    sign, size = lay.split_sign(part)
+    sign, size = lay.split_sign(lay.from_sympy(part))
     sense = axis if sign == "+" else -axis
     if sense.dot(axis * value) >= 0:
-        return size
+        return _laid(part if sign == "+" else -part)
     if isinstance(size, lay.Letter):
         _sense(size, sense, at, outward, drawing)
         return None
-    return lay.negative(part) if sign == "+" else size
+    return _laid(-part if sign == "+" else part)
 
 
 def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: _Drawing) -> None:
@@ -521,7 +521,7 @@ def _sense_of_nothing(view: _View, body: _Body, when: When, at: Vector, drawing:
     if when == "before" or view.kind == "blow" or view.words(body.name, when).known:
         return
     part = _components(view, body, when)[0]
-    sign, size = lay.split_sign(part) if part is not None else ("+", lay.Number("0"))
+    sign, size = lay.split_sign(lay.from_sympy(part))
     if isinstance(size, lay.Letter):
         _sense(size, view.n if sign == "+" else -view.n, at, unit(at - body.centre), drawing)
 
@@ -598,23 +598,35 @@ def _arc(
     drawing.labels.append(Label(label, at, _sides(middle), 0.8, 2.8, moves=tuple(moves)))
 
 
-def _deflection(view: _View, body: _Body, scale: float, drawing: _Drawing) -> None:
-    """The angle between the first direction, continued and dotted, and the direction after."""
+def _deflection(
+    view: _View, body: _Body, tail: Vector, length: float, index: int, drawing: _Drawing
+) -> None:
+    """The angle between the first direction, continued and dotted, and the direction after.
+
+    An acute one is drawn where the arrow starts, one larger around the centre. ``index`` counts
+    the angles that are drawn already.
+    """
     label = view.said.deflections.get((view.number, body.name))
     u, v = view.velocity(body.name, "before"), view.velocity(body.name, "after")
-    if label is None or not math.hypot(*u) or not math.hypot(*v):
+    if label is None or not math.hypot(*u):
         return
     first, second = unit(u), unit(v)
     between = math.atan2(first.cross(second), first.dot(second))
     if abs(between) < 0.02 or math.pi - abs(between) < 0.02:
         return
-    radius = RADIUS + 5.0
-    start = body.centre + first * RADIUS
-    drawing.shapes.append(Line("onward", start, body.centre + first * (radius + 4.0)))
+    if abs(between) < math.radians(85):
+        vertex, start, radius = tail, tail, max(4.2, min(6.5, 0.55 * length)) + 2.4 * index
+        end = tail + first * (radius + 4.0)
+    else:
+        over = body.towards is not None and first.dot(body.towards) > 0.6 and view.kind != "wall"
+        radius = RADIUS + (1.8 if over else 5.0)
+        vertex, start = body.centre, body.centre + first * RADIUS
+        end = body.centre + first * (radius + (1.0 if over else 4.0))
+    drawing.shapes.append(Line("onward", start, end))
     a, b = math.atan2(first.y, first.x), math.atan2(second.y, second.x)
-    drawing.shapes.append(Arc("angle", body.centre, radius, *((a, b) if between > 0 else (b, a))))
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
     middle = Vector(math.cos(a + between / 2), math.sin(a + between / 2))
-    drawing.labels.append(Label(label, body.centre + middle * radius, _sides(middle), 0.8, 2.8))
+    drawing.labels.append(Label(label, vertex + middle * radius, _sides(middle), 0.8, 2.8))
 
 
 def _impulses(view: _View, drawing: _Drawing) -> None:
