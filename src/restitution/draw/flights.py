@@ -104,10 +104,13 @@ class Given:
     circles: Mapping[str, tuple[Vector, float]]
     points: Mapping[str, Vector]
     radius: float | None
+    reached: bool  # whether a point that is given is one of them
 
     @property
     def placed(self) -> bool:
-        return bool(self.starts or self.origins or self.circles)
+        """Whether a length follows from what is given: one place alone is nowhere."""
+        places = set(self.origins.values())
+        return bool(self.starts or self.segments or self.circles or self.reached or len(places) > 1)
 
 
 def told_places(story: Story) -> Given:
@@ -136,7 +139,12 @@ def told_places(story: Story) -> Given:
     }
     radius = next((s.radius for s in story.spheres.values() if s.radius is not None), None)
     size = None if radius is None else float(story.read(radius, ""))
-    return Given(starts, origins, segments, circles, points, size)
+    reached = any(
+        isinstance(event.step, Arrival)
+        and not (isinstance(event.step.target, Name) and event.step.target.name in story.walls)
+        for event in story.happenings
+    )
+    return Given(starts, origins, segments, circles, points, size, reached)
 
 
 # --- places as linear expressions -----------------------------------------------------------------

@@ -387,6 +387,8 @@ class _Drawing:
                     reference = -stop.normal
                 else:
                     reference = along if ray.dot(along) >= 0 else -along
+                    if not self._on_wall(stop.contact + reference * 2):
+                        continue  # struck in a corner
                 drawn |= self._angle(centre, reference, ray, laid, leg)
             if stop.kind == "circle" and drawn:
                 inside = any(r.name == stop.wall and r.inside for r in self.plan.rounds)
@@ -414,6 +416,14 @@ class _Drawing:
         way = Vector(math.cos(middle), math.sin(middle))
         self.labels.append(Label(laid, corner + way * radius, _sides(way), gap=0.7, size=2.7))
         return True
+
+    def _on_wall(self, point: Vector) -> bool:
+        return any(
+            abs((point - wall.start).dot(wall.far)) < _NEAR
+            and (point - wall.start).dot(wall.end - wall.start) > 0
+            and (point - wall.end).dot(wall.start - wall.end) > 0
+            for wall in self.plan.walls
+        )
 
     def _alternate(self, body: str, stop: Stop) -> bool:
         """Whether an angle is that with the parallel wall before, where it is shown already."""

@@ -48,6 +48,7 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
     try:
         if given.placed:
             return _to_scale(story, moves, given)
+        given = replace(given, origins={}, points={})
         groups = _connected(moves)
         walled = [g for g in groups if any(move.wall is not None for move in g)]
         recent = [g for g in groups if any(move.number > since for move in g)] or groups
@@ -444,7 +445,7 @@ def _onward(start: Vector, way: Vector, lines: Iterable[Line], skip: str | None)
         if line.name == skip or line.hits:
             continue
         met = crossing(start, start + way, line)
-        if met is None or not 1 < met[0] < 55:
+        if met is None or not 1 < met[0] < 80:
             continue
         on_it = not line.fixed or line.low < met[1] < line.high
         length = met[0] if on_it else met[0] + 8

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,6 +11,8 @@ from restitution.draw.plan import Leg
 from restitution.vector import Vector
 
 _CLOSE = 1e-6
+# What is left between a wall and another one that it does not meet.
+_SHORT_OF = 1.5
 
 
 @dataclass
@@ -86,7 +87,7 @@ def trim(lines: list[Line], legs: Sequence[Leg], reach: float, successive: set[A
         if len(far) == 2 and _clear(one, where[0], legs) and _clear(other, where[1], legs):
             meetings.append((max(far), one, other, *where))
     for gap, one, other, first, second in sorted(meetings, key=lambda each: each[0]):
-        sides = [_side_of(line, s) for line, s in ((one, first), (other, second))]
+        sides = _side_of(one, first, other), _side_of(other, second, one)
         if gap > reach or sides[0] in one.corners or sides[1] in other.corners:
             continue
         for line, s, side, beside in (
@@ -98,14 +99,23 @@ def trim(lines: list[Line], legs: Sequence[Leg], reach: float, successive: set[A
                 setattr(line, side, s)
     for line, other in itertools.permutations(lines, 2):
         where = meeting_point(line, other)
-        if where is None or line.fixed:
+        if where is None or line.fixed or other.name in line.corners.values():
             continue
         s, t = where
-        if other.low - _CLOSE < t < other.high + _CLOSE:
-            for side, sign in (("high", 1), ("low", -1)):
-                beyond = sign * (s - max((sign * h for h in line.hits), default=-math.inf) * sign)
-                if side not in line.corners and beyond > 0 and sign * (getattr(line, side) - s) > 0:
-                    setattr(line, side, s - sign * 1.5)
+        if not other.low - _CLOSE < t < other.high + _CLOSE:
+            continue
+        if not line.hits:
+            side = "high" if line.along.dot(other.near) < 0 else "low"
+        elif min(line.hits) <= s <= max(line.hits):
+            continue
+        else:
+            side = "high" if s > max(line.hits) else "low"
+        if side in line.corners:
+            continue
+        if side == "high":
+            line.high = min(line.high, s - _SHORT_OF)
+        else:
+            line.low = max(line.low, s + _SHORT_OF)
     bad = 0
     for line in lines:
         for leg in legs:
@@ -133,16 +143,16 @@ def _gap(line: Line, s: float) -> float | None:
         return 0.0 if ends < 1e-3 else None
     if not line.hits:
         return 0.0
-    if s > max(line.hits) + 1:
-        return s - max(line.hits)
-    if s < min(line.hits) - 1:
-        return min(line.hits) - s
-    return None
+    beyond = max(s - max(line.hits), min(line.hits) - s)
+    return max(beyond, 0.0) if beyond > -1e-3 else None
 
 
-def _side_of(line: Line, s: float) -> str:
+def _side_of(line: Line, s: float, other: Line) -> str:
+    """Which end of a wall a corner with another one is."""
     if line.fixed or not line.hits:
         return "high" if abs(s - line.high) < abs(s - line.low) else "low"
+    if min(abs(s - hit) for hit in line.hits) < 1:  # struck in the corner itself
+        return "high" if line.along.dot(other.near) < 0 else "low"
     return "high" if s > max(line.hits) else "low"
 
 
