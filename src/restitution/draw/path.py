@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 
 from restitution.draw.describe import listed, value_of
@@ -32,7 +33,8 @@ from restitution.draw.values import Chosen, Motion, drawn_for, motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Pair, Quantity, Unit, walk
 from restitution.expression.tree import Letter as TreeLetter
-from restitution.problem import Arrival, Impact, Kick, trees_of_step
+from restitution.expression.tree import Number as TreeNumber
+from restitution.problem import Arrival, Find, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
@@ -305,8 +307,16 @@ class _Drawing:
         if laid is None or (leg.after and _unchanged(self.plan, leg)):
             return
         across = leg.direction.turned_left()
-        if leg.lane < 0 or (leg.lane == 0 and across.y < 0):
-            across = -across
+        onward = next(
+            (x for x in self.plan.legs if x.body == leg.body and x.after > leg.after), None
+        )
+        if leg.lane:
+            down = leg.lane < 0
+        elif leg.after == 0 and onward is not None and not onward.lane:
+            down = across.dot(onward.direction) > 0  # outside the angle that the path makes
+        else:
+            down = across.y < 0
+        across = -across if down else across
         spots = [start + (end - start) * share for share in (0.5, 0.4, 0.62, 0.3, 0.75)]
         sides = (*_sides(across)[:3], *_sides(-across)[:3])
         self.labels.append(Label(laid, spots[0], sides, gap=1.0, moves=tuple(spots[1:])))
@@ -557,18 +567,20 @@ def _ends_named(name: str) -> tuple[str, str] | None:
 def _speaks_of_axes(solution: Solution) -> bool:
     """Whether **i** and **j** are more than a way to say how a wall lies, or where things are."""
     problem = solution.problem
-    told: list[Any] = [sphere.velocity for sphere in problem.spheres]
+    rest = TreeNumber(Fraction(0))
+    told: list[Any] = [s.velocity for s in problem.spheres if s.velocity != Pair(rest, rest)]
     slanting = [wall.along for wall in problem.walls if not isinstance(wall.along, Unit)]
     for _, step in problem.steps():
         if not isinstance(step, Impact | Arrival):
             told += trees_of_step(step)
+        if isinstance(step, Find) and any(
+            isinstance(item.expression, Quantity)
+            and item.expression.kind in ("velocity", "direction", "momentum")
+            for item in step.items
+        ):
+            return True
     nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
-    return any(
-        isinstance(node, Pair)
-        or node == Unit("j")
-        or (isinstance(node, Quantity) and node.kind in ("velocity", "direction", "momentum"))
-        for node in nodes
-    ) or any(
+    return any(isinstance(node, Pair) or node == Unit("j") for node in nodes) or any(
         isinstance(node, Unit | Pair)
         for tree in slanting
         if isinstance(tree, Expression)

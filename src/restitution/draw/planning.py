@@ -28,6 +28,8 @@ _LARGEST = 1.5  # times these, where there is room
 _RADIUS = 2.6
 # How far a wall goes on beyond the place where it is struck.
 _BEYOND = 9.0
+# Between groups that have nothing to do with one another, names and axes included.
+_APART = 20.0
 # Paths along one line are drawn so far apart: two of them, or more with words between.
 _LANE, _WIDE_LANE = 2.2, 4.4
 _CLOSE = 1e-6
@@ -53,7 +55,8 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
         walled = [g for g in groups if any(move.wall is not None for move in g)]
         recent = [g for g in groups if any(move.number > since for move in g)] or groups
         shown = [g for g in walled if g in recent]
-        plans = [_freely(story, group, given, _WIDTH / len(shown)) for group in shown]
+        width = (_WIDTH + _APART) / max(len(shown), 1) - _APART
+        plans = [_freely(story, group, given, width) for group in shown]
     except np.linalg.LinAlgError:
         return None
     made = [plan for plan in plans if plan is not None]
@@ -76,7 +79,7 @@ def _side_by_side(plans: Sequence[Plan]) -> Plan:
     for plan in plans[1:]:
         _, _, right, _ = _box(_drawn(whole))
         left, _, _, _ = _box(_drawn(plan))
-        moved = _moved(plan, Vector(right - left + 12.0, 0.0))
+        moved = _moved(plan, Vector(right - left + _APART, 0.0))
         whole = replace(
             whole,
             legs=(*whole.legs, *moved.legs),
@@ -381,7 +384,8 @@ def _loose_ends(
         if body not in given.starts and not still(first):
             end = where[body, own[0].number]
             way, skip = -unit(first), own[0].wall
-            far = _free_way(end, way, _APPROACH * shrunk + radius, lines, skip)
+            most = _approach(end, way, _APPROACH * shrunk + radius, where, radius)
+            far = _free_way(end, way, most, lines, skip)
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - far)
             legs.append(Leg(body, 0, "approach", end + way * far, end))
         last = own[-1].after[body] if own else first
@@ -401,6 +405,22 @@ def _loose_ends(
             since = own[-1].number if own else 0
             legs.append(Leg(body, since, "exit", start, start + way * far))
     return legs, lacking
+
+
+def _approach(
+    end: Vector,
+    way: Vector,
+    usual: float,
+    where: Mapping[tuple[str, int], Vector],
+    radius: float,
+) -> float:
+    """How long the path of a sphere is before its first event: it starts where none other is."""
+    others = [at for at in where.values() if length(at - end) > 1e-6]
+    for share in (1.0, 1.3, 0.75, 1.6, 0.55):
+        start = end + way * (share * usual)
+        if all(length(start - at) > 2.6 * radius for at in others):
+            return share * usual
+    return usual
 
 
 def _ends_at_wall(
