@@ -16,6 +16,7 @@ from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.solve.forms import plain
 from restitution.solve.solution import Branch
+from restitution.solve.story import Story
 from restitution.vector import Vector
 
 _MOST = 4
@@ -51,13 +52,16 @@ class _Wanted:
     off: Vector = _BESIDE
 
 
-def distances(plan: Plan, branch: Branch) -> list[Distance]:
-    """The given lengths that a plan has room for; none where no places are given."""
+def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
+    """The given lengths that a plan has room for; none where no places are given.
+
+    They are those of ``story``, which is exact.
+    """
     if plan.scale is None:
         return []
     found: list[Distance] = []
     said: set[str] = set()
-    for wanted in _wanted(plan, branch):
+    for wanted in _wanted(plan, story):
         if len(found) == _MOST:
             break
         if wanted.what in said:
@@ -68,7 +72,7 @@ def distances(plan: Plan, branch: Branch) -> list[Distance]:
         laid = _laid(wanted.size, branch)
         if laid is None:
             continue
-        if not _on_one_line(plan) and any(
+        if not plan.in_line and any(
             laid == each.label and _alike(each, start, end) for each in found
         ):
             continue
@@ -103,9 +107,9 @@ def _alike(one: Distance, start: Vector, end: Vector) -> bool:
 # --- what may be measured -------------------------------------------------------------------------
 
 
-def _wanted(plan: Plan, branch: Branch) -> Iterator[_Wanted]:
+def _wanted(plan: Plan, story: Story) -> Iterator[_Wanted]:
     try:
-        exact = _Exact.of(branch)
+        exact = _Exact.of(story)
     except (RestitutionError, ArithmeticError):
         return
     straight = [wall for wall in plan.walls if wall.name in exact.origins]
@@ -113,7 +117,7 @@ def _wanted(plan: Plan, branch: Branch) -> Iterator[_Wanted]:
     objects |= {
         n: p for n, p in plan.points.items() if all(length(p - q) > 0.5 for q in objects.values())
     }
-    if _on_one_line(plan):
+    if plan.in_line and plan.legs:
         yield from _in_line(plan, exact, objects, straight)
         return
     for wall in straight:
@@ -157,11 +161,6 @@ def _between(plan: Plan, exact: _Exact, one: Straight, other: Straight) -> Itera
         yield _Wanted(start, start + across, size, f"{one.name} {other.name}")
 
 
-def _on_one_line(plan: Plan) -> bool:
-    way = plan.legs[0].direction
-    return all(abs(way.cross(leg.direction)) < 1e-6 for leg in plan.legs)
-
-
 def _in_line(
     plan: Plan, exact: _Exact, objects: Mapping[str, Vector], walls: Sequence[Straight]
 ) -> Iterator[_Wanted]:
@@ -192,15 +191,14 @@ def _in_line(
 class _Exact:
     """The places of a statement in exact numbers and letters."""
 
-    story: Any
+    story: Story
     places: Mapping[str, Vector]
     origins: Mapping[str, Vector]
     ends: Mapping[str, Vector]
     circles: Mapping[str, tuple[Vector, Any]]
 
     @classmethod
-    def of(cls, branch: Branch) -> _Exact:
-        story = branch.story
+    def of(cls, story: Story) -> _Exact:
         places = {
             name: story.read_vector(sphere.position, "")
             for name, sphere in story.spheres.items()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +14,7 @@ from restitution.draw.flights import told_places
 from restitution.draw.ink import ink, overlap, padded, touched
 from restitution.draw.plan import Leg, Plan, Stop, Straight, floats, length, still, unit
 from restitution.draw.planning import lay_out
+from restitution.draw.said import Sayings, sayings
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -67,8 +68,7 @@ def path_scene(
     None for a story without walls and without places, which a plan would not make clearer.
     ``told`` is the part in numbers, where that is known already.
     """
-    problem = solution.problem
-    if not problem.walls and all(sphere.position is None for sphere in problem.spheres):
+    if not _is_plannable(solution):
         return None
     told = motion(solution, part, branch) if told is None else told
     events = [step for step in part.part.steps if isinstance(step, Impact | Kick | Arrival)]
@@ -77,27 +77,51 @@ def path_scene(
         return None
     values = _Values(solution, part, branch, told)
     drawing = _Drawing(plan, values)
-    drawing.walls()
-    drawing.paths()
-    drawing.bodies()
-    drawing.angles()
-    drawing.numbers()
-    drawing.points()
-    drawing.distances()
-    drawing.axes()
-    left, bottom, right, top = drawing.box()
-    middle = (left + right) / 2
-    half = max((right - left) / 2, WIDTH / 2)
+    drawing.everything()
     names = list(dict.fromkeys(leg.body for leg in plan.legs))
     title = f"Plan of the paths of {listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
-    return Scene(
-        title,
-        _description(plan, values),
-        (middle - half, bottom, middle + half, top),
-        tuple(drawing.shapes),
-        tuple(drawing.labels),
-        note=_note(plan, told),
+    return drawing.scene(title, _description(plan, values), _note(plan, told))
+
+
+def path_figure(
+    solution: Solution, part: PartSolution, branch: Branch, told: Motion | None = None
+) -> Scene | None:
+    """The plan view of what a question tells: walls, places, and how the bodies come.
+
+    It gives nothing of the answers away, and is None where ``path_scene`` is, and where the
+    direction of a wall is sought.
+    """
+    problem = solution.problem
+    unknown = [w for w in problem.walls if w.along is None and w.start is None and w.centre is None]
+    if unknown or not _is_plannable(solution):
+        return None
+    told = motion(solution, part, branch) if told is None else told
+    plan = lay_out(told.story)
+    if plan is None:
+        return None
+    legs = tuple(
+        replace(leg, lane=0.0) for leg in plan.legs if leg.after == 0 and leg.kind != "exit"
     )
+    plan = replace(plan, legs=legs, side_by_side=False)
+    values = _Values(solution, part, branch, told, sayings(told))
+    drawing = _Drawing(plan, values)
+    drawing.everything()
+    names = [name for name in told.story.spheres if name in plan.starts]
+    walls = [*(wall.name for wall in plan.walls), *(circle.name for circle in plan.rounds)]
+    towards = [
+        f"{leg.body} moves towards {stop.wall}"
+        for leg in legs
+        for stop in plan.stops
+        if stop.wall is not None and stop.kind != "arrival"
+        if length(stop.centres.get(leg.body, leg.start) - leg.end) < _NEAR
+    ]
+    sentences = [f"Plan view of {listed([*names, *(f'the wall {name}' for name in walls)])}"]
+    return drawing.scene("Plan view", ". ".join([*sentences, *towards]) + ".", None)
+
+
+def _is_plannable(solution: Solution) -> bool:
+    problem = solution.problem
+    return bool(problem.walls) or any(s.position is not None for s in problem.spheres)
 
 
 # --- what stands beside lines ---------------------------------------------------------------------
@@ -111,6 +135,7 @@ class _Values:
     part: PartSolution
     branch: Branch
     motion: Motion
+    said: Sayings | None = None  # where only what the question says may be shown
     found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
 
     def speed(self, body: str, after: int) -> Layout | None:
@@ -120,6 +145,11 @@ class _Values:
         return self.found[body, after]
 
     def _speed(self, body: str, after: int) -> Layout | None:
+        if self.said is not None:
+            words = self.said.of(body, after)
+            if words.size is None or _has_letters(words.size):
+                return words.size or words.vector
+            return lay.Phrase((words.size, Words("m s⁻¹")))
         if still(floats(self.motion.story.velocity(body, after))):
             return None
         try:
@@ -144,6 +174,11 @@ class _Values:
 
         A letter that has this value, or the value itself where it is the same for all letters.
         """
+        if self.said is not None:
+            normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
+            angles = self.said.of(body, stop.number - 1).angles if before else []
+            given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
+            return given[0].label if given and stop.kind == "wall" else None
         told = [
             self.motion.story,
             self.branch.numbers,
@@ -189,6 +224,10 @@ def _letter(story: Story, name: str, now: int) -> float | None:
         return None
 
 
+def _has_letters(laid: Layout) -> bool:
+    return any(character.isalpha() for character in to_text(laid))
+
+
 def _degrees(radians: float) -> Layout:
     size = math.degrees(radians)
     near = round(2 * size) / 2
@@ -213,6 +252,30 @@ class _Drawing:
     shapes: list[Shape] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
     named: set[str] = field(default_factory=set)
+
+    @property
+    def question(self) -> bool:
+        """Whether only what the question says is to be seen."""
+        return self.values.said is not None
+
+    def everything(self) -> None:
+        """Draws all of it, in an order in which the later can make room for the earlier."""
+        self.walls()
+        self.paths()
+        self.bodies()
+        self.angles()
+        self.numbers()
+        self.points()
+        self.distances()
+        self.axes()
+
+    def scene(self, title: str, description: str, note: Layout | None) -> Scene:
+        """What has been drawn, in the middle of a picture of the natural width or more."""
+        left, bottom, right, top = self.box()
+        middle = (left + right) / 2
+        half = max((right - left) / 2, WIDTH / 2)
+        box = middle - half, bottom, middle + half, top
+        return Scene(title, description, box, tuple(self.shapes), tuple(self.labels), note=note)
 
     # --- walls ----------------------------------------------------------------------------
 
@@ -335,7 +398,7 @@ class _Drawing:
                 continue
             self.shapes.append(Disc(name, at, radius) if radius >= _DISC else Dot(name, at, 1.0))
             self.labels.append(Label(_name(name), at, _sides(away), gap=max(radius, 1.0) + 0.6))
-        for stop in self.plan.stops:
+        for stop in () if self.question else self.plan.stops:
             if stop.kind == "spheres":
                 self._meeting(stop)
             elif radius >= _DISC and stop.kind in ("wall", "circle"):
@@ -455,7 +518,7 @@ class _Drawing:
     # --- numbers and points ---------------------------------------------------------------
 
     def numbers(self) -> None:
-        for stop in self.plan.stops:
+        for stop in () if self.question else self.plan.stops:
             beyond = stop.normal if stop.normal is not None else Vector(0.0, 1.0)
             gap = 2.8
             if stop.kind == "spheres":
@@ -485,7 +548,7 @@ class _Drawing:
                 self.labels.append(Label(_name(name), at, gap=1.4))
 
     def distances(self) -> None:
-        for each in distances(self.plan, self.values.branch):
+        for each in distances(self.plan, *self._exact()):
             for start, end in each.leads:
                 self.shapes.append(Line("leader", start, end))
             self.shapes.append(Arrow("measure", each.start, each.end, both=True))
@@ -496,6 +559,12 @@ class _Drawing:
                 across = -across
             sides = (*_sides(across)[:3], *_sides(-across)[:3])
             self.labels.append(Label(each.label, middle, sides, gap=0.8, size=2.7, moves=spots))
+
+    def _exact(self) -> tuple[Story, Branch]:
+        """The story in letters: with what is sought as letters still, in a question."""
+        values = self.values
+        still_open = values.part.open_story if self.question else None
+        return still_open or values.branch.story, values.branch
 
     def axes(self) -> None:
         if not _speaks_of_axes(self.values.solution):

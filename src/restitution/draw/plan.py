@@ -93,6 +93,7 @@ class Plan:
     radius: float
     scale: float | None
     side_by_side: bool = False
+    in_line: bool = False  # everything moves along one line
 
 
 # --- vectors in floats ----------------------------------------------------------------------------

@@ -487,6 +487,8 @@ def _inside_circle(out: Vector, way: Vector, radius: float) -> float | None:
 
 def _in_lanes(plan: Plan) -> Plan:
     """Draws pieces that lie upon one another side by side."""
+    ways = [leg.direction for leg in plan.legs]
+    plan = replace(plan, in_line=all(abs(ways[0].cross(way)) < 1e-6 for way in ways))
     lanes: dict[int, int] = {}
     group: dict[int, int] = {}
     legs = plan.legs
