@@ -15,7 +15,8 @@ from strategies import Tale
 from test_properties import Told, can_happen, examples
 
 import restitution as r
-from restitution.draw import draw, figure, scenes
+from restitution.draw import draw, figure
+from restitution.draw import scenes as pictures
 from restitution.draw.before_after import TINY
 from restitution.draw.ink import ink
 from restitution.draw.labels import place
@@ -37,6 +38,11 @@ from restitution.render.text import to_text
 from restitution.solve import Solution
 
 NEAR = 1e-6
+
+
+def scenes(solution: Solution, part: str | None = None) -> list[Scene]:
+    """The pictures of impacts; the plans of paths have tests of their own."""
+    return [scene for scene in pictures(solution, part) if scene.event is not None]
 
 
 # --- reading a scene back -------------------------------------------------------------------------

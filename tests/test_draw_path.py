@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from restitution.draw import figure, scenes
+from restitution.draw.ink import ink, overlap, touched
+from restitution.draw.labels import place
 from restitution.draw.path import path_scene
 from restitution.draw.plan import Leg, Plan, Stop, Straight
 from restitution.draw.planning import lay_out
@@ -308,3 +311,57 @@ def test_an_impact_of_two_spheres_alone_has_no_plan() -> None:
     )
     part = solution.parts[None]
     assert path_scene(solution, part, part.branches[0]) is None
+
+
+def texts(scene: Scene) -> set[str]:
+    return {to_text(label.content) for label in scene.labels}
+
+
+def test_a_plan_comes_before_the_pictures_of_its_impacts() -> None:
+    made = scenes(solve(parse(CORNER)))
+    assert [scene.event for scene in made] == [None, 1, 2]
+    assert made[0].title == "Path of P"
+
+
+def test_one_impact_without_places_needs_no_plan_beside_its_picture() -> None:
+    question = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind velocity(P)"
+    assert [scene.event for scene in scenes(solve(parse(question)))] == [1]
+
+
+def test_the_figure_of_a_question_is_a_plan_without_its_answers() -> None:
+    scene = figure(solve(parse(CORNER)))
+    assert scene is not None
+    assert texts(scene) == {"A", "B", "C", "P", "u", "60°"}
+    assert "√" not in scene.description and scene.note is None
+    assert len([s for s in scene.shapes if isinstance(s, Arrow) and s.role == "path"]) == 1
+
+
+def test_a_length_that_is_sought_is_a_letter_in_the_figure() -> None:
+    question = """
+point N: (7, 2)
+wall W: along i, through (0, 0)
+sphere P: at (0, h), velocity u at 45° to W
+P hits W: e = 1/2
+P reaches N
+find h
+"""
+    solution = solve(parse(question))
+    scene = figure(solution)
+    assert scene is not None
+    assert texts(scene) == {"P", "N", "W", "u", "45°", "h", "2 m", "7 m"}
+    # By hand: h + 2 × 2 = 7.
+    assert "3 m" in texts(scenes(solution)[0])
+
+
+@every
+def test_labels_stand_free(path: Path) -> None:
+    for _, _, scene in drawn(path):
+        placed = place(scene)
+        pieces = [piece for shape in scene.shapes for piece in ink(shape)]
+        for one, other in itertools.combinations(placed.labels, 2):
+            assert not overlap(one.box, other.box)
+        for each in placed.labels:
+            assert each.label.fixed or not touched(each.box, pieces, 0.0)
+            assert placed.box[0] <= each.box[0] and each.box[2] <= placed.box[2]
+            assert placed.box[1] <= each.box[1] and each.box[3] <= placed.box[3]
+        assert placed.box[2] - placed.box[0] < 100

@@ -49,7 +49,9 @@ def draw(solution: Solution, part: str | None = None) -> Drawings:
 
 
 def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
-    """For each impact, and each blow from outside, a picture of before and after.
+    """A plan of the paths, and for each impact and blow from outside one of before and after.
+
+    A plan is drawn of a story with places, or of several events with a wall; its ``event`` is None.
 
     An event is drawn by the values of the first part that is solved with it; with ``part``, all
     events up to that part by its values. Raises KeyError for a part that is not there, and what
@@ -59,12 +61,25 @@ def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
 
 
 def figure(solution: Solution) -> Scene | None:
-    """What the question tells: the first event as it is before, and nothing of its answers.
+    """What the question tells, and nothing of its answers.
 
-    None where nothing can be drawn.
+    A plan of walls and places for a story of several events or with places; else the first event
+    as it is before. None where nothing can be drawn.
     """
+    from restitution.draw.path import path_figure
+
     solved = [each for each in solution.parts.values() if each.branches]
+    if solved and _says_more(solution, solved[-1]):
+        plan = path_figure(solution, solved[-1], solved[-1].branches[0])
+        if plan is not None:
+            return plan
     return next(_pictures(solution, solved, ("before",)), None)
+
+
+def _says_more(solution: Solution, part: PartSolution) -> bool:
+    """Whether a plan says more than the picture of one impact does."""
+    placed = any(sphere.position is not None for sphere in solution.problem.spheres)
+    return placed or len(part.branches[0].numbers.happenings) > 1
 
 
 def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
@@ -83,8 +98,9 @@ def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
 def _pictures(
     solution: Solution, parts: Iterable[PartSolution], panels: Sequence[When]
 ) -> Iterator[Scene]:
-    """A picture of each event, by the values of the first part that has it."""
+    """The plan and a picture of each event, by the values of the first part that has it."""
     from restitution.draw.before_after import before_and_after
+    from restitution.draw.path import path_scene
     from restitution.draw.said import sayings
     from restitution.draw.values import motion
     from restitution.problem import Impact, Kick
@@ -96,6 +112,10 @@ def _pictures(
             continue
         told = motion(solution, part, branch)
         said = sayings(told)
+        if "after" in panels and _says_more(solution, part):
+            plan = path_scene(solution, part, branch, told)
+            if plan is not None:
+                yield replace(plan, part=part.part.label)
         for happening in told.story.happenings[drawn:]:
             if isinstance(happening.step, Impact | Kick):
                 scene = before_and_after(told, said, happening.number, panels)

@@ -50,6 +50,8 @@ _SHORT = 9
 # Velocities of more operations than this have no short size.
 _LONG = 30
 _SAME = 1e-9
+# On a longer way, only the first and the last speeds are shown; and none beside short pieces.
+_MANY, _NARROW = 5, 9.0
 _ARC = 6.0
 _MARGIN = 5.0
 # The radius of a disc that has room for its letter.
@@ -366,8 +368,13 @@ class _Drawing:
         return start + leg.direction * _half_chord(self.plan.radius, out)
 
     def _speed(self, leg: Leg, start: Vector, end: Vector) -> None:
+        crowded = leg.kind != "exit" and (
+            len(self.plan.legs) > _MANY or length(leg.end - leg.start) < _NARROW
+        )
+        if leg.after and (crowded or _unchanged(self.plan, leg)):
+            return
         laid = self.values.speed(leg.body, leg.after)
-        if laid is None or (leg.after and _unchanged(self.plan, leg)):
+        if laid is None:
             return
         across = leg.direction.turned_left()
         onward = next(
