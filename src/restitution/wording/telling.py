@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
+from itertools import islice
 from typing import Any
 
 from restitution.errors import StatementError
@@ -332,18 +333,34 @@ def _found(scene: Scene, find: Find) -> Words:
 
 
 def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
-    """The facts about letters told in the openings of the parts."""
-    openings = [each.opening for each in drafts]
-    sentences, left = facts.told([one for each in openings for one in each], facts.facts_of(scene))
-    out: list[_Draft] = []
-    for draft in drafts:
-        count = len(draft.opening)
-        out.append(replace(draft, opening=tuple(sentences[:count])))
-        sentences = sentences[count:]
+    """The facts about letters told in the sentences of all parts."""
+    paragraphs = [
+        each
+        for draft in drafts
+        for each in (Paragraph(draft.opening), *draft.rest)
+        if isinstance(each, Paragraph)
+    ]
+    told_each, left = facts.told(
+        [one for each in paragraphs for one in each.sentences], facts.facts_of(scene)
+    )
+    sentences = iter(told_each)
+    out = [_retold(draft, sentences) for draft in drafts]
     if left:
         extra = sentence("it is given that ", listed([fact.said for fact in left]))
         out[0] = replace(out[0], opening=(*out[0].opening, extra))
     return out
+
+
+def _retold(draft: _Draft, sentences: Iterator[Sentence]) -> _Draft:
+    """A part with its sentences taken from others, one by one."""
+    opening = tuple(islice(sentences, len(draft.opening)))
+    rest = tuple(
+        Paragraph(tuple(islice(sentences, len(each.sentences))))
+        if isinstance(each, Paragraph)
+        else each
+        for each in draft.rest
+    )
+    return replace(draft, opening=opening, rest=rest)
 
 
 def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
