@@ -79,7 +79,7 @@ def _percentage(found: Noun) -> Noun:
             words("the percentage of ", first.removeprefix("the fraction of "), found.head[1:]),
             found.when,
         )
-    return Noun(words(found.words(), ", as a percentage"))
+    return Noun(words(found.words(), " (as a percentage)"))
 
 
 def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:

@@ -248,11 +248,11 @@ def _sense(scene: Scene, name: str) -> Words:
 def _side(scene: Scene, sphere: Sphere) -> Words:
     """Inside or outside a circular wall, where it is known."""
     sides = [
-        words(f", {side} ", Named(wall.name))
+        words(f"{side} ", Named(wall.name))
         for wall in scene.problem.walls
         if (side := _which_side(scene.problem, sphere, wall))
     ]
-    return words(*sides, "," if sides else "")
+    return words(", ", listed(sides), ",") if sides else ()
 
 
 def _which_side(problem: Problem, sphere: Sphere, wall: Wall) -> str:

@@ -326,7 +326,7 @@ def _found(scene: Scene, find: Find) -> Words:
     if len(items) == 1:
         comma = "," if len(items[0]) > 1 else ""
         return words("find ", items[0], comma, " ", terms)
-    return words("find, ", terms, ", ", listed(items))
+    return words("find ", listed(items), ", each ", terms)
 
 
 # --- facts and axes -------------------------------------------------------------------------------
