@@ -22,6 +22,7 @@ from restitution.errors import StatementError
 from restitution.language import parse
 from restitution.problem import trees
 from restitution.render import layout as lay
+from restitution.render.text import to_text as one_line
 from restitution.wording import (
     Block,
     Listing,
@@ -87,7 +88,7 @@ def leaves(value: object, kind: type) -> list:
 def test_every_number_of_the_statement_is_told(path):
     asked = worded(path)
     said = {Fraction(each.digits) for each in leaves(asked, lay.Number)}
-    text = to_text(asked)
+    text = to_text(asked, 10_000)
     said |= {Fraction(each) / 100 for each in re.findall(r"(\d+)%", text)}
     said |= {Fraction(2)} if "twice" in text else set()
     said |= {Fraction(1), Fraction(2)} if "half of" in text else set()
@@ -162,7 +163,7 @@ def test_every_event_and_every_item_is_told(path):
         each.count("maximum of") + each.count("minimum of") for each in lines
     )
     assert text.count("in terms of") == sum(" in terms of " in each for each in lines)
-    assert len(re.findall("percentage", text)) == sum("as a percentage" in each for each in lines)
+    assert text.count("percentage") == sum(each.count("as a percentage") for each in lines)
     rests = sum(each.startswith("sphere") and "at rest" in each for each in lines)
     assert text.count("at rest") >= (1 if rests else 0)
     for word in ("perpendicular", "parallel"):
@@ -235,7 +236,7 @@ def check_english(said: tuple) -> None:
     assert text.count("(") == text.count(")"), text
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(problems())
 def test_whatever_the_language_can_say_has_words(problem):
     asked = question(problem)
@@ -303,8 +304,13 @@ def test_text_of_a_user_is_never_markup():
 @pytest.mark.parametrize("columns", [40, 80])
 def test_lines_keep_to_the_width(columns):
     for path in FILES[::7]:
-        for line in to_text(worded(path), columns).splitlines():
-            assert len(line) <= columns or " " not in line.strip() or "𝐣" in line
+        asked = worded(path)
+        pieces = [piece for each in sentences(asked) for piece in each]
+        formulas = [one_line(each) for each in pieces if not isinstance(each, str | Named)]
+        for line in to_text(asked, columns).splitlines():
+            # A long formula is not broken; nothing but its number and full stop stands beside it.
+            whole = max((len(each) for each in formulas if each in line), default=0)
+            assert len(line) <= columns or len(line) - whole < 14, line
 
 
 def test_marks_are_printed():

@@ -941,9 +941,9 @@ def from_tree(node: trees.Expression) -> Layout:
     """The layout of an expression as it was written in a statement."""
     match node:
         case trees.Number(value):
-            return _plain_number(value)
+            return _typed_number(value)
         case trees.Degrees(value):
-            return Degrees(_plain_number(value))
+            return Degrees(_typed_number(value))
         case trees.Pi():
             return Letter("pi")
         case trees.Letter(name):
@@ -965,6 +965,16 @@ def from_tree(node: trees.Expression) -> Layout:
             return _from_binary(node)
         case trees.Quantity():
             return _from_quantity(node)
+
+
+def _typed_number(value: Ratio) -> Layout:
+    """A number with all the decimals with which it was typed; one without end as a fraction."""
+    for places in range(4, 13):
+        scaled = value * 10**places
+        if scaled.denominator == 1 and 1000 % value.denominator:
+            digits = f"{scaled.numerator:0{places + 1}}"
+            return Number(f"{digits[:-places]}.{digits[-places:]}".rstrip("0"))
+    return _plain_number(value)
 
 
 def _from_apply(name: str, argument: Layout) -> Layout:

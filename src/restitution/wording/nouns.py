@@ -191,7 +191,7 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
         return None
     change = "increase" if stages == [1, 0] else "decrease"
     the_rest = noun(scene, left).head
-    return Noun(words(f"the {change} in ", the_rest), words("in ", event_name(scene, 1)))
+    return Noun(words(f"the {change} in ", the_rest), during(scene, 1))
 
 
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
@@ -222,7 +222,8 @@ def lost_where(scene: Scene, lost: Quantity) -> Words:
     """Where energy is lost, with a blank in front."""
     if lost.kind == "total_energy_lost":
         return (" altogether",) if len(scene.events) > 1 else ()
-    return words(" in ", event_name(scene, _event(scene, lost))) if scene.events else ()
+    where = during(scene, _event(scene, lost))
+    return words(" ", where) if where else ()
 
 
 # --- quantities -----------------------------------------------------------------------------------
@@ -319,9 +320,17 @@ def _deflection(scene: Scene, tree: Quantity) -> Noun:
 
 def _in_event(scene: Scene, number: int) -> Words:
     """``in the impact``; nothing where the statement has only one event."""
-    if len(scene.events) <= 1 or number == 0:
+    if len(scene.events) <= 1:
         return ()
-    return words("in ", event_name(scene, number))
+    return during(scene, number)
+
+
+def during(scene: Scene, number: int) -> Words:
+    """``in the impact``, ``due to the impulse``."""
+    if number == 0:
+        return ()
+    due = isinstance(scene.events[number - 1], Kick)
+    return words("due to " if due else "in ", event_name(scene, number))
 
 
 def _impulse(scene: Scene, tree: Quantity) -> Noun:
@@ -333,7 +342,7 @@ def _impulse(scene: Scene, tree: Quantity) -> Noun:
         alone = sum(isinstance(each, Kick) for each in scene.events) == 1
         on = (" on ", Named(event.body)) if alone else ()
         return Noun(words(size, event_name(scene, number), on))
-    where = words("in ", event_name(scene, number)) if number else ()
+    where = during(scene, number)
     if body is not None:
         return Noun(words("the impulse on ", Named(body)), where)
     return Noun(("the magnitude of the impulse",), where)
@@ -352,9 +361,7 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
 
 def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
     number = _event(scene, tree)
-    return Noun(
-        ("the kinetic energy lost",), words("in ", event_name(scene, number)) if number else ()
-    )
+    return Noun(("the kinetic energy lost",), during(scene, number))
 
 
 def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
@@ -452,7 +459,7 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
         if wall is not None and wall.along is not None:
             axis = wall.along
         elif wall is not None and wall.start is not None:
-            ends = (values.point(wall.start), " to ", values.point(wall.end))
+            ends = (values.spot(wall.start), " to ", values.spot(wall.end))
             return Noun(words(turn, Named(wall.name), ", taken from ", *ends, ","))
         else:
             return Noun(words(turn, Named(axis.name)))

@@ -134,7 +134,7 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
             told = words(" has its centre at ", values.point(wall.centre), " and radius ")
             yield sentence(kind, Named(wall.name), told, values.length(scene.style, wall.radius))
         elif wall.start is not None:
-            ends = words(" runs from ", values.point(wall.start), " to ", values.point(wall.end))
+            ends = words(" runs from ", values.spot(wall.start), " to ", values.spot(wall.end))
             yield sentence(kind, Named(wall.name), ends)
         elif (wall.along is not None and scene.oriented) or wall.through is not None:
             yield sentence(kind, Named(wall.name), " ", _is(scene, wall))
@@ -240,7 +240,7 @@ def _sense(scene: Scene, name: str) -> Words:
     if wall.along is not None:
         return words(", measured clockwise from ", values.direction_of(scene.style, wall.along))
     if wall.start is not None:
-        ends = words(values.point(wall.start), " to ", values.point(wall.end))
+        ends = words(values.spot(wall.start), " to ", values.spot(wall.end))
         return words(", measured clockwise from the direction from ", ends)
     return ()
 

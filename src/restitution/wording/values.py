@@ -80,6 +80,12 @@ def point(tree: Expression) -> Words:
     return words("the point with position vector ", laid(tree))
 
 
+def spot(tree: Expression) -> Words:
+    """A point by its name or coordinates alone: ``(0, 0)``."""
+    said = point(tree)
+    return said[1:] if isinstance(tree, Pair) else said
+
+
 def length(style: Style, tree: Expression) -> Words:
     """A length with its unit."""
     return value(style, tree, LENGTH)
