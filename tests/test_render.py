@@ -276,6 +276,7 @@ WRITTEN = [
     (t.Binary("*", t.Binary("/", t.Apply("sqrt", number(7)), number(4)), t.Letter("u")), "(√7/4)u"),
     (t.Binary("*", number(2), number(3)), "2 × 3"),
     (number("0.6"), "0.6"),
+    (number("0.0471"), "0.0471"),
     (t.Binary("^", t.Apply("sin", t.Letter("alpha")), number(2)), "sin²α"),
     (
         t.Binary("-", t.Letter("u"), t.Binary("-", t.Letter("v"), t.Letter("w"))),
