@@ -140,13 +140,15 @@ class Setting:
     """One part as one of its items sees it: what is data, what is unknown, what is in force.
 
     ``protected`` letters are data; ``spared`` ones too, unless nothing else is left that the facts
-    could fix. ``shows`` are the claims that tell which letter a fact is taken to fix.
+    could fix; so are those that answers are to be written in, but not the ``fixed`` ones, over
+    which a range or an extremum runs. ``shows`` are the claims that tell which letter a fact is taken to fix.
     """
 
     problem: Problem
     part: Part
     protected: frozenset[str]
     spared: frozenset[str]
+    fixed: frozenset[str]
     extra_unknown: frozenset[str]
     roles: dict[str, Role]
     lets: dict[str, tuple[Let, int]]
@@ -343,6 +345,7 @@ def settle(
         part,
         protected,
         frozenset() if item is not None else spared - protected - asked - extra,
+        fixed,
         extra - fixed,
         known,
         lets,
@@ -794,7 +797,7 @@ def _to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -
     candidates = candidates - setting.spared or candidates
     if not candidates:
         # Facts may fix a letter that answers were to be in terms of: then they need not be.
-        candidates = [name for name in present if name not in chosen | setting.data]
+        candidates = present - chosen - setting.fixed
     if not candidates:
         return None
     left_out = any(
