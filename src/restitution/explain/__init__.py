@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from restitution.explain.html import to_html
+from restitution.explain.illustrate import illustrated
 from restitution.explain.markup import to_latex, to_markdown
 from restitution.explain.route import explain
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step
@@ -14,6 +15,7 @@ __all__ = [
     "Row",
     "Step",
     "explain",
+    "illustrated",
     "to_html",
     "to_latex",
     "to_markdown",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
+from restitution.draw.svg import to_svg
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.layout import Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Said
@@ -36,6 +37,8 @@ STYLE = """
   text-align: right; white-space: nowrap; }
 .restitution td.m { width: 6rem; padding: 0 0 0 .6rem; }
 .restitution .mark { float: right; padding: .4rem 0 0 .6rem; }
+.restitution figure { margin: .8rem 0; text-align: center; break-inside: avoid; }
+.restitution figure svg { width: 30rem; max-width: 100%; height: auto; }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
   font-size: 1.05em; }
@@ -102,6 +105,8 @@ def _part(part: PartExplanation) -> list[str]:
 
 def _step(step: Step) -> list[str]:
     said = _said(step.words)
+    if step.picture is not None:
+        return [f"<figure>{to_svg(step.picture)}</figure>"]
     if step.kind == "heading":
         return [f"<h3>{said}</h3>"]
     if step.principle:

@@ -7,8 +7,10 @@ never comes through as markup.
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 from unicodedata import decomposition
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
@@ -17,6 +19,9 @@ from restitution.render.layout import Layout, Sum
 from restitution.render.markdown import escape as _markdown
 from restitution.render.text import GREEK, width
 from restitution.render.text import to_text as one_line
+
+if TYPE_CHECKING:
+    from restitution.draw.scene import Scene
 
 _SIGNS = {"=": "=", "<": "<", ">": ">", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx"}
 _LATEX = {
@@ -82,6 +87,8 @@ def to_markdown(explanation: Explanation) -> str:
 
 
 def _markdown_step(step: Step) -> list[str]:
+    if step.picture is not None:
+        return [_image(step.picture)]
     said = _inline(step.words, _markdown)
     if step.kind == "heading":
         return [f"**{said}**" if not _has_math(step.words) else said]
@@ -94,6 +101,14 @@ def _markdown_step(step: Step) -> list[str]:
     if step.rows:
         blocks.append(f"$$\n{aligned(step.rows)}\n$$")
     return blocks
+
+
+def _image(scene: Scene) -> str:
+    """A picture in the text itself, so that the file needs no other beside it."""
+    from restitution.draw.svg import to_svg
+
+    data = b64encode(to_svg(scene).encode()).decode()
+    return f"![{_markdown(scene.title)}](data:image/svg+xml;base64,{data})"
 
 
 def _has_math(words: Words) -> bool:
@@ -118,6 +133,8 @@ def to_latex(explanation: Explanation, document: bool = True) -> str:
 def _latex_part(part: PartExplanation) -> list[str]:
     blocks = [rf"\textbf{{({_text(part.label)})}}"] if part.label else []
     for step in part.steps:
+        if step.picture is not None:
+            continue  # TeX takes no SVG
         said = _inline(step.words, _text)
         if step.kind == "heading":
             blocks.append(rf"\textbf{{{said}}}")

@@ -67,7 +67,7 @@ def explain(solution: Solution, part: str | None = None) -> Explanation:
         if part is None or label == part:
             told.append(made)
             warnings += [f"a line of the working was left out: {line}" for line in dropped]
-    return Explanation(solution.problem.title, tuple(told), tuple(warnings))
+    return Explanation(solution.problem.title, tuple(told), tuple(warnings), solution)
 
 
 def _part(

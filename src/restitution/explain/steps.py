@@ -8,11 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.render.layout import Layout, as_layout, vector
 
-StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading"]
+if TYPE_CHECKING:
+    from restitution.draw.scene import Scene
+    from restitution.solve.solution import Solution
+
+StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
 
 Words = tuple[str | Layout, ...]
 
@@ -44,7 +48,8 @@ class Step:
 
     ``principle`` names the law used, ``words`` is a sentence before the equations, and
     ``values`` what is known after the step and was not before, by letter. ``uses`` are values put
-    in that had to be found first, by letter; ``item`` counts the items of the part from 0.
+    in that had to be found first, by letter; ``item`` counts the items of the part from 0. The
+    ``event`` is that of a heading or of a picture.
     """
 
     kind: StepKind
@@ -55,6 +60,8 @@ class Step:
     values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
     uses: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     item: int | None = field(default=None, compare=False, repr=False)
+    event: int | None = field(default=None, compare=False, repr=False)
+    picture: Scene | None = None
 
     @property
     def marks(self) -> int:
@@ -91,11 +98,15 @@ class PartExplanation:
 
 @dataclass(frozen=True)
 class Explanation:
-    """A whole worked solution. It shows itself in a terminal and in Jupyter."""
+    """A whole worked solution, and what it explains. It shows itself in a terminal and in Jupyter.
+
+    Pictures are not among its steps until ``illustrated`` puts them there.
+    """
 
     title: str | None
     parts: tuple[PartExplanation, ...]
     warnings: tuple[str, ...] = ()
+    solution: Solution | None = field(default=None, compare=False, repr=False)
 
     @property
     def marks(self) -> int:
@@ -115,13 +126,15 @@ class Explanation:
 
     def _repr_html_(self) -> str:
         from restitution.explain.html import to_fragment
+        from restitution.explain.illustrate import illustrated
 
-        return to_fragment(self)
+        return to_fragment(illustrated(self))
 
     def _repr_markdown_(self) -> str:
+        from restitution.explain.illustrate import illustrated
         from restitution.explain.markup import to_markdown
 
-        return to_markdown(self)
+        return to_markdown(illustrated(self))
 
     def _repr_latex_(self) -> str:
         from restitution.explain.markup import to_latex

@@ -85,6 +85,8 @@ def _part(part: PartExplanation, width: int) -> list[_Line]:
 
 def _step(step: Step, width: int) -> list[_Line]:
     lines: list[_Line] = []
+    if step.picture is not None:
+        return []
     if step.kind == "heading":
         return [_Line(), *_strong(wrapped(said(step.words), width))]
     intro = said(step.words)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from restitution.draw.svg import to_svg
 from restitution.explain.html import lines
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.render.layout import Layout
@@ -11,6 +12,8 @@ from restitution.render.typst import literal, to_typst, words
 #: What the markup below calls; it stands once at the head of a document.
 PREAMBLE = """
 #let working-mark(mark) = text(size: 0.85em, weight: "bold", mark)
+#let working-picture(svg) = align(center, block(above: 1em, below: 1em,
+  image(bytes(svg), format: "svg")))
 #let working-line(body, mark) = block(above: 0.7em, below: 0.7em, grid(
   columns: (1fr, 3.6em), column-gutter: 0.6em, body, align(right + bottom, working-mark(mark))))
 // Each row is one line of text, so that all of it stands on one baseline; the left sides are as
@@ -51,6 +54,8 @@ def _part(part: PartExplanation) -> list[str]:
 
 def _step(step: Step) -> list[str]:
     said = _said(step.words)
+    if step.picture is not None:
+        return [f"#working-picture({literal(to_svg(step.picture))})"]
     if step.kind == "heading":
         return [f"#block(above: 1.1em, sticky: true)[#strong[{said}]]"]
     if step.principle:

@@ -136,6 +136,7 @@ class Working:
         mark: str = "",
         values: Mapping[str, Any] | None = None,
         uses: Mapping[str, Origin] | None = None,
+        event: int | None = None,
     ) -> None:
         """Adds a step; lines that the values contradict are left out and noted."""
         checked = []
@@ -157,6 +158,7 @@ class Working:
             dict(values or {}),
             dict(uses or {}),
             self.item,
+            event,
         )
         if step in self.steps:
             return
@@ -823,7 +825,8 @@ class Working:
         order = 1 + impacts.index(happening) if happening in impacts else number
         name = f"{ORDINALS[order]} impact" if order < len(ORDINALS) else f"impact {order}"
         first, second = happening.bodies
-        self.write("heading", words=(f"{name[0].upper()}{name[1:]}: {first} hits {second}",))
+        words = (f"{name[0].upper()}{name[1:]}: {first} hits {second}",)
+        self.write("heading", words=words, event=number)
 
     def _named_before(self, number: int) -> None:
         """Letters for velocities before that are not given."""

@@ -172,15 +172,15 @@ def _written(
 
 
 def _working(solution: Solution, task: Writing) -> str:
-    from restitution.explain import explain, to_html, to_latex, to_markdown, to_text
+    from restitution.explain import explain, illustrated, to_html, to_latex, to_markdown, to_text
 
     explanation = explain(solution, task.part)
     match task.form:
         case "markdown":
-            return to_markdown(explanation)
+            return to_markdown(illustrated(explanation))
         case "latex":
             return to_latex(explanation)
         case "html":
-            return to_html(explanation)
+            return to_html(illustrated(explanation))
         case _:
             return to_text(explanation, task.width, task.styled)

@@ -53,13 +53,15 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
 
     Raises RestitutionError where the problem cannot be worded or explained.
     """
-    from restitution.explain import explain
+    from restitution.explain import explain, illustrated
     from restitution.wording import question
 
     explanation = explain(solution)
     marks = {part.label: part.marks for part in explanation.parts if part.marks}
     asked = replace(question(solution.problem, marks=marks), title=None)
     explained = replace(explanation, title=None)
+    if options.diagrams and options.solutions:
+        explained = illustrated(explained)
     figure = _figure(solution) if options.diagrams else None
     if form == "pdf":
         from restitution.explain import typst

@@ -1,0 +1,57 @@
+"""Pictures put into a worked solution: each impact's beside its working, the plan at the top."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from restitution.errors import RestitutionError
+from restitution.explain.steps import Explanation, PartExplanation, Step
+from restitution.solve.solver import UNFORESEEN
+
+if TYPE_CHECKING:
+    from restitution.draw.scene import Scene
+
+
+def illustrated(explanation: Explanation) -> Explanation:
+    """The same with its pictures as steps of their own.
+
+    What cannot be drawn is left out; where that is a defect of this package, a warning says so.
+    """
+    from restitution.draw import scenes
+
+    if explanation.solution is None:
+        return explanation
+    try:
+        drawn = scenes(explanation.solution)
+    except RestitutionError:
+        return explanation  # unsolved: the working says why
+    except (*UNFORESEEN, AssertionError) as error:
+        said = f"the pictures could not be drawn ({type(error).__name__})"
+        return replace(explanation, warnings=(*explanation.warnings, said))
+    parts = tuple(
+        _illustrated(part, [scene for scene in drawn if scene.part == part.label])
+        for part in explanation.parts
+    )
+    return replace(explanation, parts=parts)
+
+
+def _illustrated(part: PartExplanation, scenes: Sequence[Scene]) -> PartExplanation:
+    """Pictures behind the headings of their impacts, all others at the top."""
+    headed = {step.event for step in part.steps if step.kind == "heading"}
+    top = [scene for scene in scenes if scene.event is None or scene.event not in headed]
+    own = {scene.event: scene for scene in scenes if scene not in top}
+
+    def steps() -> Iterator[Step]:
+        yield from map(_step, top)
+        for step in part.steps:
+            yield step
+            if step.kind == "heading" and step.event in own:
+                yield _step(own.pop(step.event))
+
+    return replace(part, steps=tuple(steps()))
+
+
+def _step(scene: Scene) -> Step:
+    return Step("picture", picture=scene, event=scene.event)
