@@ -388,6 +388,20 @@ def test_what_is_given_after_the_impact_is_labelled_by_its_value() -> None:
     assert not after.of(Arrow, "sense")
 
 
+def test_given_components_are_labelled_by_their_letters() -> None:
+    question = """
+    sphere A: mass 2
+    sphere B: mass 1, velocity -2i + q j
+    A hits B: along i, e = 1/2
+    given velocity(A, 0) = p i + 3j, velocity(A) = 2i + 3j, speed(B) = 10
+    find p, q
+    """
+    (scene,) = scenes(solved(question))
+    before, after = shown(scene)
+    assert {"2", "3", "p", "q"} <= set(before.labels())
+    assert {"2", "3", "q", "10"} <= set(after.labels())
+
+
 def test_one_of_several_solutions_is_named() -> None:
     question = """
     sphere A: mass m, velocity u at 45°

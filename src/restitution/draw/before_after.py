@@ -33,6 +33,7 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.draw.values import Motion, When, axes, drawn_for
+from restitution.exact import tidy
 from restitution.expression.tree import Expression, Letter, Number, Pair, Unit, walk
 from restitution.problem import Find, Impact, Kick, trees_of_step
 from restitution.render import layout as lay
@@ -283,25 +284,32 @@ def _names(view: _View, body: _Body, drawing: _Drawing) -> None:
     """The name of a sphere and its mass, within its circle if they are short."""
     letter = lay.Letter(body.name) if len(body.name) == 1 else lay.Words(body.name)
     left, _, right, _ = outline(letter).box
-    size = min(3.2, 1.4 * RADIUS / (right - left))
+    size = min(3.2, 1.15 * RADIUS / (right - left))
     name = Label(letter, body.centre, ("centre",), 0.0, size, fixed=True)
     given = view.motion.told.story.spheres[body.name].mass
     if given is not None:
-        mass = Label(
-            lay.as_layout(given), body.centre - _J * 1.6, ("centre",), 0.0, 2.6, fixed=True
-        )
+        laid = lay.as_layout(given)
+        left, _, right, _ = outline(laid).box
+        size = max(2.1, min(2.6, 1.2 * RADIUS / (right - left)))
+        mass = Label(laid, body.centre, ("centre",), 0.0, size, fixed=True)
         if _fits(mass):
-            name = replace(name, at=body.centre + _J * 1.4)
+            name = replace(name, at=body.centre + _J * (0.45 + _height(name) / 2))
+            mass = replace(mass, at=body.centre - _J * (0.4 + _height(mass) / 2))
         else:
-            mass = Label(mass.content, body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
+            mass = Label(laid, body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
         drawing.labels.append(mass)
     drawing.labels.append(name)
+
+
+def _height(label: Label) -> float:
+    _, bottom, _, top = outline(label.content).box
+    return (top - bottom) * label.size
 
 
 def _fits(label: Label) -> bool:
     """Whether a label is small enough to stand in a circle, with another one above or below."""
     left, bottom, right, top = (label.size * x for x in outline(label.content).box)
-    return right - left < 1.45 * RADIUS and top - bottom < 0.65 * RADIUS
+    return right - left < 1.25 * RADIUS and top - bottom < 0.65 * RADIUS
 
 
 # --- velocities -----------------------------------------------------------------------------------
@@ -443,35 +451,44 @@ def _lifted(view: _View, body: _Body, way: Vector, length: float) -> Vector | No
 
 
 def _components(view: _View, body: _Body, when: When) -> tuple[Any, Any]:
-    """The components along and across in the letters of the working; None where it has none."""
+    """The components along and across in the letters of the working; None where it has none.
+
+    A velocity that the statement gives has components as given.
+    """
     told, number, name = view.motion.told, view.number, body.name
-    known = view.words(name, when).known
+    given = _given(view, body, when)
     if view.kind == "blow":
-        if when == "after" and not known:
-            return None, None
-        v = told.happening(number).before[name]
-        if known:
-            v = told.branch.story.velocity(name, number if when == "after" else number - 1)
-        return told.presentable(v.x), told.presentable(v.y)
+        v = told.happening(number).before[name] if given is None else given
+        return (None, None) if given is None and when == "after" else (v.x, v.y)
+    frame = told.frames[number]
     along, across = told.before(number, name)
-    if when == "after":
-        component = told.components[number, name]
-        along = component.value if known else component.symbol
+    if given is not None and (when == "after" or _is_hidden(view, along)):
+        along = tidy(given.dot(frame.n))
+        across = tidy(given.dot(frame.t)) if _is_hidden(view, across) else across
+    elif when == "after":
         step = told.happening(number).step
         assert isinstance(step, Impact)
-        if not known and view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
+        rebound = -told.happening(number).e * along
+        along = told.components[number, name].symbol
+        if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = told.happening(number).e
-            rebound = -e * told.before(number, name)[0]
-            if e.free_symbols and _laid(rebound) is not None:
-                along = rebound
-    elif known:
-        along, across = (_final(view, x) for x in (along, across))
+            along = rebound if e.free_symbols and _laid(rebound) is not None else along
     return along, across
 
 
-def _final(view: _View, x: Any) -> Any:
-    """The value of a hidden letter where the statement gives the velocity itself."""
-    return view.motion.told.final.get(x, x)
+def _given(view: _View, body: _Body, when: When) -> Vector | None:
+    """A velocity in letters, if the statement gives it."""
+    given = view.words(body.name, when).given
+    if given is None:
+        return None
+    tree, now = given
+    v = view.motion.told.story.evaluator(now).vector(tree)
+    return Vector(tidy(v.x), tidy(v.y))
+
+
+def _is_hidden(view: _View, x: Any) -> bool:
+    """Whether this is a letter for what the statement does not name: a component at the start."""
+    return getattr(x, "name", "") in view.motion.told.unknowns.names.values()
 
 
 def _laid(x: Any) -> Layout | None:
@@ -518,7 +535,7 @@ def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: _
 
 def _sense_of_nothing(view: _View, body: _Body, when: When, at: Vector, drawing: _Drawing) -> None:
     """The letter of a component that is found to be zero, with its sense."""
-    if when == "before" or view.kind == "blow" or view.words(body.name, when).known:
+    if when == "before" or view.kind == "blow" or view.words(body.name, when).given is not None:
         return
     part = _components(view, body, when)[0]
     sign, size = lay.split_sign(lay.from_sympy(part))

@@ -64,11 +64,14 @@ class Angle:
 
 @dataclass
 class Words:
-    """What is said of one velocity: its size, itself as a vector, its angles."""
+    """What is said of one velocity: its size, itself as a vector, its angles.
+
+    ``given`` is the expression by which it is known, with the events told before that.
+    """
 
     size: Layout | None = None
     vector: Layout | None = None
-    known: bool = False
+    given: tuple[Expression, int] | None = None
     angles: list[Angle] = field(default_factory=list)
 
 
@@ -173,7 +176,7 @@ class _Reader:
     def velocity(self, key: Key, tree: Expression, now: int) -> None:
         """A velocity given by a tree: by size and direction, or by components."""
         words = self.words(key)
-        words.known = True
+        words.given = tree, now
         if isinstance(tree, Polar):
             words.size = lay.from_tree(tree.size)
             angle = self.polar(tree, now)
