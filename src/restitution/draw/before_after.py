@@ -293,8 +293,8 @@ def _names(view: _View, body: _Body, drawing: _Drawing) -> None:
         size = max(2.1, min(2.6, 1.2 * RADIUS / (right - left)))
         mass = Label(laid, body.centre, ("centre",), 0.0, size, fixed=True)
         if _fits(mass):
-            name = replace(name, at=body.centre + _J * (0.45 + _height(name) / 2))
-            mass = replace(mass, at=body.centre - _J * (0.4 + _height(mass) / 2))
+            name = replace(name, at=body.centre + _J * (0.5 + _height(name) / 2))
+            mass = replace(mass, at=body.centre - _J * (0.5 + _height(mass) / 2))
         else:
             mass = Label(laid, body.centre, _sides(-_J), RADIUS + 0.8, 2.6)
         drawing.labels.append(mass)
