@@ -54,7 +54,8 @@ EDGE = 1.2  # between what is drawn and the frame of its panel
 SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels elsewhere
 _WIDEST = 5.6  # of a label of a component, in em
 # Where an impulse may be drawn: how far off the rim, and how far ahead; the best first.
-_PLACES = ((2.2, 0.0), (4.2, 0.0), (2.2, 4.0), (6.2, 0.0), (4.2, 4.0), (8.5, 0.0), (11.0, 0.0))
+_NEAR_PLACES = ((2.2, 0.0), (4.2, 0.0), (2.2, 4.0), (6.2, 0.0), (4.2, 4.0))
+_FAR_PLACES = ((8.5, 0.0), (11.0, 0.0))
 _LONGEST = 60  # of any label, in signs on one line
 _FAR = 3.0  # enough room beside an arrow
 _ZERO = 1e-9
@@ -687,7 +688,7 @@ def _beside_all(
     """Arrows of impulses beside spheres, all on the side and at the distance with room for them."""
     best: tuple[float, list[tuple[Arrow, Vector]]] = (-1.0, [])
     pieces = list(drawing.ink())
-    for off, ahead in _PLACES:
+    for off, ahead in _NEAR_PLACES if len(sides) > 1 else (*_NEAR_PLACES, *_FAR_PLACES):
         for side in sides:
             arrows = [
                 _impulse(body, way, side * (RADIUS + off) + way * ahead)
