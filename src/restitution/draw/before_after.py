@@ -476,7 +476,21 @@ def _components(view: _View, body: _Body, when: When) -> tuple[Any, Any]:
         if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = told.happening(number).e
             along = rebound if e.free_symbols and _laid(rebound) is not None else along
-    return along, across
+    return _by_now(view, along), _by_now(view, across)
+
+
+def _by_now(view: _View, x: Any) -> Any:
+    """What letters of earlier impacts add up to; one that stands alone is still the clearest."""
+    found = {
+        component.symbol: component.value
+        for (number, _), component in view.motion.told.components.items()
+        if number < view.number
+    }
+    earlier = x.free_symbols & set(found)
+    if not earlier or x in earlier or -x in earlier:
+        return x
+    value = tidy(x.xreplace(found))
+    return x if _laid(value) is None else value
 
 
 def _given(view: _View, body: _Body, when: When) -> Vector | None:

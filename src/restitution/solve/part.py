@@ -141,7 +141,8 @@ class Setting:
 
     ``protected`` letters are data; ``spared`` ones too, unless nothing else is left that the facts
     could fix; so are those that answers are to be written in, but not the ``fixed`` ones, over
-    which a range or an extremum runs. ``shows`` are the claims that tell which letter a fact is taken to fix.
+    which a range or an extremum runs. ``shows`` are the claims that tell which letter a fact is
+    taken to fix.
     """
 
     problem: Problem
