@@ -12,7 +12,7 @@ from restitution import exact
 from restitution.errors import ContradictionError, UnsupportedError
 from restitution.expression.tree import Letter
 from restitution.problem import Extremum
-from restitution.render.layout import display
+from restitution.render.layout import display, equation, from_sympy
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
@@ -64,7 +64,10 @@ def find_extremum(
     place = forms.bound(candidate.where[name])
     shown = to_text(display(value, angle=angle, percentage=item.percentage))
     role = setting.roles[name]
-    where = to_text(display(place, angle=role.kind == "angle", name=role.symbol(name)))
+    if place.is_infinite:
+        where = to_text(equation(role.symbol(name), from_sympy(place)))
+    else:
+        where = to_text(display(place, angle=role.kind == "angle", name=role.symbol(name)))
     shown += f" when {where}" if reached else f" approached as {where.replace('=', '→', 1)}"
     answer = Answer(
         1,
