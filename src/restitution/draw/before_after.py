@@ -526,11 +526,11 @@ def _directed(
     sign, size = lay.split_sign(lay.from_sympy(part))
     sense = axis if sign == "+" else -axis
     if sense.dot(axis * value) >= 0:
-        return _laid(part if sign == "+" else -part)
+        return size if _laid(part) is not None else None
     if isinstance(size, lay.Letter):
         _sense(size, sense, at, outward, drawing)
         return None
-    return _laid(-part if sign == "+" else part)
+    return _laid(tidy(-part) if sign == "+" else part)
 
 
 def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: _Drawing) -> None:
