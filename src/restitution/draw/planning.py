@@ -287,7 +287,7 @@ def _flights(
             if body not in move.bodies:
                 continue
             here = where[body, move.number]
-            if at is not None and not still(move.before[body]):
+            if at is not None and length(here - at) > _CLOSE:
                 legs.append(Leg(body, since, "flight", at, here))
             at, since = here, move.number
     return legs
