@@ -38,10 +38,15 @@ def illustrated(explanation: Explanation) -> Explanation:
 
 
 def _illustrated(part: PartExplanation, scenes: Sequence[Scene]) -> PartExplanation:
-    """Pictures behind the headings of their impacts, all others at the top."""
+    """The plan at the top, pictures behind the headings of their impacts.
+
+    Where no impact has a heading they stand at the top too; where some have, the others are not
+    worked on, and the plan shows them.
+    """
     headed = {step.event for step in part.steps if step.kind == "heading"}
-    top = [scene for scene in scenes if scene.event is None or scene.event not in headed]
-    own = {scene.event: scene for scene in scenes if scene not in top}
+    plan = [scene for scene in scenes if scene.event is None]
+    top = plan if headed & {scene.event for scene in scenes} else list(scenes)
+    own = {scene.event: scene for scene in scenes if scene.event in headed}
 
     def steps() -> Iterator[Step]:
         yield from map(_step, top)

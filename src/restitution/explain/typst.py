@@ -15,7 +15,7 @@ PREAMBLE = """
 #let working-picture(svg) = align(center, block(above: 1em, below: 1em,
   image(bytes(svg), format: "svg")))
 #let working-line(body, mark) = block(above: 0.7em, below: 0.7em, grid(
-  columns: (1fr, 3.6em), column-gutter: 0.6em, body, align(right + bottom, working-mark(mark))))
+  columns: (1fr, 5.6em), column-gutter: 0.6em, body, align(right + bottom, working-mark(mark))))
 // Each row is one line of text, so that all of it stands on one baseline; the left sides are as
 // wide as the widest, unless that is most of the page. The leading is nothing, as a line of text
 // lets tall formulas reach into it.
@@ -29,7 +29,7 @@ PREAMBLE = """
       if beside > room { left } else { box(width: room, align(std.right, left)) }
       [#h(0.3em)#sign#h(0.3em)#right]
     }
-    block(above: 0.65em, below: 0.65em, grid(columns: (1fr, 3.6em), column-gutter: 0.6em,
+    block(above: 0.65em, below: 0.65em, grid(columns: (1fr, 5.6em), column-gutter: 0.6em,
       align: (std.left + horizon, std.right + horizon), body, working-mark(mark)))
   }
 })

@@ -41,11 +41,15 @@ class Options:
 
 @dataclass(frozen=True)
 class Entry:
-    """One question of a sheet as markup of its ``form``; ``working`` is empty where not wanted."""
+    """One question of a sheet as markup of its form; ``working`` is empty where not wanted.
+
+    ``room`` is that for the working of its last part, in centimetres.
+    """
 
     title: str | None
     question: str
     working: str = ""
+    room: float = 0.0
 
 
 def entry(solution: Solution, form: Form, options: Options) -> Entry:
@@ -63,15 +67,16 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     if options.diagrams and options.solutions:
         explained = illustrated(explained)
     figure = _figure(solution) if options.diagrams else None
+    room = _room(asked.parts[-1], options) if asked.parts else 0.0
     if form == "pdf":
         from restitution.explain import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
-        return Entry(solution.problem.title, _typst_question(asked, figure, options), working)
+        return Entry(solution.problem.title, _typst_question(asked, figure, options), working, room)
     from restitution.explain import html
 
     working = html.to_body(explained) if options.solutions else ""
-    return Entry(solution.problem.title, _html_question(asked, figure, options), working)
+    return Entry(solution.problem.title, _html_question(asked, figure, options), working, room)
 
 
 def _figure(solution: Solution) -> str | None:
@@ -90,6 +95,9 @@ def _room(part: QuestionPart, options: Options) -> float:
     return 0.0 if options.solutions else float(part.marks or 0)
 
 
+_LONG = 4000  # characters of markup that a page may not hold
+
+
 # --- typst --------------------------------------------------------------------------------------
 
 _PAGE = """\
@@ -104,6 +112,7 @@ _PAGE = """\
   #body]))
 #let figure-of(svg) = align(center, block(above: 1em, below: 1em,
   image(bytes(svg), format: "svg", width: WIDTH)))
+#let together(body) = block(breakable: false, width: 100%, body)
 #let room(height) = block(height: height, width: 100%, breakable: true)
 """
 
@@ -130,6 +139,8 @@ def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> s
     alone = len(entries) == 1
     for number, each in enumerate(entries, 1):
         blocks.append(_typst_numbered(number, each.title, each.question, alone, title))
+        # What is left of the last page is room enough, whatever it is.
+        blocks.append(f"#room({each.room:g}cm)" if number < len(entries) else "")
     if options.solutions:
         blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Solutions]")
         for number, each in enumerate(entries, 1):
@@ -146,10 +157,20 @@ def _typst_question(question: Question, figure: str | None, options: Options) ->
     from restitution.wording import typst
 
     opening = typst.opening(question)
+    short = len(opening) < _LONG
     if figure is not None:
         opening += f"\n\n#figure-of({literal(figure)})"
-    parts = [f"{typst.part(each)}\n\n#room({_room(each, options):g}cm)" for each in question.parts]
-    return "\n\n".join([opening, *parts])
+    blocks = [_together(opening) if short else opening]
+    for index, each in enumerate(question.parts):
+        if index:
+            blocks.append(f"#room({_room(question.parts[index - 1], options):g}cm)")
+        part = typst.part(each)
+        blocks.append(_together(part) if len(part) < _LONG else part)
+    return "\n\n".join(blocks)
+
+
+def _together(body: str) -> str:
+    return f"#together[\n{body}\n]"
 
 
 # --- HTML ---------------------------------------------------------------------------------------
@@ -178,7 +199,9 @@ def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> st
     named = title or _title(entries)
     alone = len(entries) == 1
     body = [f"<h1>{escape(named)}</h1>"]
-    body += [_html_numbered(n, e.title, e.question, alone, named) for n, e in enumerate(entries, 1)]
+    for number, each in enumerate(entries, 1):
+        body.append(_html_numbered(number, each.title, each.question, alone, named))
+        body.append(_html_room(each.room))
     if options.solutions:
         body.append("<h2>Solutions</h2>")
         body += [
@@ -208,10 +231,15 @@ def _html_question(question: Question, figure: str | None, options: Options) -> 
     blocks = html.opening(question)
     if figure is not None:
         blocks.append(f'<div class="figure">{figure}</div>')
-    for each in question.parts:
+    for index, each in enumerate(question.parts):
+        if index:
+            blocks.append(_html_room(_room(question.parts[index - 1], options)))
         blocks.append(html.part(each))
-        blocks.append(f'<div style="height: {_room(each, options):g}cm"></div>')
     return '<article class="question">' + "\n".join(blocks) + "</article>"
+
+
+def _html_room(height: float) -> str:
+    return f'<div style="height: {height:g}cm"></div>' if height else ""
 
 
 def _title(entries: Sequence[Entry]) -> str:
