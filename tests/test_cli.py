@@ -392,3 +392,66 @@ def test_the_asking_process_loads_no_algebra(folder):
         timeout=60,
     )
     assert done.stdout.splitlines()[-1] == "[]", done.stderr
+
+
+# --- draw, sheet ------------------------------------------------------------------------------
+
+TWO = (
+    "wall AB: along i\nwall BC: along 60°\nsphere P: velocity u at 60° to AB\n"
+    "P hits AB: e = 1/2\nP hits BC: e = 1/2\nfind speed(P)\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "begins"), [("p.svg", b"<svg"), ("p.png", b"\x89PNG"), ("p.pdf", b"%PDF")]
+)
+def test_pictures_by_the_ending_of_their_name(folder, name, begins):
+    status, out, err = run("draw", "good.impact", "-o", name, cwd=folder)
+    assert (status, out, err) == (0, "", "")
+    assert (folder / name).read_bytes().startswith(begins)
+
+
+def test_one_picture_or_all(folder):
+    (folder / "two.impact").write_text(TWO)
+    _, every, _ = run("draw", "two.impact", cwd=folder)
+    _, second, _ = run("draw", "two.impact", "--event", "2", cwd=folder)
+    assert every.count("<title") == 3  # the path, and each impact
+    assert second.count("<title") == 1 and "BC" in second
+    status, _, err = run("draw", "two.impact", "--event", "3", cwd=folder)
+    assert status == 1
+    assert "there is no picture of event 3: pictured are 1, 2" in err
+
+
+def test_what_cannot_be_drawn_is_said(folder):
+    status, out, err = run("draw", "bad.impact", "-o", "p.svg", cwd=folder)
+    assert (status, out) == (2, "")
+    assert "bad.impact:1:11" in err and not (folder / "p.svg").exists()
+    status, _, err = run("draw", "good.impact", "-o", "p.gif", cwd=folder)
+    assert status == 2 and ".svg, .png, .pdf" in err
+    status, _, err = run("draw", "good.impact", "-o", "good.impact", "-f", "svg", cwd=folder)
+    assert status == 2 and "overwritten" in err
+    assert (folder / "good.impact").read_text() == GOOD
+    status, _, err = run("draw", "good.impact", "-o", "no/p.svg", cwd=folder)
+    assert status == 1 and "cannot be written" in err
+
+
+@pytest.mark.parametrize(("name", "begins"), [("s.pdf", b"%PDF"), ("s.html", b"<!DOCTYPE html>")])
+def test_a_bad_file_does_not_stop_the_sheet(folder, name, begins):
+    status, out, err = run(
+        *("sheet", "good.impact", "bad.impact", "missing.impact"),
+        *("-o", name, "--solutions"),
+        cwd=folder,
+    )
+    assert (status, out) == (2, "")
+    assert "bad.impact:1:11" in err and "the mass of P" in err
+    made = (folder / name).read_bytes()
+    assert made.startswith(begins)
+    if name == "s.html":
+        assert made.count(b'<section class="entry">') == 4  # two questions, and their solutions
+
+
+def test_no_sheet_of_nothing(folder):
+    status, _, _ = run("sheet", "bad.impact", "-o", "s.pdf", cwd=folder)
+    assert status == 2 and not (folder / "s.pdf").exists()
+    status, _, err = run("sheet", "good.impact", cwd=folder)
+    assert status == 2 and "--output" in err
