@@ -31,7 +31,11 @@ def impact(u1, u2, w1, w2, c, e):
     Whether the bodies approach each other is not asked: bodies that separate would pass through
     one another, and that is for the caller to refuse.
     """
-    on_2 = impulse(u1, u2, w1, w2, c, e)
+    return after_impulse(u1, u2, w1, w2, impulse(u1, u2, w1, w2, c, e))
+
+
+def after_impulse(u1, u2, w1, w2, on_2):
+    """The velocities just after an impulse on body 2 and its opposite on body 1, in m/s."""
     return u1 - on_2 * w1, u2 + on_2 * w2
 
 

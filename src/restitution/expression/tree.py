@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import Literal
+from functools import cache
+from typing import Literal, get_args
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,15 +216,25 @@ GREEK = (
 def children(node: Expression) -> tuple[Expression, ...]:
     """The expressions directly inside a node, in the order written."""
     found: list[Expression] = []
-    for each in fields(node):
-        value = getattr(node, each.name)
-        if isinstance(value, Expression):
+    for name in _parts(type(node)):
+        value = getattr(node, name)
+        if type(value) in _KINDS:
             found.append(value)
         elif isinstance(value, AtTime):
             found.append(value.time)
         elif isinstance(value, tuple):
-            found.extend(item for item in value if isinstance(item, Expression))
+            found.extend(item for item in value if type(item) in _KINDS)
     return tuple(found)
+
+
+# Trees are walked often: what kinds of node there are, and their fields, is looked up once.
+_KINDS = frozenset(get_args(Expression))
+
+
+@cache
+def _parts(kind: type) -> tuple[str, ...]:
+    """The fields of a kind of node in which there may be others."""
+    return tuple(each.name for each in fields(kind) if each.name != "place")
 
 
 def walk(node: Expression) -> Iterator[Expression]:

@@ -7,6 +7,7 @@ print is put in brackets here.
 from __future__ import annotations
 
 import unicodedata
+from functools import lru_cache
 
 from restitution.render.layout import (
     Bold,
@@ -124,28 +125,30 @@ def to_text(layout: Layout) -> str:
 
 def width(text: str) -> int:
     """The number of columns that a text takes in a terminal."""
-    columns = 0
-    for character in text:
-        if unicodedata.combining(character) or unicodedata.category(character) in (
-            "Cf",
-            "Mn",
-        ):
-            continue
-        columns += 2 if unicodedata.east_asian_width(character) in ("W", "F") else 1
-    return columns
+    return len(text) if text.isascii() else sum(map(_columns, text))
+
+
+@lru_cache(maxsize=1024)
+def _columns(character: str) -> int:
+    if unicodedata.combining(character) or unicodedata.category(character) in ("Cf", "Mn"):
+        return 0
+    return 2 if unicodedata.east_asian_width(character) in ("W", "F") else 1
 
 
 def wrapped(text: str, columns: int) -> list[str]:
     """Lines of at most so many columns; what no-break spaces join stays whole."""
     lines: list[str] = []
     current = ""
+    taken = 0
     for word in text.split(" "):
-        trial = f"{current} {word}" if current else word
-        if current and width(trial) > columns:
+        more = width(word)
+        if current and taken + 1 + more > columns:
             lines.append(current)
-            current = word
+            current, taken = word, more
+        elif current:
+            current, taken = f"{current} {word}", taken + 1 + more
         else:
-            current = trial
+            current, taken = word, more
     lines.append(current)
     return [line.replace(NO_BREAK, " ") for line in lines]
 

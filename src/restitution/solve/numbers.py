@@ -7,6 +7,7 @@ something that ought to vanish is seen to vanish.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -37,7 +38,7 @@ def at(x: Any, values: Mapping[str, Any]) -> Any:
     Raises UndefinedError where it is not real, and KeyError for a letter without a value.
     """
     try:
-        return _at(sp.sympify(x, strict=True), values)
+        return _at(x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True), values)
     except (ZeroDivisionError, OverflowError) as error:
         raise UndefinedError(str(error)) from error
 
@@ -141,24 +142,25 @@ _FUNCTIONS: dict[type, Any] = {
 
 
 @lru_cache(maxsize=256)
-def _number(x: sp.Expr | None) -> Any:
+def bound(x: sp.Expr | None) -> Any:
+    """An end of a letter's range as a number; None where it has none."""
     return None if x is None else at(x, {})
 
 
 def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Any:
     """A random value that a letter may have; ``at_edge`` near an end of them, or extreme."""
-    low, high = _number(role.low), _number(role.high)
-    share = _CTX.mpf(rng.randrange(1, 10**12)) / 10**12
+    low, high = bound(role.low), bound(role.high)
+    share = _CTX.ldexp(rng.randrange(1, 2**40), -40)  # few bits: quick to calculate with
     if at_edge:
         share = share / 50 if rng.random() < 0.5 else 1 - share / 50
     if low is not None and high is not None:
         return low + share * (high - low)
-    spread = _CTX.exp(rng.choice((-4, 4)) if at_edge else 2 * rng.gauss(0, 1) * _CTX.mpf("0.6"))
+    spread = _CTX.mpf(math.exp(rng.choice((-4, 4)) if at_edge else 1.2 * rng.gauss(0, 1)))
     if low is not None:
-        return low + spread * (1 + share / 1000)
+        return low + spread * (1 + share / 1024)
     if high is not None:
-        return high - spread * (1 + share / 1000)
-    return rng.gauss(0, 1) * (1 + share / 1000)
+        return high - spread * (1 + share / 1024)
+    return rng.gauss(0, 1) * (1 + share / 1024)
 
 
 def sample(

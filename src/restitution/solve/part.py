@@ -45,7 +45,16 @@ from restitution.solve.letters import (
     parts_until,
     roles,
 )
-from restitution.solve.numbers import FIELD, TINY, Sample, UndefinedError, at, sample, sign_at
+from restitution.solve.numbers import (
+    FIELD,
+    TINY,
+    Sample,
+    UndefinedError,
+    at,
+    bound,
+    sample,
+    sign_at,
+)
 from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
@@ -284,8 +293,7 @@ def _outside(name: str, value: Any, role: Role | None) -> tuple[str, str] | None
     """Why a letter may not have this value."""
     if role is None:
         return None
-    low = None if role.low is None else at(role.low, {})
-    high = None if role.high is None else at(role.high, {})
+    low, high = bound(role.low), bound(role.high)
     below = low is not None and (value < low - TINY or (not role.closed[0] and value < low + TINY))
     above = high is not None and (
         value > high + TINY or (not role.closed[1] and value > high - TINY)
@@ -473,6 +481,8 @@ class Desk:
     carried: frozenset[str] = frozenset()
     outcomes: list[Outcome] = field(default_factory=list)
     failures: list[tuple[Setting, RestitutionError]] = field(default_factory=list)
+    # Of the values asked for, which share them.
+    settings: dict[tuple[str, ...] | None, Setting] = field(default_factory=dict)
 
     def settle(
         self,
@@ -481,11 +491,19 @@ class Desk:
         data: frozenset[str] = frozenset(),
     ) -> Setting:
         """What is known and unknown for one item: see the function of that name."""
-        return settle(self.problem, self.part, in_terms_of, item, data, self.carried)
+        if item is not None or data:
+            return settle(self.problem, self.part, in_terms_of, item, data, self.carried)
+        if in_terms_of not in self.settings:
+            self.settings[in_terms_of] = settle(
+                self.problem, self.part, in_terms_of, carried=self.carried
+            )
+        return self.settings[in_terms_of]
 
     def outcome(self, setting: Setting) -> Outcome:
         """All that solving gives. Raises RestitutionError, again for what failed before."""
         for known in self.outcomes:
+            if known.setting is setting:
+                return known
             if known.serves(setting):
                 return replace(known, setting=setting)
         for failed, error in self.failures:

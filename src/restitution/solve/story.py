@@ -511,8 +511,9 @@ class Story:
                 Equation(c.dot(c) - (1 + e) * closing, "Newton's experimental law")
             )
         else:
-            v = self.neat(law.impact(u, zero, 1, 0, c, e)[0])
-            push = self.neat(law.impulse(u, zero, 1, 0, c, e))
+            on_wall = law.impulse(u, zero, 1, 0, c, e)
+            v = self.neat(law.after_impulse(u, zero, 1, 0, on_wall)[0])
+            push = self.neat(on_wall)
         return Happening(
             number,
             step,
@@ -565,9 +566,9 @@ class Story:
             )
         else:
             # Inverse masses matter up to a factor: m2 and m1 serve, and keep fractions out.
-            v1, v2 = law.impact(u1, u2, m2, m1, c, e)
-            v1, v2 = self.neat(v1), self.neat(v2)
-            push = self.neat(law.impulse(u1, u2, m2, m1, c, e) * (m1 * m2))
+            on_2 = law.impulse(u1, u2, m2, m1, c, e)
+            v1, v2 = (self.neat(v) for v in law.after_impulse(u1, u2, m2, m1, on_2))
+            push = self.neat(on_2 * (m1 * m2))
         places.place_after_meeting(self, number, step, c, closing, unknown, time)
         return Happening(
             number,
