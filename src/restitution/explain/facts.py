@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -66,7 +67,7 @@ def fact_equations(
 
 def _essential(work: Working, residual: sp.Expr) -> sp.Expr:
     """A product without the factors that are not zero."""
-    factored = sp.factor_terms(residual)
+    factored = _factored(residual)
     if not factored.is_Mul:
         return residual
     kept = sp.Integer(1)
@@ -75,6 +76,11 @@ def _essential(work: Working, residual: sp.Expr) -> sp.Expr:
         if base.free_symbols and work.model.sign(base) == 0:
             kept *= base
     return residual if kept == 1 else kept
+
+
+@lru_cache(maxsize=512)
+def _factored(x: sp.Expr) -> sp.Expr:
+    return sp.factor_terms(x)
 
 
 def _of_story(work: Working) -> list[Equation]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any, Literal
 
 import sympy as sp
@@ -35,6 +36,7 @@ from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
+from restitution.solve.neat import factors
 from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
@@ -542,13 +544,13 @@ class Working:
         """
         own = x
         x = self.resolved(self._known(sp.sympify(residual, strict=True)))
-        above = sp.fraction(sp.together(x))[0]
+        above = _above(x)
         try:
-            _, factors = sp.factor_list(sp.expand(above))
+            parts = factors(sp.expand(above))
         except (sp.PolynomialError, NotImplementedError):
             return sp.expand(above)
         kept = sp.Integer(1)
-        for factor, _ in factors:
+        for factor in parts:
             if self.model.sign(factor) == 0 or (
                 own is not None
                 and factor.has(own)
@@ -557,7 +559,7 @@ class Working:
                 kept *= factor
         if own is not None and kept.has(own):
             mirrored = kept.xreplace({own: -own})
-            for factor, _ in factors:
+            for factor in parts:
                 same = 0 in (sp.expand(factor - mirrored), sp.expand(factor + mirrored))
                 if factor.has(own) and same and sp.expand(kept - factor) != 0:
                     kept *= factor
@@ -572,16 +574,18 @@ class Working:
             self.determine(x)  # its sine and cosine have just been written
             return
         others = self._other_roots(x, equation.residual)
-        numerator = self.numerator(
-            equation.residual, x, [*others, *self._refused(x, equation.residual)]
-        )
-        self.determine(x)
         value = self.model.final[x]
         rows: list[Row] = []
-        if self.is_angle(x):
-            rows = self._angle_rows(x, numerator, value, others)
-        elif numerator.is_polynomial(x):
-            rows = self._polynomial_rows(x, numerator, value, others)
+        if self.is_angle(x) or not self._linear_in(x, equation.residual):
+            numerator = self.numerator(
+                equation.residual, x, [*others, *self._refused(x, equation.residual)]
+            )
+            self.determine(x)
+            if self.is_angle(x):
+                rows = self._angle_rows(x, numerator, value, others)
+            elif numerator.is_polynomial(x):
+                rows = self._polynomial_rows(x, numerator, value, others)
+        self.determine(x)
         if not rows:
             rows = [self._roots_row(x, value, others)]
         if not rows or too_long(rows[0]):
@@ -596,6 +600,11 @@ class Working:
         if not last.mark:
             rows[-1] = replace(last, mark=self._mark_of(x))
         self.write("solve", rows, values={x.name: value})
+
+    def _linear_in(self, x: sp.Symbol, residual: sp.Expr) -> bool:
+        """Whether an equation is plainly linear in an unknown, so that its root is all to say."""
+        here = self._known(sp.sympify(residual, strict=True))
+        return not here.has(sp.Abs) and here.is_polynomial(x) and not here.diff(x).has(x)
 
     def _already(self, rows: Sequence[Row]) -> bool:
         """Whether the step just written says the same."""
@@ -734,10 +743,10 @@ class Working:
         own = tidy(sp.tan(value))
         tangents = [own, *(tidy(sp.tan(each)) for each in others)]
         rows: list[Row] = []
-        factors = [f for f, _ in sp.factor_list(poly)[1] if f.has(t)]
+        parts = [f for f in factors(poly) if f.has(t)]
         kept = [
-            f for f in factors if any(self._vanishes(f, t, each) for each in tangents)
-        ] or factors
+            f for f in parts if any(self._vanishes(f, t, each) for each in tangents)
+        ] or parts
         p = sp.Poly(sp.Mul(*kept), t)
         if p.degree() == 1:
             rows.append(chain(side(tangent), side(tidy(-p.coeff_monomial(1) / p.LC()))))
@@ -1034,6 +1043,11 @@ class Working:
             sides.append(side(e * approach, product_of(e, bracket)))
         sides.append(side(tidy(e * approach)))
         return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
+
+
+@lru_cache(maxsize=1024)
+def _above(x: sp.Expr) -> sp.Expr:
+    return sp.fraction(sp.together(x))[0]
 
 
 def _common(masses: Sequence[sp.Expr]) -> sp.Expr:

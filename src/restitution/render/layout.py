@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction as Ratio
+from functools import lru_cache
 from typing import Any, Literal, TypeAlias
 
 import sympy
@@ -443,6 +444,7 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
     return _from_expression(value)
 
 
+@lru_cache(maxsize=4096)
 def _from_expression(value: Expr) -> Layout:
     if isinstance(value, Rational) and max(abs(value.p), value.q).bit_length() > LONGEST:
         return decimal_number(value)

@@ -8,15 +8,17 @@ facts as they were told, signs and ranges, is for the caller to check.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested
 from restitution.solve.letters import Role
-from restitution.solve.neat import neat
-from restitution.solve.numbers import vanishes
+from restitution.solve.neat import factors, neat, numerator
+from restitution.solve.numbers import changes_sign, vanishes
 
 MOST_BRANCHES = 24
 MOST_STEPS = 400
@@ -90,7 +92,7 @@ def solve_system(
     # Roots and sizes of what is unknown are squared away.
     everything = set(sought) | {x for pair in pairs.values() for x in pair}
     current = [_rational(each, everything) for each in current]
-    polynomials = [_numerator(each) for each in current]
+    polynomials = [numerator(each) for each in current]
     for symbol, (c, s) in pairs.items():
         if any(each.has(symbol) for each in polynomials):
             raise UnsupportedError(
@@ -233,8 +235,7 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
             ),
             lambda n, b=base, mark=mark: mark if n == b else mark ** (n.exp / b.exp),
         )
-        numerator = sp.expand(sp.together(replaced).as_numer_denom()[0])
-        poly = sp.Poly(numerator, mark)
+        poly = sp.Poly(numerator(replaced), mark)
         even = odd = sp.Integer(0)
         for (power,), coefficient in poly.terms():
             if power % 2:
@@ -247,10 +248,6 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
         if even == 0:
             x = odd * square
     raise UnsupportedError("too many roots of what is sought in one equation")
-
-
-def _numerator(x: sp.Expr) -> sp.Expr:
-    return sp.expand(sp.together(x).as_numer_denom()[0])
 
 
 def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
@@ -285,20 +282,20 @@ def _reduce(
     rest: list[sp.Expr] = []
     free = set(unknowns)
     for index, equation in enumerate(equations):
-        factors = _factors(equation, free, zero)
-        if factors is None:
+        parts = _factors(equation, free, zero)
+        if parts is None:
             continue  # it vanishes
-        if not factors:
+        if not parts:
             return []  # it cannot vanish
-        if len(factors) > 1 and any(f.free_symbols & free for f in factors):
+        if len(parts) > 1 and any(f.free_symbols & free for f in parts):
             results = []
-            for factor in factors:
+            for factor in parts:
                 others = simple + rest + equations[index + 1 :]
                 results += _reduce([factor, *others], unknowns, found, zero, budget)
                 if len(results) > MOST_BRANCHES:
                     raise UnsupportedError("too many cases to distinguish")
             return results
-        factor = sp.Mul(*factors) if len(factors) > 1 else factors[0]
+        factor = sp.Mul(*parts) if len(parts) > 1 else parts[0]
         if factor.free_symbols & free:
             if factor not in simple:
                 simple.append(factor)
@@ -328,7 +325,7 @@ def _reduce(
         poly = sp.Poly(equation, x)
         a, b = poly.coeff_monomial(x**2), poly.coeff_monomial(1)
         square = neat(-b / a)
-        mapped = [_numerator(_even(each, x, square)) for each in others]
+        mapped = [numerator(_even(each, x, square)) for each in others]
         results = []
         for values, more in _reduce(mapped, left, found, zero, budget):
             value = neat(square.xreplace(values))
@@ -379,7 +376,7 @@ def _substitute(
     if value.is_number and not _admissible(value, x):
         return []
     put = {x: value}
-    mapped = [_numerator(each.xreplace(put)) if each.has(x) else each for each in others]
+    mapped = [numerator(each.xreplace(put)) if each.has(x) else each for each in others]
     results = []
     for values, rest in _reduce(mapped, left, found, zero, budget):
         own = value.xreplace(values) if value.free_symbols else value
@@ -408,24 +405,19 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
         return None
     if not equation.free_symbols & free:
         return None if zero(equation) else [equation]
-    numerator = equation
-    try:
-        if sp.count_ops(numerator) < 1500:
-            _, pairs = sp.factor_list(numerator)
-            factors = [factor for factor, _ in pairs]
-        else:
-            factors = [numerator]
-    except (sp.PolynomialError, NotImplementedError):
-        factors = [numerator]
+    parts: Sequence[sp.Expr] = [equation]
+    with suppress(sp.PolynomialError, NotImplementedError):
+        if sp.count_ops(equation) < 1500:
+            parts = factors(equation)
     kept = []
     # A factor that cannot vanish for admissible letters is left out; were it the only one, its
     # root is kept, to be refused with a reason.
-    able = [factor for factor in factors if not _nonzero(factor)]
+    able = [factor for factor in parts if not _nonzero(factor)]
     if not any(factor.free_symbols & free for factor in able):
         of_data = [factor for factor in able if factor.free_symbols]
         if of_data:
             return None if any(zero(factor) for factor in of_data) else of_data
-        able = [f for f in factors if any(not s.name.startswith("_") for s in f.free_symbols)]
+        able = [f for f in parts if any(not s.name.startswith("_") for s in f.free_symbols)]
     for factor in able:
         inside = factor.free_symbols & free
         if not inside:
@@ -438,10 +430,13 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
     return _truly(kept, free, zero)
 
 
-def _truly(factors: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
+def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
     """Drops coefficients that are zero in disguise (sin² + cos² − 1)."""
     cleaned = []
-    for factor in factors:
+    for factor in parts:
+        if factor.free_symbols <= free:
+            cleaned.append(factor)  # its coefficients are numbers
+            continue
         gens = sorted(factor.free_symbols & free, key=lambda s: s.name)
         poly = sp.Poly(factor, *gens)
         terms = [(m, c) for m, c in poly.terms() if not (not c.is_number and zero(c))]
@@ -458,7 +453,10 @@ def _truly(factors: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.
     return cleaned
 
 
+@lru_cache(maxsize=2048)
 def _nonzero(x: sp.Expr) -> bool:
+    if x.is_Add and changes_sign(x):
+        return False  # which SymPy would take long to give up
     return bool(x.is_nonzero) or bool(x.is_positive) or bool(x.is_negative)
 
 
@@ -472,11 +470,12 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
         for rank, x in enumerate(unknowns):
             if x not in inside:
                 continue
-            degree = sp.degree(equation, x)
+            poly = sp.Poly(equation, x)
+            degree = poly.degree()
             if len(inside) == 1:
                 kind, cost = "roots", (0 if degree == 1 else 2 if degree <= 2 else 6)
             elif degree == 1:
-                a = sp.Poly(equation, x).coeff_monomial(x)
+                a = poly.coeff_monomial(x)
                 if not a.free_symbols & free:
                     kind, cost = "linear", 1
                 elif _nonzero(a):
@@ -484,7 +483,7 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
                 else:
                     kind, cost = "linear?", 4
             elif degree == 2 and _only_even(equations, x):
-                a = sp.Poly(equation, x).coeff_monomial(x**2)
+                a = poly.coeff_monomial(x**2)
                 kind, cost = (
                     ("square", 3) if not a.free_symbols & free or _nonzero(a) else ("resultant", 8)
                 )
@@ -536,7 +535,7 @@ def _by_resultant(
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
         for values, rest in _reduce(without, left, found, zero, budget):
-            reduced = _numerator(equation.xreplace(values))
+            reduced = numerator(equation.xreplace(values))
             for value in roots(reduced, x):
                 results.append(({**values, x: neat(value)}, rest))
         return results
@@ -550,7 +549,7 @@ def _by_resultant(
         without.append(r)
     results = []
     for values, rest in _reduce(without, left, found, zero, budget):
-        candidates = [_numerator(each.xreplace(values)) for each in (equation, *with_x)]
+        candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
         candidates = [each for each in candidates if each.has(x)] or candidates
         simplest = min(candidates, key=lambda e: sp.degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):
@@ -596,11 +595,12 @@ def _factors_of(poly: sp.Poly, x: sp.Symbol) -> list[sp.Poly]:
     try:
         if surds and poly.degree() > 2 and not letters and len(surds) <= 2:
             _, pairs = sp.factor_list(expression, x, extension=surds)
+            parts = tuple(factor for factor, _ in pairs)
         else:
-            _, pairs = sp.factor_list(expression)
+            parts = factors(expression)
     except (sp.PolynomialError, NotImplementedError):
         return [poly]
-    return [sp.Poly(factor, x) for factor, _ in pairs if factor.has(x)]
+    return [sp.Poly(factor, x) for factor in parts if factor.has(x)]
 
 
 def _roots_of(poly: sp.Poly, x: sp.Symbol) -> list[sp.Expr]:

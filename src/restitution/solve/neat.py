@@ -39,6 +39,21 @@ def neat(x: sp.Expr) -> sp.Expr:
     return pythagoras(sp.factor_terms(result))
 
 
+@lru_cache(maxsize=2048)
+def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The irreducible factors of a polynomial, each once and numbers left out.
+
+    Raises PolynomialError for what is none.
+    """
+    return tuple(factor for factor, _ in sp.factor_list(x)[1])
+
+
+@lru_cache(maxsize=2048)
+def numerator(x: sp.Expr) -> sp.Expr:
+    """What stands above the line when all is one fraction, multiplied out."""
+    return sp.expand(sp.together(x).as_numer_denom()[0])
+
+
 def _reduced(x: sp.Expr) -> sp.Expr:
     """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
     above, below = sp.fraction(x)
