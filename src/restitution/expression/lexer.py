@@ -48,12 +48,13 @@ _FUNCTION_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(\d+)|([⁰¹²³⁴-⁹]+)")
 _INVERSE = re.compile(r"\s*(?:\^|\*\*)\s*[({]?\s*[-−–]\s*1\s*[)}]?|⁻¹")
 _POWER_SIGN = re.compile(r"\s*(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])")
 _NEXT = re.compile(r"\s*(.?)", re.DOTALL)
-_UNIT = re.compile(rf"\s*({UNIT})\s*(?=$|[,)<>=≤≥])|\s*({UNIT})\s+(?=at\b|from\b)")
-_UNIT_OF_A_PROPERTY = re.compile(rf"\s*({UNIT_OF_A_PROPERTY})\s*(?=$|,|at\b|from\b)")
+_UNIT = re.compile(rf"({UNIT})\s*(?=$|[,)<>=≤≥])|({UNIT})\s+(?=at\b|from\b)")
+_UNIT_OF_A_PROPERTY = re.compile(rf"({UNIT_OF_A_PROPERTY})\s*(?=$|,|at\b|from\b)")
 _FUNCTION = re.compile("|".join(sorted(FUNCTIONS, key=len, reverse=True)))
 _MISSING_UNDERSCORE = re.compile(
     r"(?:total\s+)?energy\s+lost(?!\w)|line\s+of\s+cent(?:re|er)s(?!\w)"
 )
+_AXIS = re.compile(r"([xy])[\s–-]*axis(?!\w)")
 
 _SIGNS = {
     "+": "PLUS",
@@ -169,12 +170,16 @@ class Source:
 
 @dataclass(frozen=True)
 class Scan:
-    """The tokens of a logical line, and the runs of letters that were split into products."""
+    """The tokens of a logical line, and the runs of letters that were split into products.
+
+    ``warnings`` tells of letters that look like a unit.
+    """
 
     source: Source
     names: Mapping[str, str]
     tokens: tuple[Token, ...]
     runs: tuple[tuple[int, str], ...]
+    warnings: tuple[str, ...] = ()
 
 
 def _plain(character: str) -> str:
@@ -199,8 +204,9 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
     """
     found: list[Token] = []
     runs: list[tuple[int, str]] = []
+    warnings: list[str] = []
     depth = 0
-    for token in _raw_tokens(source, names, found, runs):
+    for token in _raw_tokens(source, names, found, runs, warnings):
         if token.type == "LPAR":
             depth += 1
             if depth > MAX_NESTING:
@@ -215,7 +221,7 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
                 f"the line is too long: at most {MAX_TOKENS_PER_LINE} words and signs",
                 _start(token),
             )
-    return Scan(source, names, tuple(_with_products(source, found)), tuple(runs))
+    return Scan(source, names, tuple(_with_products(source, found)), tuple(runs), tuple(warnings))
 
 
 def _start(token: Token) -> int:
@@ -231,6 +237,7 @@ def _raw_tokens(
     names: Mapping[str, str],
     before: list[Token],
     runs: list[tuple[int, str]],
+    warnings: list[str],
 ) -> Iterator[Token]:
     """The tokens as they stand; ``before`` is what has been taken so far."""
     text = source.plain
@@ -241,13 +248,14 @@ def _raw_tokens(
             at += 1
             continue
         if character.isascii() and character.isalpha():
+            _look_for_a_unit(source, at, before, warnings)
             tokens = _letters(source, names, at, before, runs)
         elif character in GREEK_SIGNS:
             tokens = [_letter(source, GREEK_SIGNS[character], at, at + 1)]
         elif character == "π":
             tokens = [_token(source, "PI", "pi", at, at + 1)]
         elif number := _NUMBER.match(text, at):
-            tokens = [_number(source, number, before)]
+            tokens = [_number(source, number)]
         elif character in _FRACTIONS:
             if before and before[-1].type == "NUMBER" and _end(before[-1]) == at:
                 raise source.error(
@@ -281,7 +289,7 @@ def _sign(source: Source, at: int) -> Token:
     raise source.error(f"unexpected character {shown}" + (f": {hint}" if hint else ""), at)
 
 
-def _number(source: Source, match: re.Match[str], before: list[Token]) -> Token:
+def _number(source: Source, match: re.Match[str]) -> Token:
     text, start, end = source.plain, match.start(), match.end()
     if end - start > MAX_DIGITS:
         raise source.error(f"a number has at most {MAX_DIGITS} digits", start)
@@ -290,19 +298,45 @@ def _number(source: Source, match: re.Match[str], before: list[Token]) -> Token:
         return _token(source, "NUMBER", digits + "%", start, percent.end())
     if degrees := _DEGREES.match(text, end):
         return _token(source, "DEGREES", digits, start, degrees.end())
-    exponent = bool(before) and before[-1].type == "POW"
-    unit = None if exponent else _unit(text, end, before)
-    if unit:
-        offset = unit.start(unit.lastindex or 0)
-        raise source.error(_unit_message(unit.group(unit.lastindex or 0)), offset)
     return _token(source, "NUMBER", digits, start, end)
 
 
-def _unit(text: str, at: int, before: list[Token]) -> re.Match[str] | None:
-    """A unit directly after a number, where it ends a property or a side of a relation."""
-    if _tells_properties(before):
-        return _UNIT_OF_A_PROPERTY.match(text, at)
-    return _UNIT.match(text, at)
+def _look_for_a_unit(source: Source, at: int, before: list[Token], warnings: list[str]) -> None:
+    """Refuse a unit that ends a property or a side of a relation.
+
+    Behind a letter it may be a product that is meant: that draws a warning.
+    """
+    if not before or before[-1].type not in _ENDS_OPERAND:
+        return
+    pattern = _UNIT_OF_A_PROPERTY if _tells_properties(before) else _UNIT
+    match = pattern.match(source.plain, at)
+    if match is None:
+        return
+    unit = match.group(match.lastindex or 0)
+    if _is_a_value(before):
+        raise source.error(_unit_message(unit), at)
+    place = source.place(at)
+    warnings.append(
+        f"line {place.line}, column {place.column}: '{unit}' was read as a product of letters; "
+        "no units are typed (all is in SI)"
+    )
+
+
+def _is_a_value(before: list[Token]) -> bool:
+    """Whether what stands last is surely a number or a vector, and no letter of a product."""
+    last = before[-1]
+    if last.type in _NUMERIC:
+        return len(before) < 2 or before[-2].type != "POW"
+    if last.type != "RPAR":
+        return last.type == "UNIT"
+    depth = 0
+    inside: set[str] = set()
+    for token in reversed(before):
+        depth += {"RPAR": 1, "LPAR": -1}.get(token.type, 0)
+        if depth == 0:
+            break
+        inside.add(token.type)
+    return bool(inside & {"UNIT", "COMMA"}) or not inside & {"LETTER", "NAME", "QUANTITY"}
 
 
 def _unit_message(unit: str) -> str:
@@ -372,6 +406,10 @@ def _letters(
         phrase = pattern.match(text, at)
         if phrase:
             return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
+    axis = _AXIS.match(text, at)
+    if axis:
+        vector = {"x": "i", "y": "j"}[axis.group(1)]
+        raise source.error(f"unknown words '{axis.group()}': did you mean '{vector}'?", at)
     loose = _MISSING_UNDERSCORE.match(text, at)
     if loose:
         words = " ".join(loose.group().split())

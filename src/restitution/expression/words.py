@@ -143,12 +143,12 @@ MEANT: Mapping[str, str] = {
     "kinetic_energy_lost": "energy_lost",
     "degree": "deg",
     "degrees": "deg",
-    "ball": "sphere",
-    "particle": "sphere",
+    **dict.fromkeys(("ball", "particle", "disc", "disk", "puck", "marble"), "sphere"),
     "strikes": "hits",
     "collides": "hits",
-    "calculate": "find",
-    "prove": "show",
+    **dict.fromkeys(("calculate", "determine", "compute", "evaluate", "obtain"), "find"),
+    **dict.fromkeys(("prove", "verify", "deduce"), "show"),
+    **dict.fromkeys(("assume", "suppose"), "given"),
     "magnitude": "abs",
     "csc": "cosec",
     "range": "range of",
@@ -163,16 +163,15 @@ MEANT: Mapping[str, str] = {
     "terms": "in terms of",
     "percentage": "as a percentage",
     "rest": "at rest",
+    "stationary": "at rest",
     "arcsine": "arcsin",
     "arccosine": "arccos",
     "arctangent": "arctan",
 }
 
-# A unit directly after a number; longer ones first.
-UNIT = (
-    r"(?:kg\s?m\s?s\s?(?:\^\s?-\s?1|⁻¹)|km\s?/\s?h|kg|m\s?s\s?(?:\^\s?\(?-\s?1\)?|⁻¹)"
-    r"|m\s?/\s?s|N\s?s|rad|cm)(?!\w)"
-)
+# A unit after a value; longer ones first.
+_PER_SECOND = r"[·⋅]?\s?s\s?(?:\^\s?\(?\s?[-−–]\s?1\s?\)?|⁻¹)|s[-−–]1|/\s?s"
+UNIT = rf"(?:(?:kg\s?)?c?m\s?(?:{_PER_SECOND})|km\s?/\s?h|kg|N\s?s|rad|cm)(?!\w)"
 UNIT_OF_A_PROPERTY = rf"(?:{UNIT}|ms(?!\w))"
 
 

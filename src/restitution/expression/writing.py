@@ -28,8 +28,11 @@ _POLAR, _SUM, _PRODUCT, _POWER, _PRIMARY = range(5)
 
 _SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
 
-# What would be taken for a unit after a number (``2m/s``) is written as a product.
-_UNIT = re.compile(rf"(?<=\d)\s*(?={UNIT_OF_A_PROPERTY})")
+# What would be taken for a unit after a value (``2m/s``) is written as a product.
+_UNIT = re.compile(
+    rf"(?<=\d)\s*(?={UNIT_OF_A_PROPERTY})"
+    rf"|(?<=[\w°)])(?<!\bat)(?<!\bfrom)\s+(?={UNIT_OF_A_PROPERTY})"
+)
 
 
 def write_expression(tree: Expression) -> str:

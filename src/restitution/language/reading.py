@@ -159,7 +159,7 @@ def _tell(story: _Story, line: Line) -> None:
         return
     reading = Reading(scan(line.source, story.names))
     said = parse_tokens(statement_parser(), reading, _BUILDERS).value
-    story.warnings.extend(reading.warnings)
+    story.warnings.extend((*reading.scan.warnings, *reading.warnings))
     if isinstance(said, _Said):
         for name in said.names:
             _declare(story, said, name)
