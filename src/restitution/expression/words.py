@@ -216,4 +216,6 @@ def unknown_name(name: str, names: Mapping[str, str]) -> str:
     if meant is None and len(names) == 1:
         meant = next(iter(names))
     said = f"unknown name '{name}': no sphere, wall or point is called that"
+    if meant is None and 1 < len(names) <= 6:
+        return f"{said}; there are {', '.join(names)}"
     return said + (f"; did you mean '{meant}'?" if meant else "")

@@ -33,6 +33,7 @@ from restitution.expression.tree import Expression, Number, Pair, Place
 from restitution.language.checking import check
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
+from restitution.language.slips import with_guess
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -157,8 +158,11 @@ def _tell(story: _Story, line: Line) -> None:
     if line.word == "part":
         _tell_part(story, line, place)
         return
-    reading = Reading(scan(line.source, story.names))
-    said = parse_tokens(statement_parser(), reading, _BUILDERS).value
+    try:
+        reading = Reading(scan(line.source, story.names))
+        said = parse_tokens(statement_parser(), reading, _BUILDERS).value
+    except StatementError as mistake:
+        raise with_guess(line.source, line.word, mistake) from None
     story.warnings.extend((*reading.scan.warnings, *reading.warnings))
     if isinstance(said, _Said):
         for name in said.names:
