@@ -2,7 +2,8 @@
 
 Warm: solving and explaining each example, against ``sympy.solve`` on the same equations.
 Cold: the whole command against ``import sympy``; its help against an interpreter that does
-nothing. ``--repeat`` says of how many runs the shortest is taken.
+nothing. Drawing: the pictures of each example, against solving it. ``--repeat`` says of how many
+runs the shortest is taken.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ def main() -> None:
     repeat = parser.parse_args().repeat
     cold(max(repeat, 5))
     warm(repeat)
+    drawing(repeat)
 
 
 # --- cold -------------------------------------------------------------------------------------
@@ -102,6 +104,30 @@ def warm(repeat: int) -> None:
         print(f"| {name} | {' | '.join(cells)} |")
     print(f"\nMedian ratio over {len(ratios)} examples: {median(ratios):.2f}")
     print(f"Median time over {len(totals)} examples: {1000 * median(totals):.0f} ms")
+
+
+# --- drawing ----------------------------------------------------------------------------------
+
+
+def drawing(repeat: int) -> None:
+    """Pictures of every example, against solving it."""
+    from restitution import draw, examples, parse, solve
+
+    ratios, times = [], []
+    for name in examples.names():
+        problem = parse(examples.text(name))
+        solution = solve(problem)
+        solving = _shortest(lambda p=problem: solve(p), repeat)
+        pictures = len(draw(solution).scenes)
+        taken = _shortest(lambda s=solution: draw(s).svgs, repeat)
+        if solving is not None and taken is not None and pictures:
+            ratios.append(taken / solving)
+            times.append((taken / pictures, name))
+    slowest, name = max(times)
+    print("\n| drawing | |\n|---|---:|")
+    print(f"| median time of a picture, ms | {1000 * median(t for t, _ in times):.1f} |")
+    print(f"| longest, ms (`{name}`) | {1000 * slowest:.1f} |")
+    print(f"| pictures of an example, as a multiple of solving it: median | {median(ratios):.2f} |")
 
 
 def _ms(seconds: float | None) -> str:
