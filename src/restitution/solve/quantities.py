@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from restitution import law
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import AtTime, Expression, Name, Quantity, line_and_column
+from restitution.expression.tree import AtTime, Expression, Name, Quantity, letters, line_and_column
 from restitution.problem import Arrival, Impact
 from restitution.vector import Vector
 
@@ -236,7 +236,9 @@ def _time(story: Story, tree: Quantity) -> Scalar:
 def _position_at(story: Story, name: str, tree: Quantity, now: int) -> Vector:
     stage = tree.stage
     if isinstance(stage, AtTime):
-        return _position_when(story, name, story.evaluator(now).scalar(stage.time), now)
+        # Of a time about which nothing is known but its letter, "now" is all that can be said.
+        later = bool(letters(stage.time) & story.open_times)
+        return _position_when(story, name, story.evaluator(now).scalar(stage.time), now, later)
     n = stage_number(story, tree, now, name)
     known = story.place(name, n)
     if known is None:
@@ -251,13 +253,16 @@ def _position_at(story: Story, name: str, tree: Quantity, now: int) -> Vector:
     return moved
 
 
-def _position_when(story: Story, name: str, t: Scalar, now: int) -> Vector:
-    """The place at a time: on the piece of the path that the time belongs to."""
+def _position_when(story: Story, name: str, t: Scalar, now: int, later: bool) -> Vector:
+    """The place at a time: on the piece of the path that the time belongs to.
+
+    ``later`` tells that this is the piece after all events told so far.
+    """
     places = [each for each in story.tracks[name].places if each[0] <= now]
     if not places or any(where is None for _, where, _ in places):
         return _missing_place(story, name)
-    chosen = places[0]
-    for each in places[1:]:
+    chosen = places[-1] if later else places[0]
+    for each in () if later else places[1:]:
         sign = story.unknowns.sign(t - each[2])
         if sign is not None and sign >= 0:
             chosen = each

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Literal, Protocol
 
 import sympy as sp
@@ -24,24 +25,31 @@ from restitution import law
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Numeric, Scalar, Symbolic, Value
 from restitution.expression.tree import (
+    AtTime,
     Expression,
+    Letter,
     Name,
     Quantity,
     has_quantity,
     letters,
     line_and_column,
+    walk,
 )
 from restitution.problem import (
     Arrival,
     Event,
+    Find,
     Impact,
     Kick,
     Let,
     Part,
     Point,
     Problem,
+    Show,
     Sphere,
     Wall,
+    trees,
+    trees_of_step,
 )
 from restitution.solve import places, quantities
 from restitution.solve.conditions import AnyOf, Condition, Equation
@@ -295,6 +303,34 @@ class Story:
                 if isinstance(node, Quantity) and node.kind == "direction":
                     return True
         return False
+
+    @cached_property
+    def open_times(self) -> frozenset[str]:
+        """Letters that stand for a time, as in ``at t``, and of which no fact speaks."""
+        inside: set[str] = set()
+        outside: set[str] = set()
+        asked = {
+            id(t)
+            for _, s in self.problem.steps()
+            if isinstance(s, Find | Show)
+            for t in trees_of_step(s)
+        }
+        for tree in trees(self.problem):
+            times = [
+                node
+                for each in walk(tree)
+                if isinstance(each, Quantity) and isinstance(each.stage, AtTime)
+                for node in walk(each.stage.time)
+            ]
+            inside |= {each.name for each in times if isinstance(each, Letter)}
+            if id(tree) not in asked:
+                within = {id(each) for each in times}
+                outside |= {
+                    each.name
+                    for each in walk(tree)
+                    if isinstance(each, Letter) and id(each) not in within
+                }
+        return frozenset(inside - outside)
 
     # --- looking things up --------------------------------------------------------------------
 
