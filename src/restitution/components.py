@@ -242,10 +242,11 @@ class Model:
     def identically_zero(self, x: sp.Expr) -> bool:
         """Whether an expression vanishes whatever its letters are (tried at a few points)."""
         rng = random.Random(41)
+        names = sorted({s.name for s in x.free_symbols} & set(self.sample))
         for _ in range(2):
             point = {
-                name: value * (1 + rng.random()) + rng.random() / 16
-                for name, value in self.sample.items()
+                name: self.sample[name] * (1 + rng.random()) + rng.random() / 16
+                for name in names
             }
             try:
                 if abs(at(x, point)) > 1e-20:

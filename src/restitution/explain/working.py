@@ -88,10 +88,10 @@ class Working:
 
     def _known(self, x: sp.Expr) -> sp.Expr:
         for _ in range(6):
-            inside = {s: self.known[s] for s in x.free_symbols if s in self.known}
+            inside = tuple((s, self.known[s]) for s in _symbols(x) if s in self.known)
             if not inside:
                 break
-            x = x.xreplace(inside)
+            x = _replaced(x, inside)
         return x
 
     def resolved(self, x: sp.Expr) -> sp.Expr:
@@ -103,7 +103,9 @@ class Working:
         if isinstance(x, tuple):
             return self.open(x[0]) | self.open(x[1])
         return frozenset(
-            s for s in self._known(sp.sympify(x, strict=True)).free_symbols if s in self.model.final
+            s
+            for s in _symbols(self._known(sp.sympify(x, strict=True)))
+            if s in self.model.final
         )
 
     def uses(self, x: Any, event: int | None = None) -> dict[str, Origin]:
@@ -205,9 +207,10 @@ class Working:
         sets = [self.open(each.residual) for each in equations]
 
         def left_in(index: int, known: Collection[sp.Symbol]) -> frozenset[sp.Symbol]:
-            put = {symbol: self.model.final[symbol] for symbol in known}
-            residual = self._known(sp.sympify(equations[index].residual, strict=True)).xreplace(put)
-            if len(residual.free_symbols) and self.model.identically_zero(residual):
+            residual = self._known(sp.sympify(equations[index].residual, strict=True))
+            put = ((s, self.model.final[s]) for s in _symbols(residual) if s in known)
+            residual = _replaced(residual, tuple(put))
+            if residual.free_symbols and self.model.identically_zero(residual):
                 return frozenset()
             return self.open(residual)
 
@@ -1043,6 +1046,17 @@ class Working:
             sides.append(side(e * approach, product_of(e, bracket)))
         sides.append(side(tidy(e * approach)))
         return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
+
+
+# The same few expressions are looked at again and again while a working grows.
+@lru_cache(maxsize=4096)
+def _symbols(x: sp.Expr) -> tuple[sp.Symbol, ...]:
+    return tuple(x.free_symbols)
+
+
+@lru_cache(maxsize=4096)
+def _replaced(x: sp.Expr, put: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> sp.Expr:
+    return x.xreplace(dict(put))
 
 
 @lru_cache(maxsize=1024)

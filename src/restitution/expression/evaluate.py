@@ -96,13 +96,16 @@ class Numeric:
         self.context = _context(digits)
         self.pi = +self.context.pi
         self.zero = self.context.mpf(0)
+        self._rounding = self.context.mpf(10) ** (8 - digits)
+        self._nothing = self.context.mpf(10) ** (-digits * 3 // 4)
 
     def number(self, value: Fraction) -> Scalar:
-        return self.context.mpf(value.numerator) / value.denominator
+        above = self.context.mpf(value.numerator)
+        return above if value.denominator == 1 else above / value.denominator
 
     def sqrt(self, x: Scalar) -> Scalar:
         x = self.context.mpf(x) if not isinstance(x, self.context.mpc) else x
-        if x < 0 and x > -(self.context.mpf(10) ** (8 - self.context.dps)):
+        if x < 0 and x > -self._rounding:
             return self.zero  # a square that rounding has made slightly negative
         if x < 0:
             raise ArithmeticError("square root of a negative number")
@@ -118,15 +121,14 @@ class Numeric:
         return result
 
     def cos_sin(self, x: Scalar) -> tuple[Scalar, Scalar]:
-        c, s = self.context.cos_sin(x)
-        return c, s
+        return _cos_sin_of_number(self.context, x)
 
     def arctan2(self, y: Scalar, x: Scalar) -> Scalar:
         return self.context.atan2(y, x)
 
     def arc(self, function: str, x: Scalar) -> Scalar:
         if function != "arctan" and abs(x) > 1:
-            if abs(x) > 1 + self.context.mpf(10) ** (8 - self.context.dps):
+            if abs(x) > 1 + self._rounding:
                 raise ArithmeticError(f"{function} of a number beyond 1")
             x = self.context.sign(x)
         return {
@@ -136,7 +138,7 @@ class Numeric:
         }[function](x)
 
     def is_zero(self, x: Scalar) -> bool:
-        return bool(abs(x) < self.context.mpf(10) ** (-self.context.dps * 3 // 4))
+        return bool(abs(x) < self._nothing)
 
 
 @cache
@@ -144,6 +146,13 @@ def _context(digits: int) -> Any:
     context = mpmath.mp.clone()
     context.dps = digits
     return context
+
+
+@lru_cache(maxsize=256)
+def _cos_sin_of_number(context: Any, x: Any) -> tuple[Any, Any]:
+    """Kept, as the angles that are given come again in every telling."""
+    c, s = context.cos_sin(x)
+    return c, s
 
 
 @lru_cache(maxsize=4096)

@@ -1180,6 +1180,7 @@ def _figures(value: Rational) -> int:
     return len(str(int(scaled)).strip("0")) if scaled.q == 1 else 99
 
 
+@lru_cache(maxsize=1024)
 def _rounded(value: Expr, angle: bool) -> Layout | None:
     """The value to 3 significant figures, or None where the exact form says enough."""
     if angle:

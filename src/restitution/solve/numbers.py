@@ -150,17 +150,18 @@ def bound(x: sp.Expr | None) -> Any:
 def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Any:
     """A random value that a letter may have; ``at_edge`` near an end of them, or extreme."""
     low, high = bound(role.low), bound(role.high)
-    share = _CTX.ldexp(rng.randrange(1, 2**40), -40)  # few bits: quick to calculate with
+    # Floats are random enough, and as numbers of few digits quick to calculate with.
+    share = rng.randrange(1, 2**40) / 2**40
     if at_edge:
         share = share / 50 if rng.random() < 0.5 else 1 - share / 50
     if low is not None and high is not None:
         return low + share * (high - low)
-    spread = _CTX.mpf(math.exp(rng.choice((-4, 4)) if at_edge else 1.2 * rng.gauss(0, 1)))
+    spread = math.exp(rng.choice((-4, 4)) if at_edge else 1.2 * rng.gauss(0, 1))
     if low is not None:
         return low + spread * (1 + share / 1024)
     if high is not None:
         return high - spread * (1 + share / 1024)
-    return rng.gauss(0, 1) * (1 + share / 1024)
+    return _CTX.mpf(rng.gauss(0, 1) * (1 + share / 1024))
 
 
 def sample(

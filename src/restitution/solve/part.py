@@ -193,10 +193,12 @@ class Setting:
 
     # --- checking --------------------------------------------------------------------------
 
-    def examine(self, values: Mapping[str, Any], solved: Iterable[str]) -> tuple[str, str] | None:
+    def examine(
+        self, values: Mapping[str, Any], solved: Iterable[str], story: Story | None = None
+    ) -> tuple[str, str] | None:
         """Why these numbers are impossible, as (reason, kind); None if they are not.
 
-        Raises UndefinedError where something has no real value.
+        ``story`` is what they lead to, where that has been told already. Raises UndefinedError where something has no real value.
         """
         outside = [
             problem
@@ -207,7 +209,7 @@ class Setting:
             # An impossible coefficient is blamed only where nothing else is wrong.
             return next((each for each in outside if each[1] != "coefficient"), outside[0])
         try:
-            story = self.tell(Numbers(values))
+            story = story or self.tell(Numbers(values))
         except ImpossibleError as error:
             return error.message, "place"
         wanted = self.requirements(story)

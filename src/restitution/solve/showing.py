@@ -77,9 +77,9 @@ def _refute(
             for name, value in branch.values.items():
                 values[name] = at(value, values)
             solved = [name for name in branch.values if not name.startswith("_")]
-            if outcome.accepted and setting.examine(values, solved) is not None:
-                continue
             story = setting.tell(Numbers(values))
+            if outcome.accepted and setting.examine(values, solved, story) is not None:
+                continue
             if claim_fails(claim, story, now, step):
                 for name, value in branch.values.items():
                     if not name.startswith("_"):
