@@ -29,6 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.letters import POSITIVE, REAL, Role
+from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
@@ -554,17 +555,14 @@ def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbo
             break
         symbols = [c.symbol for (n, _), c in told.components.items() if n == number]
         # In letters first: the rejected values may be unwieldy.
-        laws = [law.residual for law in told.laws if law.number == number]
-        try:
-            solved = list(sp.linsolve(laws, *symbols))
-        except (ValueError, NotImplementedError):
-            break
-        if len(solved) != 1:
+        laws = tuple(law.residual for law in told.laws if law.number == number)
+        solved = linear_solution(laws, tuple(symbols))
+        if solved is None:
             break
         found.update(
             {
                 s: v.xreplace(found)
-                for s, v in zip(symbols, solved[0], strict=True)
+                for s, v in zip(symbols, solved, strict=True)
                 if s not in v.free_symbols
             }
         )

@@ -220,7 +220,7 @@ def found_before(work: Working, tree: Expression, now: int) -> dict[str, Origin]
     if isinstance(tree, Quantity) and body in work.model.story.spheres and not timed:
         latest = work.model.story.latest(body, stage_of(work, tree, now, body))
         event = latest.number if latest is not None else None
-    value = work.model.story.evaluator(now).value(tree)
+    value = work.value(tree, now)
     return work.uses((value.x, value.y) if isinstance(value, Angle) else value, event)
 
 

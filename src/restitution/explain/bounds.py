@@ -537,7 +537,7 @@ def _near(
     work: Working, tree: Expression, now: int, symbol: sp.Symbol, end: sp.Expr, value: sp.Expr
 ) -> sp.Expr:
     """A value as it is written near an end: the same angle may need another half turn there."""
-    raw = work.model.story.evaluator(now).value(tree)
+    raw = work.value(tree, now)
     if not isinstance(raw, Angle):
         return value
     step = _STEP if end == 0 or work.model.sign(end) < 0 else -_STEP

@@ -387,7 +387,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
     words = _words(left, right)
     if isinstance(quantity, Quantity) and quantity.kind in ("angle", "deflection"):
         a, b = _two_directions(work, quantity, now)
-        target = plain(work, work.model.story.evaluator(now).value(other))
+        target = plain(work, work.value(other, now))
         cross, dot = work.put(a.cross(b)), work.put(a.dot(b))
         sharp = quantity.kind == "angle" and any(
             is_line(work.model.story, each) for each in quantity.arguments
@@ -428,7 +428,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         event = work.model.story.latest(body, stage)
         if event is not None and ("setting", event.number) not in work.done:
             words = (*_moves_off(work, event, body), *words)
-        target = plain(work, work.model.story.evaluator(now).value(other))
+        target = plain(work, work.value(other, now))
         tangent = tidy(sp.tan(target))
         if x != 0 and not tangent.has(sp.zoo):
             return Step(

@@ -95,7 +95,7 @@ def components(work: Working, body: str, stage: int) -> tuple[sp.Expr, sp.Expr]:
 
 def evaluated(work: Working, tree: Expression, now: int) -> Any:
     """The value of a tree with all that is known put in: an expression, a pair or an angle."""
-    value = work.model.story.evaluator(now).value(tree)
+    value = work.value(tree, now)
     return plain(work, value)
 
 
@@ -112,7 +112,7 @@ def plain(work: Working, value: Any) -> Any:
 
 def inside(work: Working, tree: Expression, now: int) -> frozenset[sp.Symbol]:
     """The unknowns on which a tree rests."""
-    value = work.model.story.evaluator(now).value(tree)
+    value = work.value(tree, now)
     if isinstance(value, Angle):
         return work.open(value.x) | work.open(value.y)
     return work.open(tuple(value) if isinstance(value, Vector) else value)

@@ -188,7 +188,7 @@ def _given_as_answer(work: Working, result: ItemResult, now: int) -> set[sp.Symb
         isinstance(tree, Quantity) and tree.kind in ("velocity", "speed", "along", "across")
     ):
         return set()
-    value = work.model.story.evaluator(now).value(tree)
+    value = work.value(tree, now)
     parts = tuple(value) if isinstance(value, Vector) else (value,)
     return {
         symbol

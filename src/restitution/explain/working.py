@@ -32,11 +32,13 @@ from restitution.explain.phrases import (
     sum_of_products,
 )
 from restitution.explain.steps import Origin, Row, Side, Step, StepKind, Words, side
+from restitution.expression.evaluate import Value
+from restitution.expression.tree import Expression
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
-from restitution.solve.neat import factors
+from restitution.solve.neat import factors, linear_solution
 from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
@@ -76,8 +78,16 @@ class Working:
     asked: set[sp.Symbol] = field(default_factory=set)
     answered: set[sp.Symbol] = field(default_factory=set)
     item: int | None = None
+    # What trees are worth in the story, by tree and event.
+    _values: dict[tuple[Expression, int], Value] = field(default_factory=dict)
 
     # --- values ---------------------------------------------------------------------------
+
+    def value(self, tree: Expression, now: int) -> Value:
+        """What a tree is worth after ``now`` events, in components and letters."""
+        if (tree, now) not in self._values:
+            self._values[tree, now] = self.model.story.evaluator(now).value(tree)
+        return self._values[tree, now]
 
     def put(self, x: Any) -> Any:
         """An expression with everything put in that is known so far."""
@@ -455,16 +465,12 @@ class Working:
     def _linear(
         self, pair: Sequence[Equation], parts: Sequence[sp.Symbol]
     ) -> dict[sp.Symbol, sp.Expr] | None:
-        try:
-            found = sp.linsolve(
-                [self._known(sp.sympify(e.residual, strict=True)) for e in pair], *parts
-            )
-        except (ValueError, NotImplementedError):
+        found = linear_solution(
+            tuple(self._known(sp.sympify(e.residual, strict=True)) for e in pair), tuple(parts)
+        )
+        if found is None:
             return None
-        solutions = list(found)
-        if len(solutions) != 1:
-            return None
-        values = dict(zip(parts, (tidy(each) for each in solutions[0]), strict=True))
+        values = dict(zip(parts, (tidy(each) for each in found), strict=True))
         if any(v.free_symbols & set(parts) for v in values.values()):
             return None
         return values

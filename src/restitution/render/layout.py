@@ -420,8 +420,10 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
     With ``degrees`` the value is an angle in radians and is shown in degrees. Angles inside sine,
     cosine and tangent are always shown in degrees.
     """
+    if isinstance(value, Expr):
+        return _from_angle(value) if degrees else _from_expression(value)
     if isinstance(value, bool | int | Ratio):
-        value = sympy.sympify(value, strict=True)
+        return from_sympy(sympy.sympify(value, strict=True), degrees=degrees)
     if isinstance(value, float):
         return decimal_number(sympy.Float(value))
     if isinstance(value, sympy.Set):
@@ -437,11 +439,7 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
     if isinstance(value, sympy.And | sympy.Or):
         word = " and " if isinstance(value, sympy.And) else " or "
         return Phrase(tuple(from_sympy(each, degrees=degrees) for each in value.args), word)
-    if not isinstance(value, Expr):
-        return Words(str(value))
-    if degrees:
-        return _from_angle(value)
-    return _from_expression(value)
+    return Words(str(value))
 
 
 @lru_cache(maxsize=4096)

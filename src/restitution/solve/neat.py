@@ -54,6 +54,18 @@ def numerator(x: sp.Expr) -> sp.Expr:
     return sp.expand(sp.together(x).as_numer_denom()[0])
 
 
+@lru_cache(maxsize=512)
+def linear_solution(
+    equations: tuple[sp.Expr, ...], unknowns: tuple[sp.Symbol, ...]
+) -> tuple[sp.Expr, ...] | None:
+    """The one solution of linear equations (each = 0), or None."""
+    try:
+        found = list(sp.linsolve(equations, *unknowns))
+    except (ValueError, NotImplementedError):
+        return None
+    return tuple(found[0]) if len(found) == 1 else None
+
+
 def _reduced(x: sp.Expr) -> sp.Expr:
     """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
     above, below = sp.fraction(x)

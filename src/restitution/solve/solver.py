@@ -435,6 +435,8 @@ class _Worker:
         kind: ItemKind,
         angle: bool,
     ) -> tuple[Rejected, ...]:
+        if not outcome.refused:
+            return ()
         found: list[Rejected] = []
         known = outcome.letters.all_roles()
         rng = random.Random(43)
