@@ -20,7 +20,9 @@ from restitution.expression.tree import (
     Place,
     Polar,
     Quantity,
+    Unit,
     children,
+    letters,
     walk,
 )
 from restitution.expression.words import unknown_name
@@ -308,7 +310,36 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
             yield from _name(bodies, node, allowed, parent)
         elif isinstance(node, Quantity):
             yield from _quantity(bodies, node)
+        elif isinstance(node, Binary) and node.op in "+-":
+            yield from _sum(bodies, node)
         pending.extend((child, _allowed(node, child), node) for child in reversed(children(node)))
+
+
+def _sum(bodies: _Bodies, node: Binary) -> Iterator[StatementError]:
+    """A vector and a number, added."""
+    for vector, number in ((node.left, node.right), (node.right, node.left)):
+        if _is_made_of_units(vector) and _is_number(bodies, number):
+            named = sorted(letters(number))
+            read = " and ".join(named) + (" is a letter" if len(named) == 1 else " are letters")
+            yield _error(
+                "a vector and a number cannot be added: a vector is made of i and j"
+                + (f", and {read} here" if named else ""),
+                _place_of(number) or node.place,
+            )
+
+
+def _is_made_of_units(tree: Expression) -> bool:
+    """Whether an expression is a multiple of i or j, or a sum with one."""
+    pending = [tree]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Unit | Pair):
+            return True
+        if isinstance(node, Negate) or (isinstance(node, Binary) and node.op in "+-*"):
+            pending.extend(children(node))
+        elif isinstance(node, Binary) and node.op == "/":
+            pending.append(node.left)
+    return False
 
 
 def _allowed(parent: Expression, child: Expression) -> AbstractSet[str]:

@@ -31,6 +31,7 @@ from restitution.expression.reading import (
 )
 from restitution.expression.tree import Expression, Number, Pair, Place
 from restitution.language.checking import check
+from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
 from restitution.language.slips import with_guess
@@ -99,7 +100,7 @@ def parse(text: str | bytes) -> Problem:
         except StatementError as mistake:
             mistakes.append(mistake)
         else:
-            return problem
+            return replace(problem, warnings=(*problem.warnings, *doubts(problem)))
     first = mistakes[0]
     first.others = (*mistakes[1:], *first.others)
     raise first

@@ -11,6 +11,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import sympy as sp
+
 from restitution import exact
 from restitution.errors import ImpossibleError, RestitutionError
 from restitution.expression.evaluate import Angle
@@ -46,7 +48,7 @@ def impossible_coefficients(branch: Branch) -> list[Impossible]:
         if outside(told):
             shown = to_text(display(exact.tidy(exactly.e)))
             e = told.step.e if isinstance(told.step, Impact) else None
-            name = e.name if isinstance(e, Letter) else "e"
+            name = to_text(display(sp.Symbol(e.name))) if isinstance(e, Letter) else "e"
             found.append(Impossible(f"{name} = {shown}", told.number, made_of(told.step)))
     return found
 

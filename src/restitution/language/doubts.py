@@ -1,0 +1,172 @@
+"""What reads well and is probably a slip all the same: a warning, never an error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+
+from restitution.expression.tree import (
+    GREEK,
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Place,
+    Polar,
+    Quantity,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.problem import Aligned, Compare, Extremum, Find, Given, Impact, Let, Problem
+from restitution.problem import Range, Relation, Show, Unknown, Value, trees
+
+_TURN = Fraction(7)  # more radians than a full turn: surely degrees
+_OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
+_ANGLES = frozenset(("direction", "angle", "deflection"))
+
+
+def doubts(problem: Problem) -> Iterator[str]:
+    """Warnings: numbers of degrees without their sign, facts about letters that stand nowhere."""
+    yield from _radians(problem)
+    yield from _idle_facts(problem)
+
+
+def _warning(place: Place | None, said: str) -> str:
+    return said if place is None else f"line {place.line}, column {place.column}: {said}"
+
+
+# --- degrees without a sign -------------------------------------------------------------------
+
+
+def _radians(problem: Problem) -> Iterator[str]:
+    said: set[Place | None] = set()
+    for angle in _angles(problem):
+        for term in _terms(angle):
+            if isinstance(term, Number) and term.value >= _TURN and term.place not in said:
+                said.add(term.place)
+                number = write_expression(term)
+                yield _warning(
+                    term.place,
+                    f"{number} was read as {number} radians: if you mean degrees, "
+                    f"write {number}°",
+                )
+
+
+def _angles(problem: Problem) -> Iterator[Expression]:
+    """Every expression that stands for an angle."""
+    for tree in trees(problem):
+        for node in walk(tree):
+            if isinstance(node, Polar):
+                yield node.angle
+            elif isinstance(node, Apply) and node.function in _OF_ANGLES:
+                yield node.argument
+    directions = [wall.along for wall in problem.walls]
+    for _, step in problem.steps():
+        if isinstance(step, Impact):
+            directions.append(step.along)
+    yield from (each for each in directions if isinstance(each, Number))
+    angles = _letters_for_angles(problem)
+    for relation in _relations(problem):
+        if isinstance(relation, Compare) and any(_is_angle(x, angles) for x in relation.operands):
+            yield from relation.operands
+
+
+def _letters_for_angles(problem: Problem) -> frozenset[str]:
+    found = {
+        node.name
+        for tree in trees(problem)
+        for each in walk(tree)
+        if isinstance(each, Polar | Apply)
+        for node in ([each.angle] if isinstance(each, Polar) else _argument(each))
+        if isinstance(node, Letter)
+    }
+    return frozenset(found)
+
+
+def _argument(tree: Apply) -> list[Expression]:
+    return [tree.argument] if tree.function in _OF_ANGLES else []
+
+
+def _is_angle(tree: Expression, angles: frozenset[str]) -> bool:
+    return (isinstance(tree, Quantity) and tree.kind in _ANGLES) or (
+        isinstance(tree, Letter) and tree.name in angles
+    )
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum."""
+    pending = [tree]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Negate) or (isinstance(node, Binary) and node.op in "+-"):
+            pending.extend(reversed(children(node)))
+        else:
+            yield node
+
+
+# --- facts that say nothing of the motion -----------------------------------------------------
+
+
+def _relations(problem: Problem) -> Iterator[Relation]:
+    for _, step in problem.steps():
+        if isinstance(step, Given):
+            yield from step.relations
+        elif isinstance(step, Show):
+            yield step.relation
+
+
+def _idle_facts(problem: Problem) -> Iterator[str]:
+    """Facts about letters alone, none of which is tied to anything else in the statement."""
+    facts = [
+        relation
+        for _, step in problem.steps()
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare) and not any(map(has_quantity, relation.operands))
+    ]
+    if not facts:
+        return
+    used = set(_used(problem, facts))
+    pending = [(fact, _letters_of(fact.operands)) for fact in facts]
+    while tied := [each for each in pending if each[1] & used]:
+        for each in tied:
+            used |= each[1]
+            pending.remove(each)
+    for fact, named in pending:
+        if not named:
+            continue
+        first = min(named)
+        like = [each for each in used if (each in GREEK) == (first in GREEK) and each != "e"]
+        meant = f": did you mean {like[0]}?" if len(named) == len(like) == 1 else ""
+        stand = "stands" if len(named) == 1 else "stand"
+        yield _warning(
+            getattr(fact.operands[0], "place", None),
+            f"{' and '.join(sorted(named))} {stand} nowhere else in the statement{meant}",
+        )
+
+
+def _letters_of(operands: Iterable[Expression]) -> frozenset[str]:
+    return frozenset().union(*map(letters, operands))
+
+
+def _used(problem: Problem, facts: list[Compare]) -> Iterator[str]:
+    """The letters that stand anywhere but in the facts, the unwritten e of an impact included."""
+    apart = {id(operand) for fact in facts for operand in fact.operands}
+    for tree in trees(problem):
+        if id(tree) not in apart:
+            yield from letters(tree)
+    for _, step in problem.steps():
+        match step:
+            case Impact(e=None):
+                yield "e"
+            case Let(letter):
+                yield letter
+            case Unknown(named):
+                yield from named
+            case Find(_, named) | Show(_, _, named) if named:
+                yield from named
