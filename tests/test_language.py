@@ -482,6 +482,132 @@ def test_mistake(line) -> None:
     assert (caught.value.line, caught.value.column) == (5 + line.count("\n"), column)
 
 
+# What students write, in a statement of two spheres and a wall (line 5 as above).
+SLIPS = {
+    # units
+    "sphere P: velocity 3i + 4j m/s": (28, "leave out 'm/s'"),
+    "sphere P: velocity (3i + 4j) m s^-1": (30, "leave out 'm s^-1'"),
+    "sphere P: velocity (3, 4) ms⁻¹, mass 2": (27, "leave out 'ms⁻¹'"),
+    "sphere P: velocity 5 at 30° m/s": (29, "leave out 'm/s'"),
+    "sphere P: velocity √(5) m s−1 at 30°": (25, "no units"),
+    "A receives 4i + 6j N s": (20, "leave out 'N s'"),
+    "given velocity(A) = (3i - 4j) m/s": (31, "leave out 'm/s'"),
+    # how lines begin
+    "ball P: mass 2": (1, "did you mean 'sphere'?"),
+    "Calculate speed(A)": (1, "did you mean 'find'?"),
+    "a) find e": (1, "'part a'"),
+    "(ii) find e": (1, "'part ii'"),
+    "tan(alpha) = 3/4": (1, "did you mean 'given tan(alpha) = 3/4'?"),
+    "speed(A) = 4": (1, "did you mean 'given speed(A) = 4'?"),
+    "let tan(alpha) = 3/4": (1, "did you mean 'given tan(alpha) = 3/4'?"),
+    "let k be 3": (7, "did you mean '='?"),
+    "A and B collide again": (1, "did you mean 'given A and B collide again'?"),
+    "A and B collide": (9, "did you mean 'A hits B'?"),
+    "A collides with B: along i": (3, "did you mean 'hits'?"),
+    "A bounces off the wall W": (3, "did you mean 'hits'?"),
+    "hence find e": (1, "leave out 'hence'"),
+    "given that e = 1": (7, "leave out 'that'"),
+    "show that e = 1": (6, "leave out 'that'"),
+    "// a comment": (1, "'#'"),
+    # properties
+    "sphere P mass 2": (10, "':'"),
+    "sphere P has mass 2": (10, "':'"),
+    "sphere P: m = 2": (11, "did you mean 'mass'?"),
+    "sphere P: mass = 2": (16, "leave out '='"),
+    "sphere P: mass 2,5": (17, "decimal point"),
+    "sphere P: mass 2; at rest": (17, "did you mean ','?"),
+    "sphere P: mass 2 and at rest": (18, "did you mean ','?"),
+    "sphere P: speed 5 at 30°": (11, "did you mean 'velocity'?"),
+    "sphere P: velocity 5 at an angle of 30°": (25, "leave out 'an angle of'"),
+    "sphere P: velocity 5 at 30° to i": (29, "did you mean 'from i'?"),
+    "sphere P: velocity 5 at 30° with W": (29, "did you mean 'to W'?"),
+    "sphere P: velocity 5 at 30° to wall W": (32, "leave out 'wall'"),
+    "sphere P: velocity 3i + 4k": (25, "i and j, and k is a letter here"),
+    "sphere P: velocity (3i, 4j)": (21, "expected a number"),
+    "sphere P: e = 0.5": (11, "stands on the line of an impact"),
+    "wall V: parallel to i": (9, "did you mean 'along'?"),
+    "wall V: along x-axis": (15, "did you mean 'i'?"),
+    "wall V: y = 2": (9, "did you mean 'along i, through (0, 2)'?"),
+    "A hits B along i": (10, "':'"),
+    "A hits B: along i e = 1": (19, "expected ','"),
+    "A hits B: coefficient of restitution 1/2": (11, "did you mean 'e ='?"),
+    "A hits B: line of centres j": (11, "did you mean 'along'?"),
+    "A receives impulse 4i": (12, "leave out 'impulse'"),
+    # questions
+    "find speed of A": (6, "did you mean 'speed(A)'?"),
+    "find velocity A": (6, "did you mean 'velocity(A)'?"),
+    "find A's speed": (6, "did you mean 'speed(A)'?"),
+    "find initial speed of A": (6, "did you mean 'speed(A, 0)'?"),
+    "find KE": (6, "did you mean 'energy'?"),
+    "find KE lost": (6, "did you mean 'energy_lost'?"),
+    "find kinetic energy of A": (6, "did you mean 'energy(A)'?"),
+    "find angle of deflection of A": (6, "did you mean 'deflection(A)'?"),
+    "find angle between velocity(A) and i": (6, "did you mean 'angle(velocity(A), i)'?"),
+    "find speed(A) and e": (15, "did you mean ','?"),
+    "find speed(A) when e = 1": (15, "a fact stands on a line of its own"),
+    "find the range of e": (6, "leave out 'the'"),
+    "find max of e over u": (6, "did you mean 'maximum of'?"),
+    "find e as percentage": (8, "did you mean 'as a percentage'?"),
+    "find e in term of u": (8, "did you mean 'in terms of'?"),
+    "find e.": (7, "leave out '.'"),
+    # relations
+    "given e == 1": (9, "did you mean '='?"),
+    "given e => 1": (9, "did you mean '>='?"),
+    "given e is 1": (9, "did you mean '='?"),
+    "given velocity(A) perp to i": (19, "did you mean 'perpendicular to'?"),
+    "given velocity(A) is perpendicular to i": (19, "leave out 'is'"),
+    "given A and B don't collide again": (15, "did you mean 'do not collide again'?"),
+    "given e between 0 and 1": (7, "did you mean '0 < e < 1'?"),
+}
+
+
+@pytest.mark.parametrize("line", SLIPS)
+def test_what_was_probably_meant(line) -> None:
+    column, said = SLIPS[line]
+    with pytest.raises(StatementError) as caught:
+        parse(HEAD + line)
+    assert said in caught.value.message
+    assert (caught.value.line, caught.value.column) == (5, column)
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("sphere P: velocity u at 30 to W", "line 5, column 25: 30 was read as 30 radians"),
+        ("given direction(A) = 60", "line 5, column 22: 60 was read as 60 radians"),
+        ("A hits W\ngiven sin(40) = e", "column 11: 40 was read as 40 radians"),
+        ("sphere P: velocity u m/s at 30°", "column 22: 'm/s' was read as a product of letters"),
+        ("sphere P: mass m kg", "column 18: 'kg' was read as a product of letters"),
+        (
+            "sphere P: velocity u at alpha\ngiven tan(theta) = 3/4",
+            "line 6, column 7: theta stands nowhere else in the statement: did you mean alpha?",
+        ),
+        ("given energy(A) = 12 J", "column 22: J was read as a letter"),
+    ],
+)
+def test_what_reads_but_is_doubtful(lines, said) -> None:
+    (warning,) = parse(HEAD + lines).warnings
+    assert said in warning
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "sphere P: velocity u at pi/6 to W",
+        "sphere P: velocity u at 1.2",
+        "sphere P: velocity 2m u i, mass 3m",
+        "sphere P: velocity 2i*m/s",
+        "sphere P: velocity u at alpha\ngiven tan(alpha) = k, k = 2",
+        "sphere P: velocity u at alpha\ngiven tan(theta) = 2, alpha = 2theta",
+        "A hits W\ngiven e = 1/2",
+        "given k > 1\nfind range of k",
+        "given energy(A) = 12J\nfind J",
+    ],
+)
+def test_what_is_not_doubtful(lines) -> None:
+    assert parse(HEAD + lines).warnings == ()
+
+
 def test_all_mistakes_are_found() -> None:
     with pytest.raises(StatementError) as caught:
         parse("spere A\nsphere B\nfnd e\nfind speed(B")

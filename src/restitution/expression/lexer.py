@@ -105,6 +105,8 @@ _HINTS = {
     **dict.fromkeys("|‖", "write abs(x) for a size"),
     **dict.fromkeys("'’′", "a letter has no dash: use another letter or a subscript"),
     **dict.fromkeys("°º˚", "a degree sign stands directly after a number"),
+    **dict.fromkeys('“”„"‘', "leave out the quotation marks"),
+    "≈": "write = … to 3 s.f.",
     "%": "a percent sign stands directly after a number",
     "_": "a subscript follows a letter directly and is digits or one letter",
     "≠": "the relations are =, <, <=, > and >=",
@@ -523,6 +525,8 @@ def _is_a_slip(run: str, called: bool) -> bool:
         return False
     if any(piece in FUNCTIONS for piece in _split(run) or ()):
         return False
+    if called and run in MEANT:
+        return True
     if len(run) == 4 and any(
         one_slip(run, word) and len(word) >= 4 for word in WORDS if len(word) in (4, 5)
     ):
@@ -535,9 +539,9 @@ def _is_a_slip(run: str, called: bool) -> bool:
 
 
 def _unknown(run: str, names: Mapping[str, str]) -> str:
-    if run[0].isupper() and run.lower() not in WORDS:
+    if run[0].isupper() and run.lower() not in (*WORDS, *MEANT):
         return unknown_name(run, names)
-    meant = MEANT.get(run) or _spaced(run) or guess(run)
+    meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
     return f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
 
 

@@ -40,6 +40,7 @@ from restitution.expression.tree import (
 from restitution.expression.words import (
     EVENT_WORDS,
     LINE_WORDS,
+    MEANT,
     PROPERTY_WORDS,
     WORDS,
     guess,
@@ -487,7 +488,9 @@ def _meant(
         meant = near(word, PROPERTY_WORDS)
         return f"unknown property '{word}'" + (f": did you mean '{meant}'?" if meant else "")
     if previous is None and "FIND" in expected:
-        meant = near(word, LINE_WORDS) or guess(word)
+        meant = MEANT.get(word)
+        if meant is None and word not in WORDS:
+            meant = near(word, LINE_WORDS) or guess(word)
         if meant and meant != word:
             return f"unknown word '{word}': did you mean '{meant}'?"
         return None

@@ -101,6 +101,11 @@ FRAGMENTS = (
     "that",
     "then",
     "lost",
+    "loss",
+    "only",
+    "max",
+    "min",
+    "KE",
 )
 
 # The words that may be suggested, and those near which a run of letters is a slip.
@@ -148,8 +153,9 @@ MEANT: Mapping[str, str] = {
     "collides": "hits",
     **dict.fromkeys(("calculate", "determine", "compute", "evaluate", "obtain"), "find"),
     **dict.fromkeys(("prove", "verify", "deduce"), "show"),
-    **dict.fromkeys(("assume", "suppose"), "given"),
-    "magnitude": "abs",
+    **dict.fromkeys(("assume", "suppose", "where", "if", "when"), "given"),
+    "KE": "energy",
+    **dict.fromkeys(("magnitude", "mag", "modulus"), "abs"),
     "csc": "cosec",
     "range": "range of",
     "maximum": "maximum of",

@@ -164,6 +164,9 @@ def _step(bodies: _Bodies, step: Step) -> Iterator[StatementError]:
             yield from _impact(bodies, step)
         case Kick(body, impulse):
             yield from _body(bodies, body, _SPHERE, step.place)
+            if isinstance(impulse, Binary) and _first_factor(impulse) == Quantity("impulse"):
+                place = _place_of(_first_factor(impulse))
+                yield _error("leave out 'impulse': expected a vector after 'receives'", place)
             yield from _vector(bodies, impulse, "receives")
         case Arrival(body, target):
             yield from _body(bodies, body, _SPHERE, step.place)
@@ -312,7 +315,20 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
             yield from _quantity(bodies, node)
         elif isinstance(node, Binary) and node.op in "+-":
             yield from _sum(bodies, node)
+        elif isinstance(node, Pair):
+            for each in filter(_is_made_of_units, (node.x, node.y)):
+                yield _error(
+                    "expected a number in (x, y), not a vector: write (3, 4) or 3i + 4j",
+                    _place_of(each),
+                )
         pending.extend((child, _allowed(node, child), node) for child in reversed(children(node)))
+
+
+def _first_factor(tree: Expression) -> Expression:
+    """What stands first in an expression."""
+    while isinstance(tree, Binary):
+        tree = tree.left
+    return tree
 
 
 def _sum(bodies: _Bodies, node: Binary) -> Iterator[StatementError]:

@@ -25,15 +25,24 @@ from restitution.expression.writing import write_expression
 from restitution.problem import Aligned, Compare, Extremum, Find, Given, Impact, Let, Problem
 from restitution.problem import Range, Relation, Show, Unknown, Value, trees
 
-_TURN = Fraction(7)  # more radians than a full turn: surely degrees
+_TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
 _ANGLES = frozenset(("direction", "angle", "deflection"))
+# Units of one letter, where a fact may end in one.
+_UNITS = {
+    "energy": "J",
+    "energy_lost": "J",
+    "total_energy_lost": "J",
+    "time": "s",
+    "distance": "m",
+}
 
 
 def doubts(problem: Problem) -> Iterator[str]:
-    """Warnings: numbers of degrees without their sign, facts about letters that stand nowhere."""
+    """Warnings: numbers of degrees without their sign, facts tied to nothing, units as letters."""
     yield from _radians(problem)
     yield from _idle_facts(problem)
+    yield from _units(problem)
 
 
 def _warning(place: Place | None, said: str) -> str:
@@ -47,13 +56,12 @@ def _radians(problem: Problem) -> Iterator[str]:
     said: set[Place | None] = set()
     for angle in _angles(problem):
         for term in _terms(angle):
-            if isinstance(term, Number) and term.value >= _TURN and term.place not in said:
+            if isinstance(term, Number) and term.value > _TURN and term.place not in said:
                 said.add(term.place)
                 number = write_expression(term)
                 yield _warning(
                     term.place,
-                    f"{number} was read as {number} radians: if you mean degrees, "
-                    f"write {number}°",
+                    f"{number} was read as {number} radians: if you mean degrees, write {number}°",
                 )
 
 
@@ -131,13 +139,9 @@ def _idle_facts(problem: Problem) -> Iterator[str]:
     ]
     if not facts:
         return
-    used = set(_used(problem, facts))
-    pending = [(fact, _letters_of(fact.operands)) for fact in facts]
-    while tied := [each for each in pending if each[1] & used]:
-        for each in tied:
-            used |= each[1]
-            pending.remove(each)
-    for fact, named in pending:
+    used = _tied(set(_used(problem, facts)), facts)
+    for fact in facts:
+        named = _letters_of(fact.operands) - used
         if not named:
             continue
         first = min(named)
@@ -148,6 +152,21 @@ def _idle_facts(problem: Problem) -> Iterator[str]:
             getattr(fact.operands[0], "place", None),
             f"{' and '.join(sorted(named))} {stand} nowhere else in the statement{meant}",
         )
+
+
+def _tied(used: set[str], facts: list[Compare]) -> set[str]:
+    """The letters in use, and all that facts tie to one of them."""
+    beside: dict[str, set[str]] = {}
+    for fact in facts:
+        named = _letters_of(fact.operands)
+        for letter in named:
+            beside.setdefault(letter, set()).update(named)
+    pending = list(used)
+    while pending:
+        for letter in beside.pop(pending.pop(), set()) - used:
+            used.add(letter)
+            pending.append(letter)
+    return used
 
 
 def _letters_of(operands: Iterable[Expression]) -> frozenset[str]:
@@ -170,3 +189,25 @@ def _used(problem: Problem, facts: list[Compare]) -> Iterator[str]:
                 yield from named
             case Find(_, named) | Show(_, _, named) if named:
                 yield from named
+
+
+# --- units of one letter ----------------------------------------------------------------------
+
+
+def _units(problem: Problem) -> Iterator[str]:
+    """``12 J``, ``3 s`` and ``2 m`` in facts, where the letter stands nowhere else."""
+    for relation in _relations(problem):
+        if not isinstance(relation, Compare):
+            continue
+        kinds = {each.kind for each in relation.operands if isinstance(each, Quantity)}
+        for operand in relation.operands:
+            match operand:
+                case Binary("*", Number() as number, Letter(name) as letter) if (
+                    name in {_UNITS.get(kind) for kind in kinds}
+                    and sum(name in letters(tree) for tree in trees(problem)) == 1
+                ):
+                    yield _warning(
+                        letter.place,
+                        f"{name} was read as a letter; no units are typed (all is in SI): "
+                        f"if it is one, write {write_expression(number)}",
+                    )

@@ -33,6 +33,18 @@ _STRIKES = (
 # Lines by their first word (any, where there is none), pattern, and what to say.
 _TABLE: tuple[tuple[str, str, str], ...] = (
     # how a line begins
+    ("other", r"^\s*(?P<x>//|--|%|\*).*$", "a comment begins with '#'"),
+    (
+        "other",
+        r"^\s*(?P<x>(?:if|where|with|when|assuming|since|because)\b(?:\s+that\b)?)",
+        "did you mean 'given'?",
+    ),
+    (
+        "other",
+        rf"^\s*{_NAME}\s+(?P<x>(?:arrives\s+at|comes\s+to|gets\s+to|goes\s+to)\b)",
+        "did you mean 'reaches'?",
+    ),
+    ("find show given let", r"^\s*\w+\s*(?P<x>:)", _CUT),
     (
         "other",
         r"^\s*(?P<x>\(?(?P<label>[a-z]|[ivx]{2,4}|\d)[).](?!\d))",
@@ -58,12 +70,13 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         rf"^\s*{_NAME}\s+(?P<x>(?:gets|is\s+given|is\s+struck\s+by|is\s+hit\s+by)\b)",
         "did you mean 'receives'?",
     ),
-    ("other", r"^\s*(?P<x>[Tt]hen|[Nn]ow|[Nn]ext|[Tt]he)\b", _CUT),
+    ("other", r"^\s*(?P<x>[Tt]hen|[Nn]ow|[Nn]ext|[Tt]he|[Hh]ence|[Tt]hus|[Aa]lso)\b", _CUT),
     ("other", rf"^\s*(?P<x>{_NAME}(?:\s*,\s*{_NAME})*)\s*:", "did you mean 'sphere {x}: …'?"),
     ("event", r"^\s*(?P<x>.*\bagain\b.*?)\s*$", "did you mean 'given {x}'?"),
     (
         "other",
         r"^\s*(?P<x>[^=<>≤≥:\s][^=<>≤≥:]*(?:[=<>≤≥]\s*\S|\bcollide\s+again|\bat\s+rest\b"
+        r"|\bdo\s+not\s+collide|\bdoes\s+not\s+hit"
         r"|\bhit(?:s)?\b.*\bagain|\bwill\s+(?:not\s+)?hit\b"
         r"|\b(?:perpendicular|parallel|opposite)\s+to\b).*?)\s*$",
         "did you mean 'given {x}'?",
@@ -76,11 +89,45 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("let", r"^\s*let\s+\S+\s+(?P<x>be(?:\s+equal\s+to)?|denote|is)\b", "did you mean '='?"),
     (
         "let",
-        r"^\s*(?P<x>let\s+(?!\w+\s*(?:=|$))(?P<fact>\S.*?))\s*$",
+        r"^\s*(?P<x>let\s+(?!\w+\s*(?:=|$))(?P<fact>\S.*[=<>].*?))\s*$",
         "did you mean 'given {fact}'?",
     ),
     ("given show find", r"^\s*\w+\s+(?P<x>that\b)", _CUT),
     # properties
+    ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
+    ("", r"\d(?P<x>,)\d", "a decimal point is '.'"),
+    (
+        "sphere wall event",
+        r":.*\s(?P<x>find|show|given|let|unknown)\b",
+        "'{x}' begins a line of its own",
+    ),
+    ("sphere wall event", r"(?P<x><(?P<v>[^<>]*,[^<>]*)>)", "did you mean '({v})'?"),
+    ("sphere event", r"[ij]\s*(?P<x>,)\s*[-+−]?\s*[\d.]*\s*[a-z]?\s*[ij]\b", "did you mean '+'?"),
+    (
+        "sphere",
+        r"\bvelocity\s+(?P<x>(?P<a>[\d.\w]+)\s*,?\s*(?P<b>\d[\d.]*\s*(?:°|deg)))",
+        "did you mean '{a} at {b}'?",
+    ),
+    (
+        "sphere event",
+        r"(?P<x>\bin\s+(?:the\s+)?(?:same\s+)?direction(?:\s+of)?)\b",
+        "a direction is told by an angle: 'u at 30°', or 'u at 0° from 3i + 4j'",
+    ),
+    ("", r"(?P<x>\b(?:anticlockwise|counterclockwise|counter-clockwise))\b", _CUT),
+    ("", r"(?P<x>\bclockwise)\b", "angles are anticlockwise: write a negative one"),
+    ("", r"\bat\s[^,]*(?P<x>\babove)\b", "did you mean 'from'?"),
+    (
+        "sphere",
+        r"\bat\s+(?P<x>(?P<v>-?[\w.]{1,4}\s*,\s*-?[\w.]{1,4}))\s*(?:,|$)",
+        "did you mean '({v})'?",
+    ),
+    ("event", r"(?P<x>\bat\s+(?:time\s+)?t\s*=)", "a time is a fact: 'given time(1) = …'"),
+    ("", r"(?P<x>(?P<a>\w)_\{(?P<b>\d+|\w)\})", "did you mean '{a}_{b}'?"),
+    (
+        "",
+        r"(?P<x>\b(?P<q>sin|cos|tan)\s*[-−–]\s?1\b|\binverse\s+(?P<p>sin|cos|tan)\b)",
+        "did you mean 'arc{q}{p}'?",
+    ),
     (
         _BODIES,
         rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+(?P<x>and)\s+{_NAME}",
@@ -89,7 +136,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         _BODIES,
         rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s*(?P<x>,?\s*(?:has|have|of|with|is|lies|moves)\b"
-        r"|,|=)\s*(?=[a-z])",
+        r"|[,;=–-])\s*(?=[a-z])",
         "expected ':' here",
     ),
     (
@@ -127,7 +174,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "event",
-        r"[:,]\s*(?P<x>(?:with\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to)"
+        r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction)"
         r"(?:\s+(?:is|along|at|parallel\s+to|in\s+the\s+direction(?:\s+of)?)\b|\s*=)?)",
         "did you mean 'along'?",
     ),
@@ -168,7 +215,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "wall",
-        r"[:,]\s*(?P<x>parallel\s+to|in\s+the\s+direction(?:\s+of)?)",
+        r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at)\b)",
         "did you mean 'along'?",
     ),
     (
@@ -180,12 +227,12 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("wall", r"[:,]\s*(?P<x>vertical)\b", "did you mean 'along j'?"),
     (
         "wall",
-        r"[:,]\s*(?P<x>y\s*=\s*(?P<c>[^,=]+?))\s*(?:,|$)",
+        r"[:,]\s*(?P<x>y\s*=\s*(?P<c>[^,=xy]+?))\s*(?:,|$)",
         "did you mean 'along i, through (0, {c})'?",
     ),
     (
         "wall",
-        r"[:,]\s*(?P<x>x\s*=\s*(?P<c>[^,=]+?))\s*(?:,|$)",
+        r"[:,]\s*(?P<x>x\s*=\s*(?P<c>[^,=xy]+?))\s*(?:,|$)",
         "did you mean 'along j, through ({c}, 0)'?",
     ),
     ("wall", r":\s*(?P<x>(?:-?\s*\d*\s*[ij]\b|\(|\d+\s*°)[^,]*)", "did you mean 'along {x}'?"),
@@ -193,17 +240,25 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("", r"\bat\s+(?P<x>(?:an?\s+|the\s+)?(?:acute\s+)?angle(?:\s+of)?)(?!\s*\()", _CUT),
     (
         "",
-        r"\bat\s[^,]*?(?P<x>\b(?:to|with)\s+(?:the\s+)?(?:positive\s+)?(?P<d>-?\s*[ij])\b)",
+        r"\bat\s(?!right\b)[^,]*?(?P<x>\b(?:to|with)\s+(?:the\s+)?(?:positive\s+)?(?P<d>-?\s*[ij])\b)",
         "did you mean 'from {d}'?",
     ),
     ("", rf"\bat\s[^,]*?(?P<x>\b(?:with|against|towards)\s+{_BODY})", "did you mean 'to {body}'?"),
-    (
-        "",
-        rf"\b(?:to|from|of|hits|with|along|receives|,|\()\s*"
-        rf"(?P<x>(?:the\s+)?(?:wall|sphere|ball|particle|point))\s+(?={_NAME}\b)",
-        _CUT,
-    ),
     # what is asked, in words
+    ("find", r"(?P<x>\bpercentages?(?:\s+of)?)\s", "'as a percentage' stands after an item"),
+    (
+        "find",
+        r"(?P<x>(?:what\s+)?fraction\s+of)\b",
+        "write a quotient, such as energy_lost/energy(0)",
+    ),
+    ("find", r"(?P<x>&)", "did you mean ','?"),
+    ("find", r",\s*(?P<x>,)", _CUT),
+    ("find", r"(?P<x>\bonly)\b", _CUT),
+    (
+        "find",
+        r"(?P<x>\bin)\s+(?P<v>[a-zα-ω](?:_?\w)?(?:\s*(?:,|and)\s*[a-zα-ω](?:_?\w)?)*)\s*$",
+        "did you mean 'in terms of'?",
+    ),
     (
         _ASKED,
         rf"(?P<x>(?:total\s+)?(?:{_KINETIC}\s+(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?"
@@ -263,7 +318,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         _ASKED,
         rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|velocity|direction|deflection|energy|impulse"
-        rf"|momentum|position|mass)\s*(?:of\s+|on\s+|for\s+)?{_BODY}(?!\s*\())",
+        rf"|momentum|position|mass)\s*(?:of\s+(?:motion\s+of\s+)?|on\s+|for\s+)?{_BODY}(?!\s*\())",
         "did you mean '{q}({body})'?",
     ),
     (
@@ -286,7 +341,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         "find",
         r"(?P<x>(?:the\s+)?(?:set|range)\s+of\s+(?:the\s+)?(?:possible\s+)?values\s+(?:of|for)"
-        r"|possible\s+values\s+(?:of|for)|range\s+for|range\s+of\s+the)",
+        r"|(?:possible\s+)?values\s+(?:of|for)|range\s+for|range\s+of\s+the)",
         "did you mean 'range of'?",
     ),
     (
@@ -314,7 +369,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "find",
-        r"(?P<x>\b(?:in|to)\s+(?:degrees|radians|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
+        r"(?P<x>\b(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
         r"\s+form)\b.*)",
         "leave out '{x}': answers come exact and to 3 significant figures",
     ),
@@ -324,6 +379,35 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         "a fact stands on a line of its own before this: 'given …'",
     ),
     # relations
+    (
+        "",
+        rf"\b(?:to|from|of|hits|with|along|receives|reaches|,|\()\s*"
+        rf"(?P<x>(?:the\s+)?(?:wall|sphere|ball|particle|point))\s+(?=\(|{_NAME}\b)",
+        _CUT,
+    ),
+    ("", r"(?P<x>(?P<o>[<>])\s+=)", "did you mean '{o}='?"),
+    (
+        "given show",
+        r"(?P<x>(?P<q>[^\s,]+)\s+(?:is\s+|lies\s+)?between\s+(?P<a>[^\s,]+)\s+and\s+(?P<b>[^\s,]+))",
+        "did you mean '{a} < {q} < {b}'?",
+    ),
+    (
+        "given show",
+        rf"(?P<x>\b(?P<body>{_NAME})\s+(?:now\s+)?(?:is\s+)?(?:moves|moving|travels|travelling)\b)",
+        "did you mean 'velocity({body})'?",
+    ),
+    (
+        "given show",
+        rf"(?P<x>\b(?P<body>{_NAME})\s+(?:rests|stops|comes\s+to\s+rest|is\s+brought\s+to\s+rest))\b",
+        "did you mean '{body} at rest'?",
+    ),
+    (
+        "given show",
+        r"(?P<x>\bdon['’]t\s+collide(?:\s+again)?)",
+        "did you mean 'do not collide again'?",
+    ),
+    ("given show", r"(?P<x>\bdoesn['’]t\s+hit)\b", "did you mean 'does not hit'?"),
+    ("given show", r"(?P<x>\bwon['’]t\s+hit)\b", "did you mean 'will not hit'?"),
     ("", r"(?P<x>={2,3})", "did you mean '='?"),
     ("", r"(?P<x>=\s*<)", "did you mean '<='?"),
     ("", r"(?P<x>=\s*>)", "did you mean '>='?"),
@@ -374,7 +458,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("", r"(?P<x>[.;?!])\s*$", _CUT),
     ("", r"(?P<x>;)", "did you mean ','?"),
     ("", r"(?P<x>\bthe)\b\s*", _CUT),
-    ("find given unknown show", r"(?P<x>\band\b)", "did you mean ','?"),
+    ("find given unknown show sphere wall event", r"(?P<x>\band\b)", "did you mean ','?"),
 )
 
 
@@ -390,6 +474,7 @@ _SLIPS = tuple(
 )
 _EVENT = re.compile(rf"\s*{_NAME}\s+(?:hits|receives|reaches)\b")
 _SHOWN = 60
+_LONGEST = 300  # what people write in one line; a longer one is not searched
 
 
 def with_guess(source: Source, word: str, mistake: StatementError) -> StatementError:
@@ -400,7 +485,7 @@ def with_guess(source: Source, word: str, mistake: StatementError) -> StatementE
     kind = "event" if _EVENT.match(source.plain) else word if word in LINE_WORDS else "other"
     start_of_line = source.place(len(source.text) - len(source.text.lstrip()))
     if (mistake.line, mistake.column) == (start_of_line.line, start_of_line.column) and (
-        "did you mean" in mistake.message
+        mistake.message.endswith(tuple(f"did you mean '{each}'?" for each in LINE_WORDS))
     ):
         return mistake  # the first word is known already
     for slip, match in _found(source, kind):
@@ -410,7 +495,7 @@ def with_guess(source: Source, word: str, mistake: StatementError) -> StatementE
         at = (mistake.line, mistake.column)
         if (first.line, first.column) <= at <= (last.line, last.column):
             parts = {
-                name: _short(source.text[slice(*match.span(name))])
+                name: _short(source.text[slice(*match.span(name))]) if match[name] else ""
                 for name in slip.pattern.groupindex
             }
             place = source.place(start)
@@ -421,6 +506,8 @@ def with_guess(source: Source, word: str, mistake: StatementError) -> StatementE
 
 
 def _found(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]:
+    if len(source.plain) > _LONGEST:
+        return
     for slip in _SLIPS:
         if not slip.lines or kind in slip.lines:
             for match in slip.pattern.finditer(source.plain):
