@@ -336,6 +336,8 @@ def _by_values(
         return {}
     final = told.branch.story
     kept = {}
+    if all(_in_asked_letters(told, body) for body in bodies):
+        return {}  # the place itself is sought
     for body in bodies:
         track = story.tracks[body]
         kept[body] = track.velocities[-1]
@@ -348,6 +350,17 @@ def _by_values(
             where, when = known
             track.places[-1] = (n, Vector(tidy(where.x), tidy(where.y)), tidy(when))
     return kept
+
+
+def _in_asked_letters(told: Model, body: str) -> bool:
+    """Whether a sphere is still on its first path, with a length to be found in its place."""
+    track = told.story.tracks[body]
+    if len(track.velocities) > 1 or not track.places:
+        return False
+    letters = {told.unknowns.letter(name) for name in told.unknowns.roles}
+    _, where, _ = track.places[-1]
+    inside = {s for x in where for s in sp.sympify(x, strict=True).free_symbols}
+    return inside <= letters and bool(inside & set(told.final))
 
 
 def _letter_values(told: Model) -> None:

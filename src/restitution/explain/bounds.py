@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -19,7 +20,7 @@ from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
-from restitution.problem import Aligned, Compare, Extremum, Meets, Range, Relation, Show
+from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
@@ -107,6 +108,7 @@ def _bounds(work: Working) -> list[Bound]:
     """Everything in the story and the facts that excludes something."""
     found: list[Bound] = []
     found += _from_facts(work)
+    found += _on_the_walls(work)
     found += _from_story(work)
     found += _from_solved(work)
     return found
@@ -278,11 +280,57 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
     return Bound(words, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation])
 
 
+def _on_the_walls(work: Working) -> list[Bound]:
+    """A wall with ends is struck between them: where that is, and where the ends are."""
+    story = work.model.story
+    found: list[Bound] = []
+    for event in story.happenings:
+        step = event.step
+        wall = story.walls.get(step.second) if isinstance(step, Impact) else None
+        if wall is None or wall.start is None or wall.end is None:
+            continue
+        assert isinstance(step, Impact)
+        known = story.place(step.first, event.number)
+        if known is None:
+            continue
+        one, other = (story.read_vector(end, "the end") for end in (wall.start, wall.end))
+        one, other = work.put(one), work.put(other)
+        way = other - one
+        if way.x == 0 or way.y == 0:
+            name = "x" if way.y == 0 else "y"
+            low, high, place = (getattr(each, name) for each in (one, other, known[0]))
+            if work.model.sign(high - low) < 0:
+                low, high = high, low
+            letter: Layout = lay.Letter(name)
+            where: Words = (" where ", letter, " = ")
+            ends: Words = (letter, " = ", look(low), " to ", letter, " = ", look(high))
+        else:
+            size = tidy(sp.sqrt(tidy(way.dot(way))))
+            low, high, place = sp.Integer(0), size, (known[0] - one).dot(way) / size
+            where = (" at this distance from ", lay.Coordinates((look(one.x), look(one.y))), ": ")
+            ends = ("that point for a length ", look(size))
+        work.reach(work.open(place))
+        words: Words = (
+            f"{step.first} strikes {wall.name}",
+            *where,
+            look(work.put(place)),
+            f", and {wall.name} goes from ",
+            *ends,
+            ":",
+        )
+        found.append(Bound(words, place, ">", low, sp.sympify(place - low, strict=True), ">"))
+        found.append(Bound(words, place, "<", high, sp.sympify(place - high, strict=True), "<"))
+    return found
+
+
 def _from_story(work: Working) -> list[Bound]:
     found = []
+    ended = {w.name for w in work.model.story.walls.values() if w.end is not None}
     for need in work.model.story.conditions:
         if isinstance(need, AnyOf) or need.kind in ("coefficient", "sign"):
             continue
+        if any(need.reason.endswith(f"passes the end of {name}") for name in ended):
+            continue  # told by where the wall is struck
         value = sp.sympify(need.value, strict=True)
         sign = _SIGNS[need.relation]
         if sign == "≠":
@@ -439,8 +487,21 @@ def _by_sign(work: Working, factor: sp.Expr, sign: str) -> str | None:
 def explain_range(work: Working, tree: Expression, answer_: Answer, now: int) -> None:
     """The conditions that bound a letter or a quantity, then its range."""
     laid = lay.display_set(answer_.value, lay.from_tree(tree), angle=answer_.angle)
-    _range_working(work, tree, now)
-    work.write("result", [Row((laid,), (), (None,), "A1")], words=("So the range is",))
+    before = len(work.steps)
+    _range_working(work, tree, now, answer_.value)
+    words = "So the range is"
+    if isinstance(tree, Letter) and len(work.steps) == before:
+        role = work.model.unknowns.roles.get(tree.name)
+        if role is not None and _whole(role, answer_.value):
+            words = "All that is given can be so for every value, and the range is"
+    work.write("result", [Row((laid,), (), (None,), "A1")], words=(words,))
+
+
+def _whole(role: Role, values: Any) -> bool:
+    """Whether a range is everything that a letter of this role may be."""
+    low = -sp.oo if role.low is None else role.low
+    high = sp.oo if role.high is None else role.high
+    return isinstance(values, sp.Interval) and (values.start, values.end) == (low, high)
 
 
 def explain_conditions(work: Working, tree: Expression, now: int) -> None:
@@ -448,9 +509,12 @@ def explain_conditions(work: Working, tree: Expression, now: int) -> None:
     _range_working(work, tree, now)
 
 
-def _range_working(work: Working, tree: Expression, now: int) -> None:
+def _range_working(
+    work: Working, tree: Expression, now: int, answer_: sp.Set = sp.S.EmptySet
+) -> None:
     x = work.model.unknowns.letter(tree.name) if isinstance(tree, Letter) else None
-    if x is None:
+    found = x is not None and x in work.model.final
+    if x is None or found:
         prepare(work, tree, now)
         for asked in quantities_in(work, tree, now):
             sub_result(work, asked)
@@ -466,12 +530,17 @@ def _range_working(work: Working, tree: Expression, now: int) -> None:
             )
         ):
             continue
-        said = _reduced(work, value, bound.asks)
+        said = _upwards(*_reduced(work, value, bound.asks))
         if said not in told and _ever_fails(work, value, bound.asks):
             told.append(said)
             _told(work, bound, x)
-    if x is None:
-        _ends(work, tree, now)
+    if x is None or found:
+        _ends(work, tree, now, answer_.free_symbols, alone=not told)
+
+
+def _upwards(value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
+    """A condition with the sign > or ≥, so that equal ones look equal."""
+    return (sp.expand(-value), _FLIPPED[sign]) if sign in "<≤" else (sp.expand(value), sign)
 
 
 def _final(work: Working, value: Any) -> sp.Expr:
@@ -485,8 +554,19 @@ def _final(work: Working, value: Any) -> sp.Expr:
     return work.resolved(x)
 
 
-def _ends(work: Working, tree: Expression, now: int) -> None:
-    """How a quantity changes as one letter runs through its range, where it always grows."""
+def _ends(
+    work: Working,
+    tree: Expression,
+    now: int,
+    kept: AbstractSet[sp.Basic] = frozenset(),
+    *,
+    alone: bool = True,
+) -> None:
+    """How a quantity changes as one letter runs through its range, where it always grows.
+
+    The letters that are kept stand in the range itself, and do not run. Ends at infinity say
+    nothing beside other conditions: they are told only where this is ``alone``.
+    """
     value = evaluated(work, tree, now)
     if isinstance(value, tuple):
         return
@@ -494,25 +574,34 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
     rows: list[Row] = []
     for symbol in sorted(value.free_symbols, key=lambda s: str(s.name)):
         role = work.model.unknowns.roles.get(symbol.name)
-        if role is None or role.low is None or role.high is None:
+        if role is None or role.low is None or symbol in kept:
             continue
         slope = _constant_sign(work, sp.diff(value, symbol))
         if slope == 0:
             continue
         angle = work.is_angle(symbol)
         is_angle = isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
+        is_angle = is_angle or (
+            isinstance(tree, Letter) and work.is_angle(work.model.unknowns.letter(tree.name))
+        )
         name = lay.from_tree(tree)
         ends = []
-        for end in (role.low, role.high):
+        high = sp.oo if role.high is None else role.high
+        for end in (role.low, high):
             near = _near(work, tree, now, symbol, end, value)
             try:
                 limit = sp.limit(near, symbol, end, "+" if end == role.low else "-")
             except (NotImplementedError, ValueError):
                 limit = near.subs(symbol, end)
+            if not limit.is_finite:
+                ends.append(limit)
+                continue
             ends.append(_unwound(work, tidy_angle(limit)) if is_angle else tidy(limit))
+        if not alone and (sp.oo in ends or high == sp.oo):
+            continue
         if not all(
             _is_limit(work, _near(work, tree, now, symbol, at_, value), symbol, at_, end)
-            for at_, end in zip((role.low, role.high), ends, strict=True)
+            for at_, end in zip((role.low, high), ends, strict=True)
         ):
             continue
         words: Words = (
@@ -521,16 +610,28 @@ def _ends(work: Working, tree: Expression, now: int) -> None:
             " goes from ",
             look(role.low, angle=angle),
             " to ",
-            look(role.high, angle=angle),
+            _end(high, angle),
             ", ",
             name,
             " increases from " if slope > 0 else " decreases from ",
-            look(ends[0], angle=is_angle),
+            _end(ends[0], is_angle),
             " to ",
-            look(ends[1], angle=is_angle),
+            _end(ends[1], is_angle),
             ".",
         )
         work.write("result", rows, words=words, mark="M1")
+
+
+def _end(value: sp.Expr, angle: bool) -> Layout:
+    return lay.Number("∞") if value == sp.oo else look(value, angle=angle)
+
+
+def _beside(work: Working, end: sp.Expr) -> Any:
+    """A number inside an interval, beside its end."""
+    if end == sp.oo:
+        return work.model.number(sp.Integer(10) ** 12)
+    step = _STEP if end == 0 or work.model.sign(end) < 0 else -_STEP
+    return work.model.number(end) + step
 
 
 def _near(
@@ -540,8 +641,7 @@ def _near(
     raw = work.value(tree, now)
     if not isinstance(raw, Angle):
         return value
-    step = _STEP if end == 0 or work.model.sign(end) < 0 else -_STEP
-    there = {**work.model.sample, symbol.name: work.model.number(end) + step}
+    there = {**work.model.sample, symbol.name: _beside(work, end)}
     own = Angle(work.put(raw.x), work.put(raw.y), raw.measure)
     return sp.sympify(forms.angle(own, [there]), strict=True)
 
@@ -562,11 +662,12 @@ def _is_limit(
 ) -> bool:
     """Whether an expression comes near a limit, by numbers."""
     try:
-        there = work.model.number(place)
-        step = _STEP if place == 0 or work.model.sign(place) < 0 else -_STEP
-        near = at(value, {**work.model.sample, symbol.name: there + step})
+        there = _beside(work, place)
+        near = at(value, {**work.model.sample, symbol.name: there})
+        if limit == sp.oo:
+            return bool(near > 1e3)
         far = at(limit, {**work.model.sample, symbol.name: there})
-    except (UndefinedError, KeyError, ArithmeticError):
+    except (UndefinedError, KeyError, ArithmeticError, TypeError):
         return False
     return bool(abs(near - far) < 1e-6)
 
@@ -673,9 +774,10 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     lines: list[Row] = []
     if variable is not x:
         own = function.xreplace(back)
-        lines.append(Row((name, look(function.xreplace(put))), ("=",), (own, own)))
+        angle = isinstance(own, sp.Add) and own.has(sp.atan)  # 180° − arctan …
+        lines.append(Row((name, look(function.xreplace(put), angle=angle)), ("=",), (own, own)))
     if root is None or _constant_sign(work, tidy(own_slope)):
-        _at_an_end(work, item, words, [*lines, row], x, own_slope)
+        _at_an_end(work, item, words, [*lines, row], x, own_slope, (name, function.xreplace(back)))
         return
     factor, place = root
     lines += [
@@ -761,10 +863,20 @@ def _at_an_end(
     rows: Sequence[Row],
     x: sp.Symbol,
     slope: sp.Expr,
+    told: tuple[Layout, sp.Expr],
 ) -> None:
-    """The quantity always grows, or always falls: an end of the interval counts."""
+    """The quantity always grows, or always falls: an end of the interval counts.
+
+    Where it does both, its values at the two ends are compared.
+    """
     constant = _constant_sign(work, tidy(slope))
     words: list[str | Layout] = []
+    if not constant:
+        work.write("result", rows, words=intro)
+        compared = _both_ends(work, x, *told)
+        if compared:
+            text = f"The {item.kind} is at an end of the range of "
+            work.write("result", compared, words=(text, look(x), ":"))
     if constant:
         work.write("result", rows, words=intro)
         role = work.model.unknowns.roles.get(x.name)
@@ -790,6 +902,34 @@ def _at_an_end(
                 look(end, angle=angle),
             ]
         work.write("result", words=(*words, "."), mark="DM1")
+
+
+def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> list[Row]:
+    """A quantity at both ends of the range of a letter."""
+    role = work.model.unknowns.roles.get(x.name)
+    if role is None or role.low is None or role.high is None:
+        return []
+    rows = []
+    for end, side_ in ((role.low, "+"), (role.high, "-")):
+        try:
+            value = tidy(sp.limit(function, x, end, side_))
+        except (NotImplementedError, ValueError):
+            return []
+        if not value.is_finite or not _is_limit(work, function, x, end, value):
+            return []
+        place = lay.Relation((look(x), look(end, angle=work.is_angle(x))), ("=",))
+        sides = answer(value)
+        # A value at an end is not that of the letter as it is: nothing to check by the sample.
+        rows.append(
+            Row(
+                (name, *(each.layout for each in sides)),
+                ("=",) * len(sides),
+                (None,) * (len(sides) + 1),
+                "M1" if end == role.low else "",
+                ("when ", place),
+            )
+        )
+    return rows
 
 
 def explain_meets(work: Working, relation: Meets, now: int) -> None:

@@ -282,15 +282,25 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
             side(total, lay.total([square(x) for x in parts])),
             side(
                 result,
-                square(right.value)
-                if not has_quantity(other)
-                else lay.power(lay.bracketed(right.layout), lay.Number("2")),
+                square(right.value) if not has_quantity(other) else _squared(right.layout),
             ),
             mark="M1 A1",
         )
         return Step("fact", (row,), words=_words(tree, other))
 
     return Equation(residual, "fact", now, step, (tree, other, now))
+
+
+def _squared(laid: Layout) -> Layout:
+    """The square of a root, or of a number of times a root, without the root."""
+    two = lay.Number("2")
+    if isinstance(laid, lay.Root) and laid.index == 2:
+        return laid.inside
+    if isinstance(laid, lay.Product) and isinstance(laid.factors[-1], lay.Root):
+        inside = laid.factors[-1].inside
+        outer = [lay.power(lay.bracketed(each), two) for each in laid.factors[:-1]]
+        return lay.Product((*outer, lay.Brackets(inside)), laid.sign)
+    return lay.power(lay.bracketed(laid), two)
 
 
 def _speed_along(
@@ -385,6 +395,9 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
     """An angle that is given: its tangent, or a scalar product where it is a right angle."""
     quantity, other = (left, right) if isinstance(left, Quantity) else (right, left)
     words = _words(left, right)
+    if has_quantity(left) and has_quantity(right):
+        said = lay.Relation((lay.from_tree(left), lay.from_tree(right)), ("=",))
+        words = ("It is given that ", said, ", so the tangents are equal:")
     if isinstance(quantity, Quantity) and quantity.kind in ("angle", "deflection"):
         a, b = _two_directions(work, quantity, now)
         target = plain(work, work.value(other, now))
@@ -408,8 +421,9 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
                 above = -above
             if below.could_extract_minus_sign():
                 below = -below
+            either = {s for s in ours if _of_either_sign(work, s)}
             both = [
-                lay.Brackets(look(x), "||") if x.free_symbols & ours else look(x)
+                lay.Brackets(look(x), "||") if x.free_symbols & either else look(x)
                 for x in (above, below)
             ]
             made = lay.fraction(*both)
@@ -430,12 +444,46 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
             words = (*_moves_off(work, event, body), *words)
         target = plain(work, work.value(other, now))
         tangent = tidy(sp.tan(target))
-        if x != 0 and not tangent.has(sp.zoo):
+        idle = ("y", "j") if tangent == 0 else ("x", "i") if tangent.has(sp.zoo) else None
+        if idle is not None:
+            total, laid = _component_in(work, body, stage, idle[0])
+            words = (*words[:-1], ", so the component in the direction of ", lay.Bold(idle[1]))
+            row = chain(side(total, laid), side(sp.Integer(0)), mark="M1 A1")
+            return Step("fact", (row,), words=(*words, " is zero:"))
+        if x != 0:
             return Step(
                 "fact", (_tangent_row(target, side(tidy(y / x), _ratio(y, x))),), words=words
             )
     a_, b_ = put_in(work, left, now), put_in(work, right, now)
+    tangents = [side(tidy(sp.tan(sp.sympify(each.value, strict=True)))) for each in (a_, b_)]
+    if not any(each.value.has(sp.zoo, sp.nan) for each in tangents):
+        return Step("fact", (chain(*tangents, mark="M1"),), words=words)
     return Step("fact", (chain(a_, b_, mark="M1"),), words=words)
+
+
+def _of_either_sign(work: Working, symbol: sp.Symbol) -> bool:
+    """Whether a component may be negative: not away from a wall, nor of what was at rest."""
+    story = work.model.story
+    for (number, body), each in work.model.components.items():
+        if each.symbol == symbol:
+            u = work.model.happening(number).before[body]
+            still = story.field.is_zero(u.x) and story.field.is_zero(u.y)
+            return work.model.frames[number].wall is None and not still
+    return False
+
+
+def _component_in(work: Working, body: str, stage: int, name: str) -> tuple[sp.Expr, Layout]:
+    """The component of a velocity in the direction of an axis, by those of its latest impact."""
+    v = work.model.story.velocity(body, stage)
+    frame = work.model.owner(body, stage)
+    if frame is None or frame.axis is not None:
+        value = work.put(getattr(v, name))
+        return value, look(value)
+    a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
+    pairs = [(a, work.put(getattr(frame.n, name))), (b, work.put(getattr(frame.t, name)))]
+    kept = [(p, q) for p, q in pairs if p != 0 and q != 0]
+    total = sum((p * q for p, q in pairs), sp.Integer(0))
+    return total, sum_of_products(kept) if kept else lay.Number("0")
 
 
 def _moves_off(work: Working, event: Happening, body: str) -> Words:
@@ -491,6 +539,10 @@ def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
     a, b = work.put(a), work.put(b)
     products = [(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
     total = sum((x * y for x, y in products), sp.Integer(0))
+    if len(products) == 1:
+        # One of the two is zero.
+        total = next((x for x in products[0] if work.model.sign(x) == 0), total)
+        return chain(side(total), side(sp.Integer(0)), mark=mark)
     laid = sum_of_products(products) if products else None
     return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
 
@@ -505,14 +557,10 @@ def _component_row(work: Working, relation: Aligned, now: int, need: StoryEquati
         frame = work.model.owner(body, stage)
         if frame is None or frame.axis is not None or frame.by_values:
             continue
-        v = work.model.story.velocity(body, stage)
-        a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
         for name in ("x", "y"):
-            pairs = [(a, work.put(getattr(frame.n, name))), (b, work.put(getattr(frame.t, name)))]
-            total = sum((p * q for p, q in pairs), sp.Integer(0))
+            total, laid = _component_in(work, body, stage, name)
             if work.model.sign(total) == 0:
-                kept = [(p, q) for p, q in pairs if p != 0 and q != 0]
-                return chain(side(total, sum_of_products(kept)), side(sp.Integer(0)), mark="M1 A1")
+                return chain(side(total, laid), side(sp.Integer(0)), mark="M1 A1")
     residual = work.numerator(need.value)
     return chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1")
 

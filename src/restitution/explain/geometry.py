@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
@@ -16,10 +17,12 @@ from restitution.explain.phrases import (
     vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
-from restitution.expression.tree import Expression, Negate
-from restitution.problem import Impact
+from restitution.expression.tree import Expression, Name, Negate, Quantity
+from restitution.problem import Compare, Impact
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
+from restitution.solve.facts import givens
+from restitution.solve.quantities import event_of, stage_number
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -37,12 +40,13 @@ def resolved(work: Working, frame: Frame) -> list[Row]:
             continue
         if frame.wall is not None:
             raw_n = tidy(-raw_n)
-        if work.open(raw_n) or work.open(raw_t):
+        opened = work.open(raw_n) | work.open(raw_t)
+        if opened and (frame.axis is not None or not opened <= work.letters()):
             continue
         un, ut = work.put(raw_n), work.put(raw_t)
         if un == 0 and ut == 0:
             continue
-        looks = _by_angle(work, frame, un, ut) or _split(un, ut, work.put(Vector(*u)), frame)
+        looks = _by_angle(work, frame, un, ut) or _split(work, un, ut, work.put(Vector(*u)), frame)
         if looks is None and (raw_n != un or raw_t != ut) and _has_angle(raw_n, raw_t):
             looks = look(raw_n), look(raw_t)
         if looks is None:
@@ -90,7 +94,9 @@ def _has_angle(*values: sp.Expr) -> bool:
     return any(value.has(sp.cos, sp.sin, sp.tan) for value in values)
 
 
-def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, Layout] | None:
+def _split(
+    work: Working, un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame
+) -> tuple[Layout, Layout] | None:
     """``u cos 60°`` and ``u sin 60°``, or scalar products."""
     size = tidy(sp.sqrt(tidy(sp.expand(un**2 + ut**2))))
     first, second = tidy(un / size), tidy(ut / size)
@@ -100,12 +106,16 @@ def _split(un: sp.Expr, ut: sp.Expr, u: Vector, frame: Frame) -> tuple[Layout, L
         return None
     plain = frame.axis is None and all(sp.sympify(x, strict=True).is_Rational for x in u)
     if not plain and not first.free_symbols and not second.free_symbols:
-        degrees = sp.N(sp.atan2(abs(second), abs(first)) * 180 / sp.pi, 20)
+        # The angle with the line of centres, but with the wall itself.
+        wall = work.model.story.walls.get(frame.wall or "")
+        to_wall = wall is not None and wall.centre is None
+        opposite, adjacent = (first, second) if to_wall else (second, first)
+        degrees = sp.N(sp.atan2(abs(opposite), abs(adjacent)) * 180 / sp.pi, 20)
         nearest = round(float(degrees) / 15) * 15
         if abs(degrees - nearest) < 1e-12:
             angle = lay.Degrees(Number(str(nearest)))
-            laid = lay.product(look(size), lay.function("cos", angle))
-            other = lay.product(look(size), lay.function("sin", angle))
+            functions = ("sin", "cos") if to_wall else ("cos", "sin")
+            laid, other = (lay.product(look(size), lay.function(each, angle)) for each in functions)
             return (
                 lay.negative(laid) if sp.N(first) < 0 else laid,
                 lay.negative(other) if sp.N(second) < 0 else other,
@@ -160,7 +170,9 @@ def line_of_centres(work: Working, frame: Frame) -> None:
                 ),
             )
         else:
-            _by_change(work, frame, step.first, f"perpendicular to {frame.wall}")
+            known = {step.first: _given_after(work, step.first, frame.number)}
+            how = _better(work, known, frame.number)
+            _by_change(work, frame, *how, f"perpendicular to {frame.wall}")
         return
     if step.offset is not None:
         _by_offset(work, frame, step)
@@ -208,27 +220,102 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             words=("The line of centres joins the centres at the impact:",),
         )
         return
-    _by_change(work, frame, _better(work, step, frame.number), "along the line of centres")
+    known = {name: _given_after(work, name, frame.number) for name in (step.first, step.second)}
+    for name, kinds in known.items():
+        if "impulse" in kinds:
+            _by_impulse(work, frame, name)
+            return
+    _by_change(work, frame, *_better(work, known, frame.number), "along the line of centres")
 
 
-def _better(work: Working, step: Impact, number: int) -> str:
-    """The sphere whose velocities are given: its change is the simpler to write."""
+def _given_after(work: Working, body: str, number: int) -> frozenset[str]:
+    """What the facts tell of a sphere just after an impact: ``velocity``, ``speed``, …"""
+    story = work.model.story
+    found: set[str] = set()
+    for given, now in givens(work.model.problem, work.model.part):
+        for relation in given.relations:
+            if not isinstance(relation, Compare) or "=" not in relation.operators:
+                continue
+            for tree in relation.operands:
+                if not isinstance(tree, Quantity) or not tree.arguments:
+                    continue
+                name = tree.arguments[0]
+                if not isinstance(name, Name) or name.name != body:
+                    continue
+                if tree.kind in ("deflection", "impulse"):
+                    when = event_of(story, tree, now, body).number
+                else:
+                    latest = story.latest(body, stage_number(story, tree, now, body))
+                    when = latest.number if latest is not None else 0
+                if when == number:
+                    found.add(tree.kind)
+    return frozenset(found)
+
+
+def _better(
+    work: Working, known: Mapping[str, frozenset[str]], number: int
+) -> tuple[str, Literal["given", "made", "still", "open"]]:
+    """The sphere by whose change of velocity the line is found, and how that change is known."""
     final = work.model.branch.story
 
-    def cost(name: str) -> tuple[bool, int]:
+    def cost(name: str) -> tuple[int, int]:
         v, u = final.velocity(name, number), final.velocity(name, number - 1)
+        told = known[name]
+        turned = bool(told & {"deflection", "direction"})
         still = (u.x, u.y) == (0, 0)
-        return not still, int(sum(sp.count_ops(x) for x in (*v, *u)))
+        how = 3
+        if "velocity" in told or (still and turned):
+            how = 0 if still else 1
+        elif "speed" in told and turned:
+            how = 2
+        return how, int(sum(sp.count_ops(x) for x in (*v, *u)))
 
-    return min((step.first, step.second), key=cost)
+    name = min(known, key=cost)
+    how = cost(name)[0]
+    return name, ("still", "given", "made", "open")[how]
 
 
-def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
+def _by_impulse(work: Working, frame: Frame, body: str) -> None:
+    """An impulse whose direction is given acts along the line of centres."""
+    event = work.model.branch.story.happenings[frame.number - 1]
+    assert event.impulse is not None
+    assert isinstance(event.step, Impact)
+    sign = 1 if body == event.step.second else -1
+    push = work.put(event.impulse * sign)
+    work.write(
+        "principle",
+        words=(
+            f"The impulse on {body} acts along the line of centres, and is parallel to ",
+            direction_words(push.x, push.y),
+            ". So the line of centres is parallel to ",
+            direction_words(frame.n.x, frame.n.y),
+            ".",
+        ),
+        mark="M1 A1",
+    )
+
+
+def _by_change(
+    work: Working,
+    frame: Frame,
+    body: str,
+    how: Literal["given", "made", "still", "open"],
+    what: str,
+) -> None:
     """The change of a sphere's velocity is parallel to the impulse."""
     final = work.model.branch.story
     v, u = (final.velocity(body, frame.number - k) for k in (0, 1))
     v, u = Vector(tidy(v.x), tidy(v.y)), Vector(tidy(u.x), tidy(u.y))
     change = Vector(tidy(v.x - u.x), tidy(v.y - u.y))
+    if how == "open":
+        _line_together(work, frame)
+        return
+    if how == "made":
+        work.write(
+            "fact",
+            [chain(side((v.x, v.y), Bold("v", body)), side((v.x, v.y)), mark="M1")],
+            words=(f"By the speed and the direction of {body} after the impact,",),
+        )
     row = chain(
         side(
             (change.x, change.y),
@@ -241,7 +328,7 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
         side((change.x, change.y)),
         mark="M1",
     )
-    if (u.x, u.y) == (0, 0):
+    if how == "still":
         work.write(
             "principle",
             words=(
@@ -271,6 +358,24 @@ def _by_change(work: Working, frame: Frame, body: str, what: str) -> None:
     )
 
 
+def _line_together(work: Working, frame: Frame) -> None:
+    """A line of centres, or a wall, that follows from all the equations at once."""
+    subject = "the line of centres is parallel to "
+    way = direction_words(frame.n.x, frame.n.y)
+    if frame.wall is not None:
+        subject, way = f"{frame.wall} is parallel to ", direction_words(frame.t.x, frame.t.y)
+    work.write(
+        "setting",
+        words=(
+            "The principles and all that is given, taken together, are satisfied if ",
+            subject,
+            way,
+            ".",
+        ),
+        mark="M1 A1",
+    )
+
+
 def _size_of(offset: Expression) -> Layout:
     """An offset as it was written, without its sign."""
     return lay.from_tree(offset.operand if isinstance(offset, Negate) else offset)
@@ -289,7 +394,7 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     theta = angle_letter(work)
     d = d if work.sign(d) >= 0 else tidy(-d)
     ratio = tidy(d / (2 * work.put(r)))
-    cosine = tidy(sp.sqrt(tidy(1 - ratio**2)))
+    cosine = tidy(work.resolved(sp.sqrt(tidy(1 - ratio**2))))
     rows = [
         chain(
             shown(lay.function("sin", theta)),

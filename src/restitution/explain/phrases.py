@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
+from fractions import Fraction as Ratio
 from typing import Any
 
 import sympy as sp
@@ -49,6 +51,9 @@ def chain(*sides: Any, mark: str = "", note: Words = ()) -> Row:
             if kept[-1].value is None:
                 kept[-1] = made
             continue
+        if len(kept) > 1 and same_term(made.layout, kept[-1].layout):
+            kept[-1] = made  # ¾u = 3u/4
+            continue
         kept.append(made)
     if len(kept) == 1:
         kept.append(kept[0])
@@ -59,6 +64,47 @@ def chain(*sides: Any, mark: str = "", note: Words = ()) -> Row:
         mark,
         note,
     )
+
+
+def same_term(a: Layout, b: Layout) -> bool:
+    """Whether two products differ only in where their number stands: ``¾u``, ``3u/4``."""
+    first, second = _coefficient(a), _coefficient(b)
+    return first is not None and first == second
+
+
+def _coefficient(laid: Layout) -> tuple[Ratio, frozenset[tuple[Layout, int]]] | None:
+    """The number in a plain product and its other factors; None for what is none."""
+    sign, laid = lay.split_sign(laid)
+    below = Ratio(1)
+    if isinstance(laid, lay.Fraction) and not isinstance(laid.above, Number):
+        number = _coefficient(laid.below)
+        if number is None or number[1]:
+            return None
+        laid, below = laid.above, number[0]
+    factors = laid.factors if isinstance(laid, Product) else (laid,)
+    if isinstance(laid, Product) and laid.sign:
+        return None
+    number_, others = Ratio(1), Counter[Layout]()
+    for factor in factors:
+        if isinstance(factor, Brackets | Sum):
+            return None
+        plain = _ratio_of(factor)
+        if plain is None:
+            others[factor] += 1
+        else:
+            number_ *= plain
+    if not number_ or not below or not others:
+        return None
+    return (-number_ if sign == "-" else number_) / below, frozenset(others.items())
+
+
+def _ratio_of(laid: Layout) -> Ratio | None:
+    if isinstance(laid, Number):
+        return Ratio(laid.digits) if laid.digits.isdigit() else None
+    if isinstance(laid, lay.Fraction):
+        above, below = _ratio_of(laid.above), _ratio_of(laid.below)
+        return above / below if above is not None and below else None
+    return None
 
 
 def relation(left: Any, sign: str, right: Any, mark: str = "", note: Words = ()) -> Row:

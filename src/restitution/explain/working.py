@@ -29,6 +29,7 @@ from restitution.explain.phrases import (
     look,
     product_of,
     relation,
+    same_term,
     sum_of_products,
 )
 from restitution.explain.steps import Origin, Row, Side, Step, StepKind, Words, side
@@ -157,6 +158,8 @@ class Working:
         for row in rows:
             if too_long(row):
                 continue  # true, but no one would write it
+            if len(row.operands) > 1 and len(set(row.operands)) == 1:
+                continue  # 0 = 0
             if holds(row, self.model.sample):
                 checked.append(row)
             else:
@@ -274,6 +277,14 @@ class Working:
             self.determine(symbol)
             rows.append(self.value_row(symbol, mark=self._mark_of(symbol)))
         self.write("solve", rows, words=("The equations together give",))
+        self._confirm()
+
+    def _confirm(self) -> None:
+        """That a value which could only be stated satisfies what is given."""
+        self.reach({c.symbol for c in self.model.components.values()})
+        for fact in self.facts:
+            if fact.number > 0 and not self.open(fact.residual):
+                self._use(fact)
 
     def _equations(self) -> list[Equation]:
         laws = [self._law(each) for each in self.model.laws]
@@ -620,7 +631,10 @@ class Working:
         if len(rows) != 1 or not self.steps or not self.steps[-1].rows or rows[0].note:
             return False
         last, new = self.steps[-1].rows[-1].operands, rows[0].operands
-        return last[0] == new[0] and last[-1] in (new[1], new[-1])
+        if last[0] != new[0] or last[-1] is None:
+            return False
+        ends = [each for each in (new[1], new[-1]) if each is not None]
+        return any(last[-1] == each or same_term(last[-1], each) for each in ends)
 
     def _roots_row(self, x: sp.Symbol, value: sp.Expr, others: Sequence[sp.Expr]) -> Row:
         first = self.value_row(x, value=value)
@@ -979,7 +993,7 @@ class Working:
             mark="B1",
         )
 
-    def _letters(self) -> set[sp.Symbol]:
+    def letters(self) -> set[sp.Symbol]:
         """The letters of the statement, as against components and hidden unknowns."""
         return {self.model.unknowns.letter(name) for name in self.model.unknowns.roles}
 
@@ -1026,16 +1040,17 @@ class Working:
             w = self.put(self.model.after(number, body))
             approach = self.put(-self.model.before(number, body)[0])
             value = tidy(e * approach)
-            row = chain(
-                side(w), side(e * approach, product_of(e, approach)), side(value), mark="M1 A1"
-            )
-            return Step("principle", (row,), "Newton's experimental law")
+            made = product_of(e, approach)
+            sides = [side(w), side(value, made)]
+            if not same_term(made, look(value)):
+                sides.append(side(value))
+            return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
         first, second = happening.bodies
         u1, u2 = (self.put(self.model.before(number, name)[0]) for name in (first, second))
         v, w = (self.put(self.model.after(number, name)) for name in (first, second))
         approach = tidy(u1 - u2)
         separation = side(w - v, difference(w, v))
-        sides: list[Any] = [separation]
+        sides = [separation]
         sign = 1
         if self.model.sign(approach) < 0 and not approach.free_symbols:
             sign = -1
@@ -1050,7 +1065,8 @@ class Working:
             sides.append(side(sp.Integer(0)))
         else:
             sides.append(side(e * approach, product_of(e, bracket)))
-        sides.append(side(tidy(e * approach)))
+        if not same_term(sides[-1].layout, look(tidy(e * approach))):
+            sides.append(side(tidy(e * approach)))
         return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
 
 
