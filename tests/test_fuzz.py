@@ -14,8 +14,8 @@ from strategies import NAMES, expressions, problems
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
 from restitution.expression.words import WORDS
-from restitution.language.doubts import doubts
 from restitution.language import parse, to_statement
+from restitution.language.doubts import doubts
 
 STATEMENTS = sorted(
     each.read_text(encoding="utf-8")

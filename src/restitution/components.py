@@ -246,8 +246,7 @@ class Model:
         names = sorted({s.name for s in x.free_symbols} & set(self.sample))
         for _ in range(2):
             point = {
-                name: self.sample[name] * (1 + rng.random()) + rng.random() / 16
-                for name in names
+                name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names
             }
             try:
                 if abs(at(x, point)) > 1e-20:
@@ -466,11 +465,16 @@ def _frame(
     if wall is not None:
         if told.sign(u.dot(n)) > 0:
             n = -n
-        if told.sign(u.dot(t)) < 0:
+        if told.sign(u.dot(t)) < 0 and not _of_either_sign(tidy(u.dot(t))):
             t = -t
     elif axis is None and told.sign((u - happening.before[step.second]).dot(n)) < 0:
         n, t = -n, -t
     return Frame(number, wall, n, t, axis, by_values)
+
+
+def _of_either_sign(component: sp.Expr) -> bool:
+    """Whether a component is a letter that may be negative: then no case is to be made of it."""
+    return component.is_Symbol and component.is_positive is None
 
 
 def _letters_of(problem: Problem) -> set[str]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from restitution.errors import ImpossibleError
 from restitution.exact import tidy
 from restitution.explain.phrases import answer, chain, look, sum_of_products
 from restitution.explain.quantities import (
@@ -115,6 +116,8 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
     """Writes the working of one item, for one solution."""
     if result.error is not None:
         message = result.error.message
+        if isinstance(result.error, ImpossibleError) and isinstance(result.item, Value):
+            prepare(work, result.item.expression, now)  # what leads to it
         work.write("note", words=(f"{result.text}: no answer, as {message}.",))
         return
     item = result.item

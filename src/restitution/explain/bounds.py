@@ -593,7 +593,7 @@ def _ends(
                 limit = sp.limit(near, symbol, end, "+" if end == role.low else "-")
             except (NotImplementedError, ValueError):
                 limit = near.subs(symbol, end)
-            if not limit.is_finite:
+            if limit.is_finite is False:
                 ends.append(limit)
                 continue
             ends.append(_unwound(work, tidy_angle(limit)) if is_angle else tidy(limit))
@@ -754,6 +754,10 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         replaced = _in_tangent(function, x, t)
         if replaced is not None:
             function, variable, shown_x = replaced, t, sp.tan(x)
+    if not function.has(variable):
+        # What is given ties it to the letter: it is greatest or least at an end of its own range.
+        _range_working(work, tree, now)
+        return
     slope = tidy(sp.factor(sp.diff(function, variable)))
     back = {variable: shown_x}
     root = _stationary(work, slope, function, target_, variable)
@@ -915,7 +919,7 @@ def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> 
             value = tidy(sp.limit(function, x, end, side_))
         except (NotImplementedError, ValueError):
             return []
-        if not value.is_finite or not _is_limit(work, function, x, end, value):
+        if value.is_finite is False or not _is_limit(work, function, x, end, value):
             return []
         place = lay.Relation((look(x), look(end, angle=work.is_angle(x))), ("=",))
         sides = answer(value)

@@ -17,8 +17,8 @@ from restitution.explain.phrases import (
     vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
-from restitution.expression.tree import Expression, Name, Negate, Quantity
-from restitution.problem import Compare, Impact
+from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
+from restitution.problem import Aligned, Compare, Impact, Relation, trees_of_relation
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
 from restitution.solve.facts import givens
@@ -171,6 +171,8 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             )
         else:
             known = {step.first: _given_after(work, step.first, frame.number)}
+            if _told_directly(work, frame, known):
+                return
             how = _better(work, known, frame.number)
             _by_change(work, frame, *how, f"perpendicular to {frame.wall}")
         return
@@ -221,10 +223,8 @@ def line_of_centres(work: Working, frame: Frame) -> None:
         )
         return
     known = {name: _given_after(work, name, frame.number) for name in (step.first, step.second)}
-    for name, kinds in known.items():
-        if "impulse" in kinds:
-            _by_impulse(work, frame, name)
-            return
+    if _told_directly(work, frame, known):
+        return
     _by_change(work, frame, *_better(work, known, frame.number), "along the line of centres")
 
 
@@ -234,9 +234,18 @@ def _given_after(work: Working, body: str, number: int) -> frozenset[str]:
     found: set[str] = set()
     for given, now in givens(work.model.problem, work.model.part):
         for relation in given.relations:
-            if not isinstance(relation, Compare) or "=" not in relation.operators:
+            if isinstance(relation, Compare) and "=" in relation.operators:
+                trees = relation.operands
+            elif isinstance(relation, Aligned) and relation.relation != "perpendicular to":
+                # The direction of an impulse is all that is wanted of it; of a velocity it is not.
+                trees = tuple(
+                    each
+                    for each in (relation.left, relation.right)
+                    if isinstance(each, Quantity) and each.kind == "impulse"
+                )
+            else:
                 continue
-            for tree in relation.operands:
+            for tree in trees:
                 if not isinstance(tree, Quantity) or not tree.arguments:
                     continue
                 name = tree.arguments[0]
@@ -275,8 +284,72 @@ def _better(
     return name, ("still", "given", "made", "open")[how]
 
 
+def _told_directly(work: Working, frame: Frame, known: Mapping[str, frozenset[str]]) -> bool:
+    """Writes how the data tell a line of centres, or a wall, without what comes after."""
+    for name, kinds in known.items():
+        if "impulse" in kinds:
+            _by_impulse(work, frame, name)
+            return True
+    for given, now in givens(work.model.problem, work.model.part):
+        for relation in given.relations:
+            if _of_the_line(work, frame, relation, now):
+                work.write(
+                    "setting",
+                    words=(
+                        "It is given that ",
+                        *_relation_words(relation),
+                        f". So {_subject(frame)} is parallel to ",
+                        _way(frame),
+                        ".",
+                    ),
+                    mark="B1",
+                )
+                return True
+    return False
+
+
+def _of_the_line(work: Working, frame: Frame, relation: Relation, now: int) -> bool:
+    """Whether a fact speaks of the line itself and of nothing that comes after the impact."""
+    if isinstance(relation, Compare) and "=" not in relation.operators:
+        return False
+    nodes = [node for tree in trees_of_relation(relation) for node in walk(tree)]
+    if frame.wall is not None:
+        spoken = any(isinstance(node, Name) and node.name == frame.wall for node in nodes)
+    else:
+        spoken = any(isinstance(n, Quantity) and n.kind == "line_of_centres" for n in nodes)
+    story = work.model.story
+    later = any(
+        isinstance(node, Quantity)
+        and node.kind not in ("line_of_centres", "angle", "direction")
+        and not (node.kind == "velocity" and stage_number(story, node, now, None) < frame.number)
+        for node in nodes
+    )
+    return spoken and not later
+
+
+def _relation_words(relation: Relation) -> tuple[Any, ...]:
+    if isinstance(relation, Aligned):
+        left, right = lay.from_tree(relation.left), lay.from_tree(relation.right)
+        return left, f" is {relation.relation} ", right
+    assert isinstance(relation, Compare)
+    signs = tuple(lay.SIGNS.get(op, op) for op in relation.operators)
+    return (lay.Relation(tuple(lay.from_tree(each) for each in relation.operands), signs),)
+
+
+def _subject(frame: Frame) -> str:
+    return "the line of centres" if frame.wall is None else frame.wall
+
+
+def _way(frame: Frame) -> Layout:
+    along = frame.n if frame.wall is None else frame.t
+    return direction_words(along.x, along.y)
+
+
 def _by_impulse(work: Working, frame: Frame, body: str) -> None:
     """An impulse whose direction is given acts along the line of centres."""
+    acts = "along the line of centres"
+    if frame.wall is not None:
+        acts = f"perpendicular to {frame.wall}"
     event = work.model.branch.story.happenings[frame.number - 1]
     assert event.impulse is not None
     assert isinstance(event.step, Impact)
@@ -285,10 +358,10 @@ def _by_impulse(work: Working, frame: Frame, body: str) -> None:
     work.write(
         "principle",
         words=(
-            f"The impulse on {body} acts along the line of centres, and is parallel to ",
+            f"The impulse on {body} acts {acts}, and is parallel to ",
             direction_words(push.x, push.y),
-            ". So the line of centres is parallel to ",
-            direction_words(frame.n.x, frame.n.y),
+            f". So {_subject(frame)} is parallel to ",
+            _way(frame),
             ".",
         ),
         mark="M1 A1",
@@ -360,16 +433,12 @@ def _by_change(
 
 def _line_together(work: Working, frame: Frame) -> None:
     """A line of centres, or a wall, that follows from all the equations at once."""
-    subject = "the line of centres is parallel to "
-    way = direction_words(frame.n.x, frame.n.y)
-    if frame.wall is not None:
-        subject, way = f"{frame.wall} is parallel to ", direction_words(frame.t.x, frame.t.y)
     work.write(
         "setting",
         words=(
             "The principles and all that is given, taken together, are satisfied if ",
-            subject,
-            way,
+            f"{_subject(frame)} is parallel to ",
+            _way(frame),
             ".",
         ),
         mark="M1 A1",

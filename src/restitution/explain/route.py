@@ -11,6 +11,7 @@ from restitution.components import Model, model, protected_letters, rejected_val
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
+from restitution.explain.events import spoken, table_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.marks import again, settled
 from restitution.explain.phrases import look
@@ -90,7 +91,9 @@ def _part(
     fresh = settled([step for step in steps if step.kind not in _ONCE or step not in seen])
     seen.update(steps)
     _carry(part.part, made, carried)
-    return PartExplanation(part.part.label, asked, fresh, answers), dropped
+    table = table_of(made[0].model.story)
+    told = tuple(spoken(step, table) for step in fresh)
+    return PartExplanation(part.part.label, asked, told, answers), dropped
 
 
 def workings(
@@ -226,6 +229,11 @@ def _take_over(work: Working, carried: Carried) -> None:
     }
     for name, (label, value) in carried.items():
         symbol = names.get(name)
+        if symbol is None and name in work.model.unknowns.roles:
+            # Found before and data now: this may fix a letter that was data before.
+            sought = {s.name for s in work.model.final} & work.model.unknowns.roles.keys()
+            if sought & {s.name for s in value.free_symbols}:
+                symbol = work.model.unknowns.letter(name)
         if symbol is None or (name in components and label in stale):
             continue
         renamed = value.xreplace(
@@ -251,7 +259,7 @@ def _carry(part: Part, workings: Sequence[Working], carried: Carried) -> None:
     for symbol in list(work.known):
         if symbol in given or symbol in work.silent or symbol.name not in work.model.sample:
             continue
-        value = work.put(symbol)
+        value = work.model.final[symbol]  # as it was printed
         if not work.open(value) and symbol.name not in carried:
             carried[symbol.name] = (part.label or "", value)
 

@@ -114,9 +114,7 @@ class Working:
         if isinstance(x, tuple):
             return self.open(x[0]) | self.open(x[1])
         return frozenset(
-            s
-            for s in _symbols(self._known(sp.sympify(x, strict=True)))
-            if s in self.model.final
+            s for s in _symbols(self._known(sp.sympify(x, strict=True))) if s in self.model.final
         )
 
     def uses(self, x: Any, event: int | None = None) -> dict[str, Origin]:
@@ -177,7 +175,7 @@ class Working:
             self.item,
             event,
         )
-        if step in self.steps:
+        if step in self.steps or (checked and any(_says(each, step) for each in self.steps)):
             return
         last = self.steps[-1] if self.steps else None
         if (
@@ -767,9 +765,7 @@ class Working:
         tangents = [own, *(tidy(sp.tan(each)) for each in others)]
         rows: list[Row] = []
         parts = [f for f in factors(poly) if f.has(t)]
-        kept = [
-            f for f in parts if any(self._vanishes(f, t, each) for each in tangents)
-        ] or parts
+        kept = [f for f in parts if any(self._vanishes(f, t, each) for each in tangents)] or parts
         p = sp.Poly(sp.Mul(*kept), t)
         if p.degree() == 1:
             rows.append(chain(side(tangent), side(tidy(-p.coeff_monomial(1) / p.LC()))))
@@ -1084,6 +1080,16 @@ def _replaced(x: sp.Expr, put: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> sp.Expr
 @lru_cache(maxsize=1024)
 def _above(x: sp.Expr) -> sp.Expr:
     return sp.fraction(sp.together(x))[0]
+
+
+def _says(earlier: Step, step: Step) -> bool:
+    """Whether a step, with its words, stands in an earlier one."""
+    same = (earlier.kind, earlier.principle, earlier.words) == (
+        step.kind,
+        step.principle,
+        step.words,
+    )
+    return same and bool(step.words) and set(step.rows) <= set(earlier.rows)
 
 
 def _common(masses: Sequence[sp.Expr]) -> sp.Expr:

@@ -22,8 +22,18 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
-from restitution.problem import Aligned, Compare, Extremum, Find, Given, Impact, Let, Problem
-from restitution.problem import Range, Relation, Show, Unknown, Value, trees
+from restitution.problem import (
+    Compare,
+    Find,
+    Given,
+    Impact,
+    Let,
+    Problem,
+    Relation,
+    Show,
+    Unknown,
+    trees,
+)
 
 _TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
