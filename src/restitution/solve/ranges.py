@@ -532,10 +532,33 @@ def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
 def _range_of_letter(
     desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, setting: Setting
 ) -> sp.Set:
-    outcome = desk.outcome(setting)
-    free = _free(outcome, in_terms_of) - {name}
-    region = Region(outcome, name, tuple(sorted(free)))
-    return to_set(region.pieces())
+    try:
+        outcome = desk.outcome(setting)
+        free = _free(outcome, in_terms_of) - {name}
+        region = Region(outcome, name, tuple(sorted(free)))
+        values = to_set(region.pieces())
+    except ContradictionError:
+        values = _fixed_values(desk, name, setting)
+        if values is sp.S.EmptySet:
+            raise
+    return values or _fixed_values(desk, name, setting)
+
+
+def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
+    """The values of a letter that the facts fix, though it was to run over a range."""
+    own = frozenset({name})
+    sought = replace(
+        setting,
+        protected=setting.protected - own,
+        fixed=setting.fixed - own,
+        asked=setting.asked | own,
+    )
+    try:
+        accepted = desk.outcome(sought).accepted
+    except RestitutionError:
+        return sp.S.EmptySet
+    values = [trial.found.values[name] for trial in accepted if name in trial.found.values]
+    return sp.FiniteSet(*map(exact.tidy, values)) if len(values) == len(accepted) else sp.S.EmptySet
 
 
 def _free(outcome: Outcome, in_terms_of: tuple[str, ...] | None) -> set[str]:
