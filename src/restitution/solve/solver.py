@@ -96,9 +96,11 @@ def solve(problem: Problem) -> Solution:
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()
-    for part in problem.parts:
-        if not any(isinstance(step, Find | Show) for step in part.steps):
-            continue
+    asking = [part for part in problem.parts if _asks(part)]
+    if not asking:
+        warnings.append("nothing is asked: a line such as 'find velocity(A)' would ask for it")
+    # The motion alone is solved too, to be drawn.
+    for part in asking or problem.parts[-1:]:
         worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
         warnings += [each for each in worker.warnings if each not in warnings]
@@ -108,6 +110,10 @@ def solve(problem: Problem) -> Solution:
 
 # A speed that is more to read than this may be shorter in other components.
 LONG = 16
+
+def _asks(part: Part) -> bool:
+    return any(isinstance(step, Find | Show) for step in part.steps)
+
 
 # What a defect here, or an expression that the algebra cannot take, would raise: it costs one
 # item its answer, and no other.
