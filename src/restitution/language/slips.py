@@ -75,10 +75,12 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("event", r"^\s*(?P<x>.*\bagain\b.*?)\s*$", "did you mean 'given {x}'?"),
     (
         "other",
-        r"^\s*(?P<x>[^=<>≤≥:\s][^=<>≤≥:]*(?:[=<>≤≥]\s*\S|\bcollide\s+again|\bat\s+rest\b"
-        r"|\bdo\s+not\s+collide|\bdoes\s+not\s+hit"
-        r"|\bhit(?:s)?\b.*\bagain|\bwill\s+(?:not\s+)?hit\b"
-        r"|\b(?:perpendicular|parallel|opposite)\s+to\b).*?)\s*$",
+        (
+            r"^\s*(?P<x>[^=<>≤≥:\s][^=<>≤≥:]*(?:[=<>≤≥]\s*\S|\bcollide\s+again|\bat\s+rest\b"
+            r"|\bdo\s+not\s+collide|\bdoes\s+not\s+hit"
+            r"|\bhit(?:s)?\b.*\bagain|\bwill\s+(?:not\s+)?hit\b"
+            r"|\b(?:perpendicular|parallel|opposite)\s+to\b).*?)\s*$"
+        ),
         "did you mean 'given {x}'?",
     ),
     (
@@ -135,14 +137,18 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         _BODIES,
-        rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s*(?P<x>,?\s*(?:has|have|of|with|is|lies|moves)\b"
-        r"|[,;=–-])\s*(?=[a-z])",
+        (
+            rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s*(?P<x>,?\s*(?:has|have|of|with|is|lies|moves)\b"
+            r"|[,;=–-])\s*(?=[a-z])"
+        ),
         "expected ':' here",
     ),
     (
         _BODIES,
-        rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+"
-        r"(?P<x>mass|velocity|speed|at|radius|along|parallel|through|from|circle)\b",
+        (
+            rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+"
+            r"(?P<x>mass|velocity|speed|at|radius|along|parallel|through|from|circle)\b"
+        ),
         "expected ':' before '{x}'",
     ),
     (
@@ -174,8 +180,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "event",
-        r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction)"
-        r"(?:\s+(?:is|along|at|parallel\s+to|in\s+the\s+direction(?:\s+of)?)\b|\s*=)?)",
+        (
+            r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction)"
+            r"(?:\s+(?:is|along|at|parallel\s+to|in\s+the\s+direction(?:\s+of)?)\b|\s*=)?)"
+        ),
         "did you mean 'along'?",
     ),
     (
@@ -196,8 +204,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("sphere", r"[:,]\s*(?P<x>[mM]\s*=)", "did you mean 'mass'?"),
     (
         "sphere",
-        r"[:,]\s*(?P<x>(?!velocity\s*[^=\s])(?:[uvUV]\w*|speed|initial\s+(?:velocity|speed)|moving|moves"
-        r"|travelling|moving\s+with\s+(?:velocity|speed))(?:\s*=|\b)(?:\s*(?:of|is|with\s+\w+)\b)?)",
+        (
+            r"[:,]\s*(?P<x>(?!velocity\s*[^=\s])(?:[uvUV]\w*|speed|initial\s+(?:velocity|speed)|moving|moves"
+            r"|travelling|moving\s+with\s+(?:velocity|speed))(?:\s*=|\b)(?:\s*(?:of|is|with\s+\w+)\b)?)"
+        ),
         "did you mean 'velocity'?",
     ),
     ("sphere", r"[:,]\s*(?P<x>[rR]\s*=)", "did you mean 'radius'?"),
@@ -261,14 +271,18 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         _ASKED,
-        rf"(?P<x>(?:total\s+)?(?:{_KINETIC}\s+(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?"
-        rf"(?:total\s+)?{_KINETIC})\s+(?:by|of)\s+{_BODY})",
+        (
+            rf"(?P<x>(?:total\s+)?(?:{_KINETIC}\s+(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?"
+            rf"(?:total\s+)?{_KINETIC})\s+(?:by|of)\s+{_BODY})"
+        ),
         "did you mean 'energy({body}, before) - energy({body})'?",
     ),
     (
         _ASKED,
-        rf"(?P<x>(?:total\s+(?!energy))?{_KINETIC}\s+(?:lost|loss)\b"
-        rf"|loss\s+(?:of|in)\s+(?:the\s+)?(?:total\s+)?{_KINETIC})",
+        (
+            rf"(?P<x>(?:total\s+(?!energy))?{_KINETIC}\s+(?:lost|loss)\b"
+            rf"|loss\s+(?:of|in)\s+(?:the\s+)?(?:total\s+)?{_KINETIC})"
+        ),
         "did you mean 'energy_lost'?",
     ),
     (
@@ -279,8 +293,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (_ASKED, r"(?P<x>\b(?:total\s+)?(?:kinetic\s+energy|K\.?E)\b\.?)", "did you mean 'energy'?"),
     (
         _ASKED,
-        rf"(?P<x>angle\s+(?:of\s+deflection|through\s+which)(?:\s+(?:of|for))?\s+{_BODY}"
-        r"(?:\s+is\s+deflected)?)",
+        (
+            rf"(?P<x>angle\s+(?:of\s+deflection|through\s+which)(?:\s+(?:of|for))?\s+{_BODY}"
+            r"(?:\s+is\s+deflected)?)"
+        ),
         "did you mean 'deflection({body})'?",
     ),
     (
@@ -300,8 +316,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         _ASKED,
-        r"(?P<x>component\s+of\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+(?:along|parallel\s+to|in\s+the"
-        r"\s+direction\s+of)\s+(?:the\s+)?(?P<b>[^,=<>]+))",
+        (
+            r"(?P<x>component\s+of\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+(?:along|parallel\s+to|in\s+the"
+            r"\s+direction\s+of)\s+(?:the\s+)?(?P<b>[^,=<>]+))"
+        ),
         "did you mean 'along({a}, {b})'?",
     ),
     (
@@ -311,27 +329,35 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         _ASKED,
-        rf"(?P<x>initial\s+(?P<q>speed|velocity|direction|energy|momentum)\s*(?:of\s+|\(\s*)?"
-        rf"{_BODY}\)?)",
+        (
+            rf"(?P<x>initial\s+(?P<q>speed|velocity|direction|energy|momentum)\s*(?:of\s+|\(\s*)?"
+            rf"{_BODY}\)?)"
+        ),
         "did you mean '{q}({body}, 0)'?",
     ),
     (
         _ASKED,
-        rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|velocity|direction|deflection|energy|impulse"
-        rf"|momentum|position|mass)\s*(?:of\s+(?:motion\s+of\s+)?|on\s+|for\s+)?{_BODY}(?!\s*\())",
+        (
+            rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|velocity|direction|deflection|energy|impulse"
+            rf"|momentum|position|mass)\s*(?:of\s+(?:motion\s+of\s+)?|on\s+|for\s+)?{_BODY}(?!\s*\())"
+        ),
         "did you mean '{q}({body})'?",
     ),
     (
         _ASKED,
-        rf"(?P<x>\b(?P<body>{_NAME})['’]s\s+(?:final\s+)?(?P<q>speed|velocity|direction|deflection"
-        r"|energy|momentum|position|mass)\b)",
+        (
+            rf"(?P<x>\b(?P<body>{_NAME})['’]s\s+(?:final\s+)?(?P<q>speed|velocity|direction|deflection"
+            r"|energy|momentum|position|mass)\b)"
+        ),
         "did you mean '{q}({body})'?",
     ),
     (
         _ASKED,
         r"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after|following)\b(?:\s+\w+){0,3})",
-        "leave out '{x}': a quantity is the one after the events told so far, "
-        "and speed(A, 1) the one after event 1",
+        (
+            "leave out '{x}': a quantity is the one after the events told so far, "
+            "and speed(A, 1) the one after event 1"
+        ),
     ),
     (
         _ASKED,
@@ -340,20 +366,26 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "find",
-        r"(?P<x>(?:the\s+)?(?:set|range)\s+of\s+(?:the\s+)?(?:possible\s+)?values\s+(?:of|for)"
-        r"|(?:possible\s+)?values\s+(?:of|for)|range\s+for|range\s+of\s+the)",
+        (
+            r"(?P<x>(?:the\s+)?(?:set|range)\s+of\s+(?:the\s+)?(?:possible\s+)?values\s+(?:of|for)"
+            r"|(?:possible\s+)?values\s+(?:of|for)|range\s+for|range\s+of\s+the)"
+        ),
         "did you mean 'range of'?",
     ),
     (
         "find show",
-        r"(?P<x>\b(?:maximum(?!\s+of\b)|max\b\.?(?:imal\b)?|greatest|largest|biggest|highest)"
-        r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)",
+        (
+            r"(?P<x>\b(?:maximum(?!\s+of\b)|max\b\.?(?:imal\b)?|greatest|largest|biggest|highest)"
+            r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)"
+        ),
         "did you mean 'maximum of'? It is written 'maximum of Q over X'",
     ),
     (
         "find show",
-        r"(?P<x>\b(?:minimum(?!\s+of\b)|min\b\.?(?:imal\b)?|least|smallest|lowest)"
-        r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)",
+        (
+            r"(?P<x>\b(?:minimum(?!\s+of\b)|min\b\.?(?:imal\b)?|least|smallest|lowest)"
+            r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)"
+        ),
         "did you mean 'minimum of'? It is written 'minimum of Q over X'",
     ),
     (
@@ -363,14 +395,18 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "find",
-        r"(?P<x>\b(?:as|in)\s+(?:an?\s+)?(?:percentages?|percent|per\s+cent|%)"
-        r"(?:\s+(?:form|of\b.*))?)",
+        (
+            r"(?P<x>\b(?:as|in)\s+(?:an?\s+)?(?:percentages?|percent|per\s+cent|%)"
+            r"(?:\s+(?:form|of\b.*))?)"
+        ),
         "did you mean 'as a percentage'?",
     ),
     (
         "find",
-        r"(?P<x>\b(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
-        r"\s+form)\b.*)",
+        (
+            r"(?P<x>\b(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
+            r"\s+form)\b.*)"
+        ),
         "leave out '{x}': answers come exact and to 3 significant figures",
     ),
     (
@@ -381,8 +417,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     # relations
     (
         "",
-        rf"\b(?:to|from|of|hits|with|along|receives|reaches|,|\()\s*"
-        rf"(?P<x>(?:the\s+)?(?:wall|sphere|ball|particle|point))\s+(?=\(|{_NAME}\b)",
+        (
+            rf"\b(?:to|from|of|hits|with|along|receives|reaches|,|\()\s*"
+            rf"(?P<x>(?:the\s+)?(?:wall|sphere|ball|particle|point))\s+(?=\(|{_NAME}\b)"
+        ),
         _CUT,
     ),
     ("", r"(?P<x>(?P<o>[<>])\s+=)", "did you mean '{o}='?"),
@@ -413,8 +451,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("", r"(?P<x>=\s*>)", "did you mean '>='?"),
     (
         "",
-        r"(?P<x>\b(?:is|are)(?:\s+equal)?)\s+(?=(?:not\s+)?(?:perpendicular|parallel|opposite"
-        r"|at\s+rest|in\s+the\s+direction))",
+        (
+            r"(?P<x>\b(?:is|are)(?:\s+equal)?)\s+(?=(?:not\s+)?(?:perpendicular|parallel|opposite"
+            r"|at\s+rest|in\s+the\s+direction))"
+        ),
         _CUT,
     ),
     ("given show", r"(?P<x>\bis\s+(?:less|smaller)\s+than)\b", "did you mean '<'?"),
@@ -429,8 +469,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("given show let", r"(?P<x>\b(?:is\s+equal\s+to|equals?(?:\s+to)?|is))\b", "did you mean '='?"),
     (
         "given show",
-        r"(?P<x>\bperp\b\.?(?:\s+(?:to|with)\b)?|\bperpendicular\b(?!\s+to\b)(?:\s+with\b)?|[⊥⟂]"
-        r"|\bnormal\s+to\b|\bat\s+right\s+angles\s+(?:to|with)\b)",
+        (
+            r"(?P<x>\bperp\b\.?(?:\s+(?:to|with)\b)?|\bperpendicular\b(?!\s+to\b)(?:\s+with\b)?|[⊥⟂]"
+            r"|\bnormal\s+to\b|\bat\s+right\s+angles\s+(?:to|with)\b)"
+        ),
         "did you mean 'perpendicular to'?",
     ),
     (
@@ -445,8 +487,10 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "given show",
-        r"(?P<x>(?:(?:do|does|will|can|cannot|must)\s+)?(?:not\s+)?(?:further\s+|ever\s+)?"
-        r"(?:collide|meet)s?\b(?!\s+again)(?:\s+\w+){0,4})",
+        (
+            r"(?P<x>(?:(?:do|does|will|can|cannot|must)\s+)?(?:not\s+)?(?:further\s+|ever\s+)?"
+            r"(?:collide|meet)s?\b(?!\s+again)(?:\s+\w+){0,4})"
+        ),
         "did you mean 'collide again' or 'do not collide again'?",
     ),
     (
