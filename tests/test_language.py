@@ -557,6 +557,15 @@ SLIPS = {
     "given velocity(A) perp to i": (19, "did you mean 'perpendicular to'?"),
     "given velocity(A) is perpendicular to i": (19, "leave out 'is'"),
     "given A and B don't collide again": (15, "did you mean 'do not collide again'?"),
+    "given velocity(A) = 3i+4jms^-1": (26, "leave out 'ms^-1'"),
+    "given energy_lost = 25% of energy(0)": (25, "leave out 'of'"),
+    "find max deflection(A)": (6, "did you mean 'maximum of'?"),
+    "find energy loss": (6, "did you mean 'energy_lost'?"),
+    "point M: 0, 0": (10, "did you mean '(0, 0)'?"),
+    "A hits B: elastic": (11, "did you mean 'e = 1'?"),
+    "A hits B: at 30°": (11, "did you mean 'along'?"),
+    "B is hit by A": (1, "did you mean 'A hits B'?"),
+    "P arrives at W": (3, "did you mean 'reaches'?"),
     "given e between 0 and 1": (7, "did you mean '0 < e < 1'?"),
 }
 

@@ -32,6 +32,7 @@ from restitution.expression.words import (
     UNIT_OF_A_PROPERTY,
     WORDS,
     guess,
+    near,
     one_slip,
     unknown_name,
 )
@@ -106,7 +107,8 @@ _HINTS = {
     **dict.fromkeys("'’′", "a letter has no dash: use another letter or a subscript"),
     **dict.fromkeys("°º˚", "a degree sign stands directly after a number"),
     **dict.fromkeys('“”„"‘', "leave out the quotation marks"),
-    "≈": "write = … to 3 s.f.",
+    **dict.fromkeys("≈~", "write = … to 3 s.f."),
+    **dict.fromkeys("@∠", "write a vector as u at 30°"),
     "%": "a percent sign stands directly after a number",
     "_": "a subscript follows a letter directly and is digits or one letter",
     "≠": "the relations are =, <, <=, > and >=",
@@ -408,6 +410,8 @@ def _letters(
         phrase = pattern.match(text, at)
         if phrase:
             return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
+    if text[at] in "ij" and _UNIT_OF_A_PROPERTY.match(text, at + 1):
+        return [_token(source, "UNIT", text[at], at, at + 1)]  # ``4jms^-1``
     axis = _AXIS.match(text, at)
     if axis:
         vector = {"x": "i", "y": "j"}[axis.group(1)]
@@ -539,7 +543,8 @@ def _is_a_slip(run: str, called: bool) -> bool:
 
 
 def _unknown(run: str, names: Mapping[str, str]) -> str:
-    if run[0].isupper() and run.lower() not in (*WORDS, *MEANT):
+    known = (*WORDS, *MEANT)
+    if run[0].isupper() and not (len(run) > 3 and near(run.lower(), known, cutoff=0.9)):
         return unknown_name(run, names)
     meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
     return f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")

@@ -485,7 +485,7 @@ def _meant(
     if token.type == "LETTER" and "NAME" in expected and word[0].isupper():
         return unknown_name(word, names)
     if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:
-        meant = near(word, PROPERTY_WORDS)
+        meant = near(word, [each for each in PROPERTY_WORDS if each.upper() in expected])
         return f"unknown property '{word}'" + (f": did you mean '{meant}'?" if meant else "")
     if previous is None and "FIND" in expected:
         meant = MEANT.get(word)

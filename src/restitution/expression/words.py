@@ -102,6 +102,9 @@ FRAGMENTS = (
     "then",
     "lost",
     "loss",
+    "half",
+    "two",
+    "zero",
     "only",
     "max",
     "min",
@@ -155,6 +158,10 @@ MEANT: Mapping[str, str] = {
     **dict.fromkeys(("prove", "verify", "deduce"), "show"),
     **dict.fromkeys(("assume", "suppose", "where", "if", "when"), "given"),
     "KE": "energy",
+    "loss": "energy_lost",
+    "half": "1/2",
+    "two": "2",
+    "zero": "0",
     **dict.fromkeys(("magnitude", "mag", "modulus"), "abs"),
     "csc": "cosec",
     "range": "range of",
@@ -176,7 +183,7 @@ MEANT: Mapping[str, str] = {
 }
 
 # A unit after a value; longer ones first.
-_PER_SECOND = r"[·⋅]?\s?s\s?(?:\^\s?\(?\s?[-−–]\s?1\s?\)?|⁻¹)|s[-−–]1|/\s?s"
+_PER_SECOND = r"[·⋅]?\s?s\s?(?:\^\s?[({]?\s?[-−–]\s?1\s?[)}]?|⁻¹)|s[-−–]1|/\s?s"
 UNIT = rf"(?:(?:kg\s?)?c?m\s?(?:{_PER_SECOND})|km\s?/\s?h|kg|N\s?s|rad|cm)(?!\w)"
 UNIT_OF_A_PROPERTY = rf"(?:{UNIT}|ms(?!\w))"
 

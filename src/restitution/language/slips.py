@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from restitution.errors import StatementError
 from restitution.expression.lexer import Source
@@ -33,6 +34,12 @@ _STRIKES = (
 # Lines by their first word (any, where there is none), pattern, and what to say.
 _TABLE: tuple[tuple[str, str, str], ...] = (
     # how a line begins
+    (
+        "other",
+        rf"^\s*(?P<x>(?P<b>{_NAME})\s+(?:is\s+)?(?:hit|struck)\s+by\s+(?P<a>{_NAME}))",
+        "did you mean '{a} hits {b}'?",
+    ),
+    ("event", r"^[^:]*\s(?P<x>again)\s*:", _CUT),
     ("other", r"^\s*(?P<x>//|--|%|\*).*$", "a comment begins with '#'"),
     (
         "other",
@@ -67,12 +74,12 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "other",
-        rf"^\s*{_NAME}\s+(?P<x>(?:gets|is\s+given|is\s+struck\s+by|is\s+hit\s+by)\b)",
+        rf"^\s*{_NAME}\s+(?P<x>(?:gets|is\s+given)\b)",
         "did you mean 'receives'?",
     ),
     ("other", r"^\s*(?P<x>[Tt]hen|[Nn]ow|[Nn]ext|[Tt]he|[Hh]ence|[Tt]hus|[Aa]lso)\b", _CUT),
     ("other", rf"^\s*(?P<x>{_NAME}(?:\s*,\s*{_NAME})*)\s*:", "did you mean 'sphere {x}: …'?"),
-    ("event", r"^\s*(?P<x>.*\bagain\b.*?)\s*$", "did you mean 'given {x}'?"),
+    ("event", r"^\s*(?P<x>.*\bagain\b.*?)\s*$", "a fact is 'given {x}'; an event has no 'again'"),
     (
         "other",
         (
@@ -91,13 +98,37 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ("let", r"^\s*let\s+\S+\s+(?P<x>be(?:\s+equal\s+to)?|denote|is)\b", "did you mean '='?"),
     (
         "let",
-        r"^\s*(?P<x>let\s+(?!\w+\s*(?:=|$))(?P<fact>\S.*[=<>].*?))\s*$",
+        r"^\s*(?P<x>let\s+(?!\w+\s*(?:=|,|$))(?P<fact>\S.*[=<>].*?))\s*$",
         "did you mean 'given {fact}'?",
     ),
     ("given show find", r"^\s*\w+\s+(?P<x>that\b)", _CUT),
     # properties
     ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
-    ("", r"\d(?P<x>,)\d", "a decimal point is '.'"),
+    ("", r"(?:\bmass\b|\bradius\b|=)\s*\d+(?P<x>,)\d", "a decimal point is '.'"),
+    ("point", r":\s*(?P<x>[^()\s,]+\s*,\s*[^()\s,]+)\s*$", "did you mean '({x})'?"),
+    (
+        "given let show",
+        r"=.*\s(?P<x>find|show|given|let|unknown)\b",
+        "'{x}' begins a line of its own",
+    ),
+    ("given let show", r"(?:\d|%)\s+(?P<x>of)\b", _CUT),
+    (
+        "given show",
+        rf"(?P<x>\b(?P<body>{_NAME})\s+is\s+(?:deflected|turned)\s+(?:through|by)\b)",
+        "did you mean 'deflection({body}) ='?",
+    ),
+    ("event", r"(?P<x>\b(?:perfectly\s+)?elastic)\b", "did you mean 'e = 1'?"),
+    ("event", r"(?P<x>\bperfectly\s+inelastic)\b", "did you mean 'e = 0'?"),
+    (
+        "event",
+        r"\breceives\s.*\s(?P<x>along|in\s+the\s+direction\s+of)\b",
+        "did you mean 'at 0° from'?",
+    ),
+    (
+        "find show",
+        r"imum\s+of\b.*?\s(?P<x>wrt|with\s+respect\s+to|for|as)\b.*$",
+        "did you mean 'over'?",
+    ),
     (
         "sphere wall event",
         r":.*\s(?P<x>find|show|given|let|unknown)\b",
@@ -181,7 +212,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         "event",
         (
-            r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction)"
+            r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction|at)"
             r"(?:\s+(?:is|along|at|parallel\s+to|in\s+the\s+direction(?:\s+of)?)\b|\s*=)?)"
         ),
         "did you mean 'along'?",
@@ -225,7 +256,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     (
         "wall",
-        r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at)\b)",
+        r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at|angle)\b)",
         "did you mean 'along'?",
     ),
     (
@@ -404,7 +435,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         "find",
         (
-            r"(?P<x>\b(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
+            r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
             r"\s+form)\b.*)"
         ),
         "leave out '{x}': answers come exact and to 3 significant figures",
@@ -513,9 +544,15 @@ class _Slip:
     said: str
 
 
-_SLIPS = tuple(
-    _Slip(frozenset(lines.split()), re.compile(pattern), said) for lines, pattern, said in _TABLE
-)
+@cache
+def _slips() -> tuple[_Slip, ...]:
+    """The table, compiled when the first mistake is met: most statements have none."""
+    return tuple(
+        _Slip(frozenset(lines.split()), re.compile(pattern), said)
+        for lines, pattern, said in _TABLE
+    )
+
+
 _EVENT = re.compile(rf"\s*{_NAME}\s+(?:hits|receives|reaches)\b")
 _SHOWN = 60
 _LONGEST = 300  # what people write in one line; a longer one is not searched
@@ -552,7 +589,7 @@ def with_guess(source: Source, word: str, mistake: StatementError) -> StatementE
 def _found(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]:
     if len(source.plain) > _LONGEST:
         return
-    for slip in _SLIPS:
+    for slip in _slips():
         if not slip.lines or kind in slip.lines:
             for match in slip.pattern.finditer(source.plain):
                 yield slip, match
