@@ -1,4 +1,4 @@
-"""Events by what they are: ``after the first impact`` for ``after event 1``, ``t₂`` for its time."""
+"""Events by what they are: ``after the first impact`` for ``after event 1``, ``t₂`` for times."""
 
 from __future__ import annotations
 

@@ -111,6 +111,7 @@ def solve(problem: Problem) -> Solution:
 # A speed that is more to read than this may be shorter in other components.
 LONG = 16
 
+
 def _asks(part: Part) -> bool:
     return any(isinstance(step, Find | Show) for step in part.steps)
 
