@@ -7,6 +7,9 @@ def impulse(u1: Vector, u2: Vector, w1: Any, w2: Any, c: Vector, e: Any) -> Vect
 def impact(
     u1: Vector, u2: Vector, w1: Any, w2: Any, c: Vector, e: Any
 ) -> tuple[Vector, Vector]: ...
+def after_impulse(
+    u1: Vector, u2: Vector, w1: Any, w2: Any, on_2: Vector
+) -> tuple[Vector, Vector]: ...
 def kinetic_energy_lost(u1: Vector, u2: Vector, w1: Any, w2: Any, c: Vector, e: Any) -> Any: ...
 def momentum_along_line_of_centres(
     u1: Vector, u2: Vector, v1: Vector, v2: Vector, w1: Any, w2: Any, c: Vector

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from functools import cache
 from typing import Literal, get_args
 
 
@@ -216,25 +215,22 @@ GREEK = (
 def children(node: Expression) -> tuple[Expression, ...]:
     """The expressions directly inside a node, in the order written."""
     found: list[Expression] = []
-    for name in _parts(type(node)):
+    for name in _PARTS[type(node)]:
         value = getattr(node, name)
-        if type(value) in _KINDS:
+        if type(value) in _PARTS:
             found.append(value)
         elif isinstance(value, AtTime):
             found.append(value.time)
         elif isinstance(value, tuple):
-            found.extend(item for item in value if type(item) in _KINDS)
+            found.extend(item for item in value if type(item) in _PARTS)
     return tuple(found)
 
 
-# Trees are walked often: what kinds of node there are, and their fields, is looked up once.
-_KINDS = frozenset(get_args(Expression))
-
-
-@cache
-def _parts(kind: type) -> tuple[str, ...]:
-    """The fields of a kind of node in which there may be others."""
-    return tuple(each.name for each in fields(kind) if each.name != "place")
+# Trees are walked often: the fields of a node in which there may be others, by its kind.
+_PARTS: dict[type, tuple[str, ...]] = {
+    kind: tuple(each.name for each in fields(kind) if each.name != "place")
+    for kind in get_args(Expression)
+}
 
 
 def walk(node: Expression) -> Iterator[Expression]:

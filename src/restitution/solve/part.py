@@ -198,7 +198,8 @@ class Setting:
     ) -> tuple[str, str] | None:
         """Why these numbers are impossible, as (reason, kind); None if they are not.
 
-        ``story`` is what they lead to, where that has been told already. Raises UndefinedError where something has no real value.
+        ``story`` is what they lead to, where that has been told already. Raises UndefinedError
+        where something has no real value.
         """
         outside = [
             problem
