@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import tidy, tidy_angle
 from restitution.expression.evaluate import Symbolic
 from restitution.expression.tree import (
     Apply,
@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
-from restitution.solve.letters import POSITIVE, REAL, Role
+from restitution.solve.letters import DIRECTION, POSITIVE, REAL, Role
 from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch
@@ -46,7 +46,8 @@ class Frame:
 
     ``n`` is the unit vector along the line of centres, or perpendicular to a wall and away from
     it; ``t`` the one across, or along the wall. ``by_values`` tells that the line of centres is
-    known only from the solution, not from the data.
+    known only from the solution, not from the data. Where it has to be worked out, ``angle`` is the
+    letter for the angle that it, or the wall, makes with **i**.
     """
 
     number: int
@@ -55,6 +56,7 @@ class Frame:
     t: Vector
     axis: Literal["i", "j"] | None
     by_values: bool = False
+    angle: sp.Symbol | None = None
 
 
 @dataclass(frozen=True)
@@ -270,9 +272,11 @@ def model(
     branch: Branch,
     roles: Mapping[str, Role],
     protected: frozenset[str] = frozenset(),
+    turned: frozenset[int] = frozenset(),
 ) -> Model:
     """Tells a part in components, by the values of one branch.
 
+    In the impacts ``turned`` the direction of the line of centres is an unknown angle.
     Raises what the telling of a story raises.
     """
     sample = dict(branch.sample)
@@ -296,7 +300,7 @@ def model(
             before = {**story.happenings[-1].before, body: velocity[1]}
             story.happenings[-1] = replace(story.happenings[-1], before=before)
         if isinstance(step, Impact):
-            _in_letters(told, number, step, names, put)
+            _in_letters(told, number, step, names, put, turned=number in turned)
     return told
 
 
@@ -375,11 +379,15 @@ def _in_letters(
     step: Impact,
     names: Mapping[tuple[int, str], str],
     put: dict[sp.Symbol, sp.Expr],
+    *,
+    turned: bool = False,
 ) -> None:
     """Replaces the velocities after an impact by letters."""
     story = told.story
     happening = story.happenings[-1]
     frame = _frame(told, number, step, happening, put)
+    if turned and frame.axis is None:
+        frame = _at_an_angle(told, frame)
     told.frames[number] = frame
     after: dict[str, Vector] = {}
     for body in (step.first, step.second):
@@ -401,8 +409,11 @@ def _in_letters(
     e = sp.sympify(happening.e, strict=True)
     u1 = told.before(number, step.first)[0]
     v = told.components[number, step.first].symbol
-    if frame.by_values and frame.wall is not None and story.normal_found(frame.wall):
-        story.turn_wall(frame.wall, frame.n)
+    found = frame.by_values or frame.angle is not None
+    if found and frame.wall is not None and story.normal_found(frame.wall):
+        # A wall at an angle has the direction by which that angle is measured.
+        normal = frame.n if frame.angle is None else -frame.t.turned_left()
+        story.turn_wall(frame.wall, normal)
     if step.second in story.walls:
         told.laws.append(Law("restitution", number, v + e * u1))
         push = -(frame.n * (v - u1))
@@ -470,6 +481,27 @@ def _frame(
     elif axis is None and told.sign((u - happening.before[step.second]).dot(n)) < 0:
         n, t = -n, -t
     return Frame(number, wall, n, t, axis, by_values)
+
+
+def _at_an_angle(told: Model, frame: Frame) -> Frame:
+    """The same frame with a letter for the angle between its line, or the wall, and **i**."""
+    unknowns = told.unknowns
+    name = next(n for n in ("theta", "phi", "psi", "delta", "beta") if n not in unknowns.roles)
+    unknowns.roles = {**unknowns.roles, name: DIRECTION}
+    theta = DIRECTION.symbol(name)
+    line = frame.n if frame.wall is None else frame.t
+    value = sp.atan(tidy(line.y / line.x))
+    if told.sign(line.x) < 0:
+        value += sp.pi if told.sign(line.y) >= 0 else -sp.pi
+    told.final[theta] = tidy_angle(value)
+    told.sample[name] = told.number(value)
+    along = Vector(sp.cos(theta), sp.sin(theta))
+    across = Vector(-along.y, along.x)
+    if frame.wall is None:
+        return replace(frame, n=along, t=across, by_values=False, angle=theta)
+    side = told.sign(frame.n.dot(Vector(-line.y, line.x)))
+    n = across if side > 0 else -across
+    return replace(frame, n=n, t=along, by_values=False, angle=theta)
 
 
 def _of_either_sign(component: sp.Expr) -> bool:
@@ -568,7 +600,7 @@ def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbo
                 if symbol.name == name:
                     found[symbol] = sp.sympify(values[f"_{key}"], strict=True)
     for number in sorted(told.frames):
-        if told.frames[number].by_values:
+        if told.frames[number].by_values or told.frames[number].angle is not None:
             break
         symbols = [c.symbol for (n, _), c in told.components.items() if n == number]
         # In letters first: the rejected values may be unwieldy.

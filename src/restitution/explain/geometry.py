@@ -155,6 +155,18 @@ def line_of_centres(work: Working, frame: Frame) -> None:
     step = happening.step
     assert isinstance(step, Impact)
     story = work.model.story
+    if frame.angle is not None:
+        work.write(
+            "setting",
+            words=(
+                f"Let the angle that {_subject(frame)} makes with ",
+                Bold("i"),
+                " be ",
+                look(frame.angle),
+                ".",
+            ),
+        )
+        return
     if frame.wall is not None:
         wall = story.walls[frame.wall]
         if wall.centre is not None:
@@ -284,28 +296,61 @@ def _better(
     return name, ("still", "given", "made", "open")[how]
 
 
-def _told_directly(work: Working, frame: Frame, known: Mapping[str, frozenset[str]]) -> bool:
-    """Writes how the data tell a line of centres, or a wall, without what comes after."""
+def to_be_found(work: Working, frame: Frame) -> bool:
+    """Whether a line of centres, or a wall, follows from nothing but all the equations at once."""
+    step = work.model.happening(frame.number).step
+    if not frame.by_values or not isinstance(step, Impact):
+        return False
+    wall = work.model.story.walls.get(frame.wall or "")
+    if step.offset is not None or step.along is not None or (wall and wall.centre is not None):
+        return False
+    bodies = work.model.spheres(frame.number)
+    places = [work.model.branch.story.place(name, frame.number) for name in bodies]
+    sought = any(key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names)
+    if wall is None and all(places) and not sought:
+        return False
+    known = {name: _given_after(work, name, frame.number) for name in bodies}
+    if _direct(work, frame, known) is not None:
+        return False
+    return _better(work, known, frame.number)[1] == "open"
+
+
+def _direct(
+    work: Working, frame: Frame, known: Mapping[str, frozenset[str]]
+) -> str | Relation | None:
+    """The sphere whose impulse tells the line, or the fact that does."""
     for name, kinds in known.items():
         if "impulse" in kinds:
-            _by_impulse(work, frame, name)
-            return True
-    for given, now in givens(work.model.problem, work.model.part):
-        for relation in given.relations:
-            if _of_the_line(work, frame, relation, now):
-                work.write(
-                    "setting",
-                    words=(
-                        "It is given that ",
-                        *_relation_words(relation),
-                        f". So {_subject(frame)} is parallel to ",
-                        _way(frame),
-                        ".",
-                    ),
-                    mark="B1",
-                )
-                return True
-    return False
+            return name
+    return next(
+        (
+            relation
+            for given, now in givens(work.model.problem, work.model.part)
+            for relation in given.relations
+            if _of_the_line(work, frame, relation, now)
+        ),
+        None,
+    )
+
+
+def _told_directly(work: Working, frame: Frame, known: Mapping[str, frozenset[str]]) -> bool:
+    """Writes how the data tell a line of centres, or a wall, without what comes after."""
+    direct = _direct(work, frame, known)
+    if isinstance(direct, str):
+        _by_impulse(work, frame, direct)
+    elif direct is not None:
+        work.write(
+            "setting",
+            words=(
+                "It is given that ",
+                *_relation_words(direct),
+                f". So {_subject(frame)} is parallel to ",
+                _way(frame),
+                ".",
+            ),
+            mark="B1",
+        )
+    return direct is not None
 
 
 def _of_the_line(work: Working, frame: Frame, relation: Relation, now: int) -> bool:

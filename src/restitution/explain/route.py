@@ -13,6 +13,7 @@ from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.events import spoken, table_of
 from restitution.explain.facts import fact_equations
+from restitution.explain.geometry import to_be_found
 from restitution.explain.marks import again, settled
 from restitution.explain.phrases import look
 from restitution.explain.quantities import inside
@@ -121,10 +122,15 @@ def _answers(item: ItemResult) -> str:
 
 def _models(solution: Solution, part: PartSolution) -> list[Model]:
     protected = protected_letters(part.part)
-    return [
-        _without_bars(model(solution.problem, part.part, branch, part.roles, protected))
-        for branch in part.branches
-    ]
+    made = []
+    for branch in part.branches:
+        told = model(solution.problem, part.part, branch, part.roles, protected)
+        work = Working(told)
+        turned = frozenset(n for n, frame in told.frames.items() if to_be_found(work, frame))
+        if turned:
+            told = model(solution.problem, part.part, branch, part.roles, protected, turned)
+        made.append(_without_bars(told))
+    return made
 
 
 def _without_bars(told: Model) -> Model:

@@ -153,6 +153,7 @@ class Working:
     ) -> None:
         """Adds a step; lines that the values contradict are left out and noted."""
         checked = []
+        rows = tuple(rows)
         for row in rows:
             if too_long(row):
                 continue  # true, but no one would write it
@@ -164,6 +165,8 @@ class Working:
                 self.dropped.append(_plain(row))
         if not checked and not words and not (principle and mark):
             return
+        if not checked and rows and kind == "solve":
+            return  # "So" would stand alone
         step = Step(
             kind,
             tuple(checked),
@@ -772,7 +775,7 @@ class Working:
         elif p.degree() == 2 and p.coeff_monomial(t) == 0:
             square = tidy(-p.coeff_monomial(1) / p.LC())
             rows.append(chain(side(tangent**2), side(square)))
-            rows.append(chain(side(tangent), side(own)))
+            rows.append(self._either(tangent, tangents))
         else:
             whole = self._cleared(p.as_expr())
             rows.append(relation(side(whole.xreplace({t: tangent})), "=", side(sp.Integer(0))))
@@ -923,7 +926,7 @@ class Working:
                 ),
                 mark="M1",
             )
-        elif frame.by_values:
+        elif frame.by_values or frame.angle is not None:
             self.line_of_centres(frame)
         if component.symbol in self.known:
             words: Words = (
