@@ -116,8 +116,10 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
     """Writes the working of one item, for one solution."""
     if result.error is not None:
         message = result.error.message
-        if isinstance(result.error, ImpossibleError) and isinstance(result.item, Value):
-            prepare(work, result.item.expression, now)  # what leads to it
+        # What leads to it; of several solutions, none of which can be, that would be too much.
+        impossible = isinstance(result.error, ImpossibleError) and not work.alternatives
+        if impossible and isinstance(result.item, Value):
+            prepare(work, result.item.expression, now)
         work.write("note", words=(f"{result.text}: no answer, as {message}.",))
         return
     item = result.item
