@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explain.geometry import given_after
 from restitution.explain.phrases import bold_velocity, chain, look, product_of
 from restitution.explain.steps import side
 from restitution.problem import Kick
@@ -37,6 +38,27 @@ def kick(work: Working, number: int) -> None:
     assert given is not None
     push = Vector(tidy(given.x), tidy(given.y))
     name = bold_velocity(body)
+    told = event.after[body]
+    kinds = given_after(work, body, number)
+    turned = "speed" in kinds and bool(kinds & {"direction", "deflection"})
+    if sought and turned:
+        row = chain(side((v.x, v.y), name), side((v.x, v.y)), mark="M1")
+        words = (f"By the speed and the direction of {body} after the impulse,",)
+        work.write("fact", [row], words=words)
+    if sought and not turned and "velocity" not in kinds:
+        # The velocity after follows in terms of the blow, which other facts fix.
+        raw = (event.impulse.x, event.impulse.y)
+        put = work.put(told)
+        rows = [
+            chain(
+                side(raw),
+                side(raw, _times(mass, _difference(name, u))),
+                mark="M1",
+            ),
+            chain(side((put.x, put.y), name), side((put.x, put.y)), mark="A1"),
+        ]
+        work.write("principle", rows, "Impulse = change of momentum")
+        return
     if sought:
         # The blow itself is wanted: the velocities are known.
         raw = (event.impulse.x, event.impulse.y)

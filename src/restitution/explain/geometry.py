@@ -18,7 +18,7 @@ from restitution.explain.phrases import (
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
-from restitution.problem import Aligned, Compare, Impact, Relation, trees_of_relation
+from restitution.problem import Aligned, AtRest, Compare, Impact, Relation, trees_of_relation
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
 from restitution.solve.facts import givens
@@ -182,7 +182,7 @@ def line_of_centres(work: Working, frame: Frame) -> None:
                 ),
             )
         else:
-            known = {step.first: _given_after(work, step.first, frame.number)}
+            known = {step.first: given_after(work, step.first, frame.number)}
             if _told_directly(work, frame, known):
                 return
             how = _better(work, known, frame.number)
@@ -234,18 +234,24 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             words=("The line of centres joins the centres at the impact:",),
         )
         return
-    known = {name: _given_after(work, name, frame.number) for name in (step.first, step.second)}
+    known = {name: given_after(work, name, frame.number) for name in (step.first, step.second)}
     if _told_directly(work, frame, known):
         return
     _by_change(work, frame, *_better(work, known, frame.number), "along the line of centres")
 
 
-def _given_after(work: Working, body: str, number: int) -> frozenset[str]:
+def given_after(work: Working, body: str, number: int) -> frozenset[str]:
     """What the facts tell of a sphere just after an impact: ``velocity``, ``speed``, …"""
     story = work.model.story
     found: set[str] = set()
     for given, now in givens(work.model.problem, work.model.part):
         for relation in given.relations:
+            trees: tuple[Expression, ...]
+            if isinstance(relation, AtRest):
+                latest = story.latest(body, now)
+                if relation.body.name == body and latest and latest.number == number:
+                    found.add("velocity")
+                continue
             if isinstance(relation, Compare) and "=" in relation.operators:
                 trees = relation.operands
             elif isinstance(relation, Aligned) and relation.relation != "perpendicular to":
@@ -309,7 +315,7 @@ def to_be_found(work: Working, frame: Frame) -> bool:
     sought = any(key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names)
     if wall is None and all(places) and not sought:
         return False
-    known = {name: _given_after(work, name, frame.number) for name in bodies}
+    known = {name: given_after(work, name, frame.number) for name in bodies}
     if _direct(work, frame, known) is not None:
         return False
     return _better(work, known, frame.number)[1] == "open"
