@@ -514,7 +514,8 @@ def _show_ordered(
         found = side(value, look(value, angle=angle))
         if quantities_in(work, tree, now) and not _stated(work, name, [found]):
             rows.append(chain(Side(name, value), found))
-    if angle and isinstance(left, Letter) and not has_quantity(right):
+    letters_only = not has_quantity(left) and not has_quantity(right)
+    if isinstance(left, Letter) and not has_quantity(right):
         from restitution.explain.bounds import explain_conditions
 
         explain_conditions(work, left, now)
@@ -526,11 +527,12 @@ def _show_ordered(
             else tidy(sp.sympify(a - b, strict=True))
         )
         big, small = (last, first) if op.startswith("<") else (first, last)
-        if gap.free_symbols:
+        whole = lay.Sum((("+", big), ("-", lay.bracketed(small))))
+        if gap.free_symbols and not (letters_only and whole == look(gap)):
             rows.append(
                 Row(
                     (
-                        lay.Sum((("+", big), ("-", lay.bracketed(small)))),
+                        whole,
                         look(gap),
                         lay.Number("0"),
                     ),

@@ -445,7 +445,25 @@ def _reduced(work: Working, value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
             kept *= factor
         elif constant < 0 and (not power.is_Integer or int(power) % 2):
             sign = _FLIPPED[sign]
-    return sp.expand(kept) if kept.is_Mul or kept.is_Pow else kept, sign
+    kept = sp.expand(kept) if kept.is_Mul or kept.is_Pow else kept
+    squared = _squares_compared(work, kept)
+    return (kept, sign) if squared is None else _reduced(work, squared, sign)
+
+
+def _squares_compared(work: Working, value: sp.Expr) -> sp.Expr | None:
+    """``a² − b`` for ``a − √b``, which has the same sign where ``a`` is positive."""
+    roots = {
+        node
+        for node in sp.preorder_traversal(value)
+        if isinstance(node, sp.Pow) and node.exp == sp.S.Half and node.base.free_symbols
+    }
+    if len(roots) != 1:
+        return None
+    (root,) = roots
+    other = value.xreplace({root: -root})
+    constant = _constant_sign(work, other)
+    product = sp.expand(value * other)
+    return None if constant == 0 or product.has(root) else constant * product
 
 
 def _solved(
