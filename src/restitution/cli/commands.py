@@ -228,7 +228,7 @@ def draw(
             raise typer.Exit(done.status)
         content = done.content.encode()
         if form is not PictureFormat.svg:
-            from restitution.draw.pages import converted
+            from restitution.draw.convert import converted
 
             kind: Literal["png", "pdf"] = "png" if form is PictureFormat.png else "pdf"
             content = _made(lambda: converted(done.content, kind))
@@ -430,12 +430,3 @@ def _reference() -> str:
     inside = package / "language" / "reference.md"
     checkout = package.parents[1] / "docs" / "language.md"
     return (inside if inside.exists() else checkout).read_text(encoding="utf-8")
-
-
-# --- reading ----------------------------------------------------------------------------------
-
-
-# --- messages ---------------------------------------------------------------------------------
-
-
-# --- where it goes ----------------------------------------------------------------------------

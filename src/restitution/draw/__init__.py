@@ -32,7 +32,7 @@ class Drawings:
 
     def _repr_mimebundle_(self, **wanted: Any) -> dict[str, Any]:
         """For Jupyter: PNG on white, which every theme shows; SVG where typst is not installed."""
-        from restitution.draw.pages import converted
+        from restitution.draw.convert import converted
         from restitution.draw.svg import stacked
         from restitution.errors import UnsupportedError
 

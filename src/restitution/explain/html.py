@@ -10,6 +10,7 @@ from restitution.explain.steps import Explanation, PartExplanation, Row, Step, W
 from restitution.render.layout import Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
+from restitution.render.page import page
 from restitution.render.text import to_text, width
 
 # Columns of plain text below which a sum is never broken.
@@ -60,20 +61,15 @@ STYLE = """
   .restitution td { vertical-align: middle; }
   .restitution p { break-after: avoid; } }
 """
+_PAGE = (
+    "html { background: #fff } @media (prefers-color-scheme: dark) "
+    "{ html { background: #17181c } } body { margin: 0 }"
+)
 
 
 def to_html(explanation: Explanation) -> str:
     """A whole page."""
-    title = escape(explanation.title or "Worked solution")
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n'
-        f"<title>{title}</title>\n"
-        "<style>html { background: #fff } @media (prefers-color-scheme: dark) "
-        "{ html { background: #17181c } } body { margin: 0 }</style>\n</head>\n<body>\n"
-        f"{to_fragment(explanation)}\n</body>\n</html>\n"
-    )
+    return page(explanation.title or "Worked solution", _PAGE, to_fragment(explanation))
 
 
 def to_fragment(explanation: Explanation) -> str:

@@ -12,9 +12,12 @@ from restitution.render.latex import escape as escape_latex
 from restitution.render.latex import to_latex
 from restitution.render.layout import Layout, display, display_point, display_vector
 from restitution.render.mathml import to_mathml
+from restitution.render.page import page
 from restitution.solve.solution import Answer, ItemResult, Solution
 
 Format = Literal["text", "markdown", "latex", "html"]
+
+_STYLE = "body { font-family: serif; max-width: 45em; margin: 2em auto; padding: 0 1em }"
 
 
 @dataclass(frozen=True)
@@ -104,42 +107,22 @@ def _latex(title: str | None, lines: list[_Line]) -> str:
     made = [rf"\section*{{{escape_latex(title)}}}"] if title else []
     made.append(r"\begin{itemize}")
     for line in lines:
-        said = _joined(line, _latex_text, lambda layout, text: f"${to_latex(layout)}$")
+        said = _joined(line, escape_latex, lambda layout, text: f"${to_latex(layout)}$")
         asked = escape_latex(line.asked)
         made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{said}")
     made.append(r"\end{itemize}")
     return "\n".join(made) + "\n"
 
 
-def _latex_text(text: str) -> str:
-    return str(escape_latex(text))
-
-
 def _html(title: str | None, lines: list[_Line]) -> str:
-    name = escape_html(title or "Answers")
+    name = title or "Answers"
     items = "\n".join(
         f"<li>{escape_html(_label(line))}<code>{escape_html(line.asked)}</code>{_sign(line)}"
         + _joined(line, escape_html, lambda layout, text: to_mathml(layout))
         + "</li>"
         for line in lines
     )
-    return f"""<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<meta name="color-scheme" content="light dark">
-<title>{name}</title>
-<style>body {{ font-family: serif; max-width: 45em; margin: 2em auto; padding: 0 1em }}</style>
-</head>
-<body>
-<h1>{name}</h1>
-<ul>
-{items}
-</ul>
-</body>
-</html>
-"""
+    return page(name, _STYLE, f"<h1>{escape_html(name)}</h1>\n<ul>\n{items}\n</ul>")
 
 
 def _label(line: _Line) -> str:

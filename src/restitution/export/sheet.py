@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
-from restitution.errors import UnsupportedError
-from restitution.render.typst import literal, words
+from restitution.render.page import page
+from restitution.render.typst import compiled, literal, words
 
 if TYPE_CHECKING:
     from restitution.solve.solution import Solution
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 Form = Literal["pdf", "html"]
 
 DEFAULT_TITLE = "Oblique impacts"
-MISSING_TYPST = "PDF needs typst: pip install 'restitution[pdf]', or take --format html"
 FIGURE = 84
 """Width of a figure, in millimetres."""
 
@@ -122,20 +121,15 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 
     Raises UnsupportedError where typst is not installed.
     """
-    try:
-        import typst
-    except ImportError:
-        raise UnsupportedError(MISSING_TYPST) from None
-    source = _typst_document(entries, title or _title(entries), options)
-    return bytes(typst.compile(source.encode(), ignore_system_fonts=True))
+    return compiled(_typst_document(entries, title or _title(entries), options), "pdf", "HTML")
 
 
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
     from restitution.explain.typst import PREAMBLE
 
     head = words("" if options.solutions else "Name ........................................")
-    page = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
-    blocks = [page.replace("WIDTH", f"{FIGURE}mm"), PREAMBLE]
+    setup = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
+    blocks = [setup.replace("WIDTH", f"{FIGURE}mm"), PREAMBLE]
     alone = len(entries) == 1
     for number, each in enumerate(entries, 1):
         blocks.append(_typst_numbered(number, each.title, each.question, alone, title))
@@ -208,13 +202,7 @@ def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> st
             _html_numbered(n, e.title, e.working, alone, named) for n, e in enumerate(entries, 1)
         ]
     inside = "\n".join(body)
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n'
-        f"<title>{escape(named)}</title>\n<style>{QUESTION}{WORKING}{_STYLE}</style>\n"
-        f"</head>\n<body>\n<main>\n{inside}\n</main>\n</body>\n</html>\n"
-    )
+    return page(named, f"{QUESTION}{WORKING}{_STYLE}", f"<main>\n{inside}\n</main>")
 
 
 def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:

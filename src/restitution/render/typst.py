@@ -6,7 +6,9 @@ Words go through as string literals, so nothing that a user wrote is ever read a
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Literal
 
+from restitution.errors import UnsupportedError
 from restitution.render.layout import (
     Bold,
     Brackets,
@@ -134,3 +136,19 @@ def _product(factors: tuple[Layout, ...]) -> str:
 def _unit_number(inside: Layout) -> str:
     body = mathematics(inside)
     return f"lr(({body}))" if isinstance(inside, Fraction) else body
+
+
+def compiled(
+    source: str, form: Literal["pdf", "png"], instead: str, sharpness: float | None = None
+) -> bytes:
+    """A document that typst makes of markup; the same bytes for the same markup.
+
+    ``sharpness`` is in pixels to an inch. Raises UnsupportedError where typst is not installed,
+    which tells what can be had ``instead``.
+    """
+    try:
+        import typst
+    except ImportError:
+        needs = f"{form.upper()} needs typst: pip install 'restitution[pdf]', or take {instead}"
+        raise UnsupportedError(needs) from None
+    return typst.compile(source.encode(), format=form, ppi=sharpness, ignore_system_fonts=True)

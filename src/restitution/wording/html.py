@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from html import escape
 
 from restitution.render.mathml import to_mathml
+from restitution.render.page import page
 from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
 from restitution.wording.words import count_of_marks
 
@@ -30,14 +31,7 @@ _CLOSE = re.compile(r"[^ ]*")
 
 def to_html(question: Question) -> str:
     """A whole page."""
-    title = escape(question.title or "Question")
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n'
-        f"<title>{title}</title>\n<style>body {{ margin: 0 }}</style>\n</head>\n<body>\n"
-        f"{to_fragment(question)}\n</body>\n</html>\n"
-    )
+    return page(question.title or "Question", "body { margin: 0 }", to_fragment(question))
 
 
 def to_fragment(question: Question) -> str:
