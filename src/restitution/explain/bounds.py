@@ -641,7 +641,7 @@ def _ends(
 
 
 def _end(value: sp.Expr, angle: bool) -> Layout:
-    return lay.Number("∞") if value == sp.oo else look(value, angle=angle)
+    return lay.Words("∞") if value == sp.oo else look(value, angle=angle)
 
 
 def _beside(work: Working, end: sp.Expr) -> Any:
