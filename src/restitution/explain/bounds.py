@@ -622,26 +622,25 @@ def _ends(
             for at_, end in zip((role.low, high), ends, strict=True)
         ):
             continue
+        grows = "increases" if slope > 0 else "decreases"
         words: Words = (
             "As ",
             look(symbol),
-            " goes from ",
-            look(role.low, angle=angle),
-            " to ",
-            _end(high, angle),
+            *_from_to("increases", role.low, high, angle),
             ", ",
             name,
-            " increases from " if slope > 0 else " decreases from ",
-            _end(ends[0], is_angle),
-            " to ",
-            _end(ends[1], is_angle),
+            *_from_to(grows, ends[0], ends[1], is_angle),
             ".",
         )
         work.write("result", rows, words=words, mark="M1")
 
 
-def _end(value: sp.Expr, angle: bool) -> Layout:
-    return lay.Words("∞") if value == sp.oo else look(value, angle=angle)
+def _from_to(verb: str, low: sp.Expr, high: sp.Expr, angle: bool) -> Words:
+    """``increases from 0 to 1``, ``increases from 0 without limit``."""
+    out: list[str | Layout] = [f" {verb}"]
+    for word, end in ((" from ", low), (" to ", high)):
+        out += [" without limit"] if end.is_infinite else [word, look(end, angle=angle)]
+    return tuple(out)
 
 
 def _beside(work: Working, end: sp.Expr) -> Any:
@@ -656,7 +655,7 @@ def _near(
     work: Working, tree: Expression, now: int, symbol: sp.Symbol, end: sp.Expr, value: sp.Expr
 ) -> sp.Expr:
     """A value as it is written near an end: the same angle may need another half turn there."""
-    raw = work.value(tree, now)
+    raw = work.model.story.evaluator(now).value(tree)
     if not isinstance(raw, Angle):
         return value
     there = {**work.model.sample, symbol.name: _beside(work, end)}
