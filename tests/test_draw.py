@@ -17,7 +17,6 @@ from test_properties import Told, can_happen, examples
 import restitution as r
 from restitution.draw import draw, figure
 from restitution.draw import scenes as pictures
-from restitution.draw.before_after import TINY
 from restitution.draw.ink import ink
 from restitution.draw.labels import place
 from restitution.draw.scene import (
@@ -33,6 +32,7 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.draw.values import motion
+from restitution.draw.velocities import TINY
 from restitution.examples import names, text
 from restitution.render.text import to_text
 from restitution.solve import Solution

@@ -18,11 +18,8 @@ import sympy as sp
 from restitution.exact import tidy, tidy_angle
 from restitution.expression.evaluate import Symbolic
 from restitution.expression.tree import (
-    Apply,
-    Degrees,
     Letter,
     Name,
-    Polar,
     Quantity,
     Unit,
     walk,
@@ -579,13 +576,6 @@ def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], 
                 if impact.along == axis and (event, body) not in found:
                     found[event, body] = step.letter
     return found
-
-
-def is_polar(tree: Any) -> bool:
-    """Whether a velocity is given by its size and an angle in degrees, so has to be resolved."""
-    return isinstance(tree, Polar) and any(
-        isinstance(node, Degrees | Apply) for node in walk(tree.angle)
-    )
 
 
 def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:

@@ -59,15 +59,26 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
                 "along the line of centres."
             )
     if chosen:
-        sentences.append(f"Drawn for {listed([_equals(each) for each in chosen])}.")
+        sentences.append(f"Drawn for {listed([to_text(_equal(each)) for each in chosen])}.")
     return " ".join(sentences)
 
 
-def value_of(chosen: Chosen) -> Layout:
+def _value_of(chosen: Chosen) -> Layout:
     """The value at which a letter is drawn; a decimal is rounded to three figures."""
     exact = isinstance(chosen.value, Fraction)
     value = lay.from_sympy(chosen.value) if exact else lay.decimal_number(chosen.value)
     return lay.Degrees(value) if chosen.angle else value
+
+
+def values_of(chosen: Sequence[Chosen]) -> tuple[Layout, ...]:
+    """``Drawn for α = 40° and e = ½.``, as words of a note; none where nothing was chosen."""
+    if not chosen:
+        return ()
+    ends = [*("," for _ in chosen[2:]), *(" and" for _ in chosen[:1] if len(chosen) > 1), "."]
+    return (
+        lay.Words("Drawn for"),
+        *(lay.Phrase((_equal(each), lay.Words(end)), "") for each, end in zip(chosen, ends)),
+    )
 
 
 def listed(words: Sequence[str]) -> str:
@@ -76,8 +87,8 @@ def listed(words: Sequence[str]) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def _equals(chosen: Chosen) -> str:
-    return to_text(lay.Relation((lay.letter(chosen.name), value_of(chosen)), ("=",)))
+def _equal(chosen: Chosen) -> Layout:
+    return lay.Relation((lay.letter(chosen.name), _value_of(chosen)), ("=",))
 
 
 def _bodies(motion: Motion, number: int) -> list[str]:

@@ -8,7 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from restitution.draw.plan import Plan, Straight, length, unit
+from restitution.draw.geometry import length, unit
+from restitution.draw.plan import Plan, Straight
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
 from restitution.render import layout as lay

@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from restitution.draw.plan import floats, length, still, unit
+from restitution.draw.geometry import floats, length, still, unit
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Kick, Wall
 from restitution.solve.story import Happening, Story

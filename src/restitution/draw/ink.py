@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from restitution.draw import style
+from restitution.draw.geometry import direction
 from restitution.draw.scene import (
     Arc,
     Arrow,
@@ -95,7 +96,7 @@ def ink(shape: Shape) -> list[Piece]:
             return _sticks(right_angle_points(shape), style.RIGHT_ANGLE.width / 2)
         case StraightWall(_, start, end, far):
             half = style.HATCH_DEPTH / 2
-            across = unit(end - start).turned_left()
+            across = direction(end - start).turned_left()
             shift = (across if across.dot(far) > 0 else -across) * half
             edge = style.WALL.width / 2
             return [stick(start, end, edge), stick(start + shift, end + shift, half)]
@@ -113,7 +114,7 @@ def _ink_of_arrow(role: LineRole, start: Vector, end: Vector, both: bool) -> lis
     found: list[Piece] = [stick(start, end, half)]
     head = style.head(role, length)
     for tip, tail in ((end, start), (start, end))[: 1 + both]:
-        way = unit(tip - tail)
+        way = direction(tip - tail)
         base = tip - way * head.length
         side = way.turned_left() * head.half
         corners = (base + side, tip, base - side)
@@ -123,12 +124,6 @@ def _ink_of_arrow(role: LineRole, start: Vector, end: Vector, both: bool) -> lis
 
 def _sticks(points: Iterable[Vector], half: float) -> list[Piece]:
     return [stick(a, b, half) for a, b in pairwise(points)]
-
-
-def unit(way: Vector) -> Vector:
-    """The unit vector along a vector; for none, to the right."""
-    size = math.hypot(way.x, way.y)
-    return way / size if size else Vector(1.0, 0.0)
 
 
 def arc_span(start: float, end: float) -> float:
@@ -148,7 +143,7 @@ def arc_points(centre: Vector, radius: float, start: float, end: float) -> list[
 def hatch(wall: StraightWall) -> Iterator[Segment]:
     """Strokes at 45° on the far side, evenly spaced, none beyond the ends of the wall."""
     length = math.hypot(*(wall.end - wall.start))
-    way = unit(wall.end - wall.start)
+    way = direction(wall.end - wall.start)
     across = way.turned_left()
     into = across if across.dot(wall.far) > 0 else -across
     depth = min(style.HATCH_DEPTH, length)
@@ -235,6 +230,16 @@ def parted(start: Vector, end: Vector, piece: Piece) -> bool:
     side_a = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx)
     side_b = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx)
     return bool(side_a * side_b < 0)
+
+
+def distance(point: Vector, piece: Piece) -> float:
+    """From a point to a piece of ink; nothing within a circle."""
+    if isinstance(piece, Ring):
+        return max(0.0, math.hypot(*(point - piece.centre)) - piece.radius)
+    way = piece.end - piece.start
+    size = way.dot(way)
+    share = min(1.0, max(0.0, (point - piece.start).dot(way) / size)) if size else 0.0
+    return math.hypot(*(point - piece.start - way * share))
 
 
 def overlap(one: Box, two: Box, apart: float = 0.0) -> bool:

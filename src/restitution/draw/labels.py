@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from restitution.draw import style
+from restitution.draw.geometry import direction
 from restitution.draw.ink import (
     Piece,
     Segment,
@@ -25,7 +26,6 @@ from restitution.draw.ink import (
     parted,
     stick,
     touched,
-    unit,
 )
 from restitution.draw.scene import Disc, Label, Panel, Scene, Side
 from restitution.render.glyphs import Box, outline, union
@@ -295,7 +295,7 @@ def _offer(
             cost += 2.5
     if not lead or not far or math.hypot(*(point - nearest)) < SHORTEST:
         return _offered(box, size, cost)
-    way = unit(point - nearest)
+    way = direction(point - nearest)
     leader = nearest + way * 0.5, point - way * max(0.3, min(gap - 0.4, 0.6 * gap))
     if any(crosses(padded(each, CLEARANCE), *leader) for each in near.solid):
         return None

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from typing import Any
 
-from restitution.draw.describe import listed, value_of
+from restitution.draw.describe import listed
 from restitution.draw.distances import distances
-from restitution.draw.flights import told_places
+from restitution.draw.geometry import length, sides_towards, unit
 from restitution.draw.ink import ink, overlap, padded, touched
-from restitution.draw.plan import Leg, Plan, Stop, Straight, floats, length, still, unit
+from restitution.draw.known import Known
+from restitution.draw.path_words import description, note
+from restitution.draw.plan import Leg, Plan, Stop, Straight
 from restitution.draw.planning import lay_out
-from restitution.draw.said import Sayings, sayings
+from restitution.draw.said import sayings, speaks_of_vectors
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -30,25 +30,15 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Chosen, Motion, drawn_for, motion
-from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, Pair, Quantity, Unit, walk
-from restitution.expression.tree import Letter as TreeLetter
-from restitution.expression.tree import Number as TreeNumber
-from restitution.problem import Arrival, Find, Impact, Kick, trees_of_step
-from restitution.render import layout as lay
+from restitution.draw.values import Motion, motion
+from restitution.expression.tree import Expression, Pair, Unit, walk
+from restitution.problem import Arrival, Impact, Kick, Problem
 from restitution.render.glyphs import union
-from restitution.render.layout import Bold, Degrees, Layout, Letter, Number, Words
-from restitution.render.text import to_text
-from restitution.solve.forms import plain
+from restitution.render.layout import Bold, Layout, Letter, Number
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.vector import Vector
 
-# Longer expressions (in characters on one line) say less beside a path than they hide.
-_SHORT = 9
-# Velocities of more operations than this have no short size.
-_LONG = 30
 _SAME = 1e-9
 # On a longer way, only the first and the last speeds are shown; and none beside short pieces.
 _MANY, _NARROW = 5, 9.0
@@ -59,7 +49,6 @@ _LETTERED = 2.3
 # Spheres that are smaller are dots.
 _DISC = 0.8
 _NEAR = 1e-6
-_SIDES: tuple[Side, ...] = ("e", "ne", "n", "nw", "w", "sw", "s", "se")
 
 
 def path_scene(
@@ -77,12 +66,12 @@ def path_scene(
     plan = lay_out(told.story, len(told.story.happenings) - len(events))
     if plan is None:
         return None
-    values = _Values(solution, part, branch, told)
+    values = Known(solution, part, branch, told)
     drawing = _Drawing(plan, values)
     drawing.everything()
     names = list(dict.fromkeys(leg.body for leg in plan.legs))
     title = f"Plan of the paths of {listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
-    return drawing.scene(title, _description(plan, values), _note(plan, told))
+    return drawing.scene(title, description(plan, values), note(plan, told))
 
 
 def path_figure(
@@ -105,7 +94,7 @@ def path_figure(
         replace(leg, lane=0.0) for leg in plan.legs if leg.after == 0 and leg.kind != "exit"
     )
     plan = replace(plan, legs=legs, side_by_side=False)
-    values = _Values(solution, part, branch, told, sayings(told))
+    values = Known(solution, part, branch, told, sayings(told))
     drawing = _Drawing(plan, values)
     drawing.everything()
     names = [name for name in told.story.spheres if name in plan.starts]
@@ -126,122 +115,6 @@ def _is_plannable(solution: Solution) -> bool:
     return bool(problem.walls) or any(s.position is not None for s in problem.spheres)
 
 
-# --- what stands beside lines ---------------------------------------------------------------------
-
-
-@dataclass
-class _Values:
-    """What is known of angles and speeds, as people write it."""
-
-    solution: Solution
-    part: PartSolution
-    branch: Branch
-    motion: Motion
-    said: Sayings | None = None  # where only what the question says may be shown
-    found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
-
-    def speed(self, body: str, after: int) -> Layout | None:
-        """The speed of a sphere after an event, if it is short."""
-        if (body, after) not in self.found:
-            self.found[body, after] = self._speed(body, after)
-        return self.found[body, after]
-
-    def _speed(self, body: str, after: int) -> Layout | None:
-        if self.said is not None:
-            words = self.said.of(body, after)
-            if words.size is None or _has_letters(words.size):
-                return words.size or words.vector
-            return lay.Phrase((words.size, Words("m s⁻¹")))
-        if still(floats(self.motion.story.velocity(body, after))):
-            return None
-        try:
-            story = self.branch.story
-            velocity = story.velocity(body, after)
-            if sum(x.count_ops() for x in velocity) > _LONG:
-                return None
-            value = plain(story.size(velocity), [self.branch.sample])
-        except (RestitutionError, ArithmeticError):
-            return None
-        if any(symbol.name.startswith("_") for symbol in value.free_symbols):
-            return None
-        laid = lay.from_sympy(value)
-        if value.free_symbols:
-            return laid if len(to_text(laid)) <= _SHORT else None
-        if len(to_text(laid)) > 4:
-            laid = lay.decimal_number(value)
-        return lay.Phrase((laid, Words("m s⁻¹")))
-
-    def angle(self, body: str, stop: Stop, *, before: bool) -> Layout | None:
-        """The angle of a velocity with a wall (with a round one: with the radius), if it is short.
-
-        A letter that has this value, or the value itself where it is the same for all letters.
-        """
-        if self.said is not None:
-            normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
-            angles = self.said.of(body, stop.number - 1).angles if before else []
-            given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
-            return given[0].label if given and stop.kind == "wall" else None
-        told = [
-            self.motion.story,
-            self.branch.numbers,
-            *(moved for _, moved in self.motion.free if moved is not None),
-        ]
-        sizes = [size for story in told if (size := _angle(story, body, stop, before)) is not None]
-        if len(sizes) < len(told) or sizes[0] < _SAME:
-            return None
-        letters = [name for name, role in self.part.roles.items() if role.kind == "angle"]
-        for turned in (False, True):
-            wanted = [math.pi / 2 - size if turned else size for size in sizes]
-            for name in letters:
-                values = [_letter(story, name, stop.number) for story in told]
-                if all(v is not None and abs(v - w) < _SAME for v, w in zip(values, wanted)):
-                    laid = lay.letter(name)
-                    rest = lay.total([Degrees(Number("90")), lay.negative(laid)])
-                    return rest if turned else laid
-            if all(abs(size - sizes[0]) < _SAME for size in sizes):
-                # The same for all letters, if any could be varied.
-                varied = len(sizes) > 2 or self.branch.sample != self.motion.numbers
-                return _degrees(sizes[0]) if varied or not self.motion.free else None
-        return None
-
-
-def _angle(story: Story, body: str, stop: Stop, before: bool) -> float | None:
-    happening = story.happenings[stop.number - 1]
-    if happening.centres is None:
-        return None
-    normal = floats(happening.centres)
-    velocity = floats((happening.before if before else happening.after)[body])
-    if still(velocity):
-        return None
-    across, along = abs(velocity.dot(normal)), abs(velocity.cross(normal))
-    return math.atan2(along, across) if stop.kind == "circle" else math.atan2(across, along)
-
-
-def _letter(story: Story, name: str, now: int) -> float | None:
-    """A letter, or what a name of the statement stands for, in radians."""
-    try:
-        value = story.evaluator(now).value(TreeLetter(name))
-        return float(value.measure() if hasattr(value, "measure") else value)
-    except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
-        return None
-
-
-def _has_letters(laid: Layout) -> bool:
-    return any(character.isalpha() for character in to_text(laid))
-
-
-def _degrees(radians: float) -> Layout:
-    size = math.degrees(radians)
-    near = round(2 * size) / 2
-    return Degrees(Number(f"{near:g}") if abs(near - size) < 1e-9 else lay.decimal_number(size))
-
-
-def _name(name: str) -> Layout:
-    """The name of a body or a point: W, W₁."""
-    head = name.rstrip("0123456789")
-    return Letter(head, name[len(head) :])
-
-
 # --- the drawing ----------------------------------------------------------------------------------
 
 
@@ -250,7 +123,7 @@ class _Drawing:
     """Shapes and labels as they are put down."""
 
     plan: Plan
-    values: _Values
+    values: Known
     shapes: list[Shape] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
     named: set[str] = field(default_factory=set)
@@ -307,7 +180,7 @@ class _Drawing:
             inward = at - out * 3
             moves = (inward - out * 6,)
             self.labels.append(
-                Label(_name(wall.name), inward, _sides(wall.far), gap=2.6, moves=moves)
+                Label(_name(wall.name), inward, sides_towards(wall.far), gap=2.6, moves=moves)
             )
             return
         corners = list(wall.corners)
@@ -334,7 +207,7 @@ class _Drawing:
     def _point_name(self, letter: str, at: Vector, way: Vector) -> None:
         if letter not in self.named:
             self.named.add(letter)
-            self.labels.append(Label(_name(letter), at, _sides(way), gap=1.6))
+            self.labels.append(Label(_name(letter), at, sides_towards(way), gap=1.6))
 
     # --- paths ----------------------------------------------------------------------------
 
@@ -358,7 +231,9 @@ class _Drawing:
                 self.shapes.append(Line("path", middle, end))
             self._speed(leg, start, end)
             if several and leg.kind == "exit":
-                self.labels.append(Label(_name(leg.body), end, _sides(leg.direction), gap=1.2))
+                self.labels.append(
+                    Label(_name(leg.body), end, sides_towards(leg.direction), gap=1.2)
+                )
 
     def _outside(self, start: Vector, leg: Leg) -> Vector:
         """Where a path leaves the disc that has a letter in it."""
@@ -388,7 +263,7 @@ class _Drawing:
             down = across.y < 0
         across = -across if down else across
         spots = [start + (end - start) * share for share in (0.5, 0.4, 0.62, 0.3, 0.75)]
-        sides = (*_sides(across)[:3], *_sides(-across)[:3])
+        sides = (*sides_towards(across)[:3], *sides_towards(-across)[:3])
         self.labels.append(Label(laid, spots[0], sides, gap=1.0, moves=tuple(spots[1:])))
 
     # --- bodies ---------------------------------------------------------------------------
@@ -404,7 +279,9 @@ class _Drawing:
                 self.labels.append(Label(_name(name), at, ("centre",), fixed=True))
                 continue
             self.shapes.append(Disc(name, at, radius) if radius >= _DISC else Dot(name, at, 1.0))
-            self.labels.append(Label(_name(name), at, _sides(away), gap=max(radius, 1.0) + 0.6))
+            self.labels.append(
+                Label(_name(name), at, sides_towards(away), gap=max(radius, 1.0) + 0.6)
+            )
         for stop in () if self.question else self.plan.stops:
             if stop.kind == "spheres":
                 self._meeting(stop)
@@ -494,7 +371,9 @@ class _Drawing:
         self.shapes.append(Arc("angle", corner, radius, low, high))
         middle = (low + high) / 2
         way = Vector(math.cos(middle), math.sin(middle))
-        self.labels.append(Label(laid, corner + way * radius, _sides(way), gap=0.7, size=2.7))
+        self.labels.append(
+            Label(laid, corner + way * radius, sides_towards(way), gap=0.7, size=2.7)
+        )
         return True
 
     def _on_wall(self, point: Vector) -> bool:
@@ -536,7 +415,7 @@ class _Drawing:
                 Label(
                     Number(str(stop.number)),
                     stop.contact,
-                    (*_sides(beyond), *_sides(-beyond)[:1]),
+                    (*sides_towards(beyond), *sides_towards(-beyond)[:1]),
                     gap=gap,
                     size=2.5,
                     ringed=True,
@@ -564,7 +443,7 @@ class _Drawing:
             across = unit(each.end - each.start).turned_left()
             if abs(across.y) > 0.5 and across.y > 0:
                 across = -across
-            sides = (*_sides(across)[:3], *_sides(-across)[:3])
+            sides = (*sides_towards(across)[:3], *sides_towards(-across)[:3])
             self.labels.append(Label(each.label, middle, sides, gap=0.8, size=2.7, moves=spots))
 
     def _exact(self) -> tuple[Story, Branch]:
@@ -574,7 +453,7 @@ class _Drawing:
         return still_open or values.branch.story, values.branch
 
     def axes(self) -> None:
-        if not _speaks_of_axes(self.values.solution):
+        if not _speaks_of_axes(self.values.solution.problem):
             return
         left, bottom, right, top = self.box()
         size, room = 7.0, 11.0
@@ -589,13 +468,14 @@ class _Drawing:
             return not touched(box, pieces, 1.0) and not any(overlap(box, each) for each in taken)
 
         origin = next(filter(free, corners), Vector(left - room, bottom + 1))
-        for axis, name, sides in (
+        named: tuple[tuple[Vector, str, tuple[Side, ...]], ...] = (
             (Vector(1.0, 0.0), "i", ("e", "se", "ne")),
             (Vector(0.0, 1.0), "j", ("n", "nw", "ne")),
-        ):
+        )
+        for axis, name, sides in named:
             end = origin + axis * size
             self.shapes.append(Arrow("axis", origin, end))
-            self.labels.append(Label(Bold(name), end, sides, gap=0.8))  # type: ignore[arg-type]
+            self.labels.append(Label(Bold(name), end, sides, gap=0.8))
 
     # --- extent ---------------------------------------------------------------------------
 
@@ -620,14 +500,10 @@ def _half_chord(radius: float, out: Vector) -> float:
     return math.sqrt(max(radius**2 - out.dot(out), 0.0)) if length(out) < radius else 0.0
 
 
-def _sides(way: Vector) -> tuple[Side, ...]:
-    """All sides, those nearest to a direction first."""
-    turn = _bearing(way)
-
-    def off(k: int) -> float:
-        return abs(math.remainder(turn - k * math.pi / 4, 2 * math.pi))
-
-    return tuple(_SIDES[k] for k in sorted(range(8), key=off))
+def _name(name: str) -> Layout:
+    """The name of a body or a point: W, W₁."""
+    head = name.rstrip("0123456789")
+    return Letter(head, name[len(head) :])
 
 
 def _unchanged(plan: Plan, leg: Leg) -> bool:
@@ -640,129 +516,12 @@ def _ends_named(name: str) -> tuple[str, str] | None:
     return (name[0], name[1]) if len(name) == 2 and name.isalpha() and name.isupper() else None
 
 
-def _speaks_of_axes(solution: Solution) -> bool:
+def _speaks_of_axes(problem: Problem) -> bool:
     """Whether **i** and **j** are more than a way to say how a wall lies, or where things are."""
-    problem = solution.problem
-    rest = TreeNumber(Fraction(0))
-    told: list[Any] = [s.velocity for s in problem.spheres if s.velocity != Pair(rest, rest)]
     slanting = [wall.along for wall in problem.walls if not isinstance(wall.along, Unit)]
-    for _, step in problem.steps():
-        if not isinstance(step, Impact | Arrival):
-            told += trees_of_step(step)
-        if isinstance(step, Find) and any(
-            isinstance(item.expression, Quantity)
-            and item.expression.kind in ("velocity", "direction", "momentum")
-            for item in step.items
-        ):
-            return True
-    nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
-    return any(isinstance(node, Pair) or node == Unit("j") for node in nodes) or any(
+    return speaks_of_vectors(problem, apart_from=(Impact, Arrival)) or any(
         isinstance(node, Unit | Pair)
         for tree in slanting
         if isinstance(tree, Expression)
         for node in walk(tree)
     )
-
-
-# --- the letters ----------------------------------------------------------------------------------
-
-
-def _note(plan: Plan, told: Motion) -> Layout | None:
-    """The values by which letters are drawn."""
-    chosen: list[Chosen] = []
-    for events in _together(plan):
-        chosen += [each for each in drawn_for(told, events) if each not in chosen]
-    if plan.scale is not None:
-        places = _places(told.story)
-        chosen += [
-            each
-            for each, moved in told.free
-            if each not in chosen and (moved is None or not _in_proportion(places, _places(moved)))
-        ]
-    if not chosen:
-        return None
-    words: list[Layout] = [Words("Drawn for")]
-    for left, each in zip(range(len(chosen) - 1, -1, -1), chosen):
-        relation = lay.Relation((lay.letter(each.name), value_of(each)), ("=",))
-        words.append(lay.Phrase((relation, Words(".,"[left > 1] if left != 1 else " and")), ""))
-    return lay.Phrase(tuple(words))
-
-
-def _together(plan: Plan) -> list[list[int]]:
-    """The numbers of the events, in groups without a sphere in common."""
-    groups: list[tuple[set[str], list[int]]] = []
-    for stop in plan.stops:
-        names, numbers = set(stop.centres), [stop.number]
-        for group in [group for group in groups if group[0] & names]:
-            groups.remove(group)
-            names, numbers = names | group[0], group[1] + numbers
-        groups.append((names, numbers))
-    return [sorted(numbers) for _, numbers in groups]
-
-
-def _places(story: Story) -> list[float]:
-    """Everything that is known of places, as numbers in a fixed order."""
-    given = told_places(story)
-    known = [*given.starts.values(), *given.origins.values(), *given.points.values()]
-    known += [end for ends in given.segments.values() for end in ends]
-    known += [centre for centre, _ in given.circles.values()]
-    known += [
-        floats(where)
-        for track in story.tracks.values()
-        for _, where, _ in track.places
-        if where is not None
-    ]
-    sizes = [radius for _, radius in given.circles.values()]
-    return [x for place in known for x in place] + sizes + [given.radius or 0.0]
-
-
-def _in_proportion(one: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether the second places are the first on another scale."""
-    largest = max(map(abs, one), default=0.0)
-    if len(one) != len(other) or not largest:
-        return one == other
-    k = next(k for k, x in enumerate(one) if abs(x) == largest)
-    ratio = other[k] / one[k]
-    return all(abs(y - ratio * x) < _SAME * largest * abs(ratio) for x, y in zip(one, other))
-
-
-# --- in words -------------------------------------------------------------------------------------
-
-
-def _description(plan: Plan, values: _Values) -> str:
-    """The picture in sentences, for those who do not see it."""
-    sentences = ["Plan view"]
-    for stop in plan.stops:
-        names = list(stop.centres)
-        if stop.kind == "spheres":
-            said = f"{names[0]} strikes {names[1]}"
-        elif stop.kind == "kick":
-            said = f"{names[0]} receives an impulse"
-        elif stop.kind == "arrival":
-            point = next(
-                (n for n, p in plan.points.items() if length(p - stop.contact) < _NEAR), stop.wall
-            )
-            said = f"{names[0]} comes to {point or 'a point'}"
-        else:
-            said = f"{names[0]} strikes the wall {stop.wall}"
-        said = f"{stop.number}: {said}"
-        if stop.kind == "wall":
-            before = values.angle(names[0], stop, before=True)
-            after = values.angle(names[0], stop, before=False)
-            if before is not None:
-                said += f" at {to_text(before)} to it"
-            if after is not None:
-                said += f" and leaves at {to_text(after)} to it"
-        speeds = [
-            f"{name} at {to_text(speed)}"
-            for name in names
-            if stop.kind != "arrival" and (speed := values.speed(name, stop.number)) is not None
-        ]
-        if speeds:
-            said += f"; afterwards {listed(speeds)}"
-        sentences.append(said)
-    if plan.scale is None:
-        sentences.append("Angles are true, lengths are free")
-    if plan.side_by_side:
-        sentences.append("Paths along one line are drawn side by side")
-    return ". ".join(sentences) + "."

@@ -5,11 +5,11 @@ Lengths and places are in millimetres on paper, x to the right and y up.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
+from restitution.draw.geometry import unit
 from restitution.vector import Vector
 
 
@@ -94,26 +94,3 @@ class Plan:
     scale: float | None
     side_by_side: bool = False
     in_line: bool = False  # everything moves along one line
-
-
-# --- vectors in floats ----------------------------------------------------------------------------
-
-
-def floats(v: Any) -> Vector:
-    """A vector of any numbers in floats."""
-    return Vector(float(v[0]), float(v[1]))
-
-
-def length(v: Vector) -> float:
-    """The size of a vector."""
-    return math.hypot(v.x, v.y)
-
-
-def unit(v: Vector) -> Vector:
-    """The vector of size 1 in this direction; the zero vector stays."""
-    return v / (length(v) or 1.0)
-
-
-def still(v: Vector) -> bool:
-    """Whether a velocity is zero."""
-    return length(v) < 1e-12

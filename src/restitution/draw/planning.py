@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from restitution.draw.flights import Given, Layout, Move, events, solve, told_places, unknowns
-from restitution.draw.plan import Leg, Plan, Round, Stop, Straight, floats, length, still, unit
+from restitution.draw.geometry import floats, length, still, unit
+from restitution.draw.plan import Leg, Plan, Round, Stop, Straight
 from restitution.draw.walls import Line, crossing, trim
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name

@@ -36,9 +36,12 @@ from restitution.problem import (
     Impact,
     Kick,
     Let,
+    Problem,
     Show,
     Sphere,
+    Step,
     trees_of_relation,
+    trees_of_step,
 )
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -357,3 +360,23 @@ def supplement(label: Layout) -> Layout:
         digits = f"{180 - float(label.inside.digits):g}"
         return lay.Degrees(lay.Number(digits))
     return lay.Sum((("+", half_turn), ("-", lay.bracketed(label))))
+
+
+def speaks_of_vectors(problem: Problem, apart_from: tuple[type[Step], ...] = ()) -> bool:
+    """Whether velocities or events are told by **i** and **j**, or such an answer is sought.
+
+    ``apart_from`` are kinds of steps that do not count.
+    """
+    rest = Pair(Number(Fraction(0)), Number(Fraction(0)))
+    told = [sphere.velocity for sphere in problem.spheres if sphere.velocity != rest]
+    for _, step in problem.steps():
+        if not isinstance(step, apart_from):
+            told += trees_of_step(step)
+        if isinstance(step, Find) and any(
+            isinstance(item.expression, Quantity)
+            and item.expression.kind in ("velocity", "direction", "momentum")
+            for item in step.items
+        ):
+            return True
+    nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
+    return any(isinstance(node, Pair) or node == Unit("j") for node in nodes)

@@ -16,7 +16,8 @@ from html import escape
 from typing import assert_never
 
 from restitution.draw import style
-from restitution.draw.ink import Segment, arc_span, hatch, right_angle_points, round_hatch, unit
+from restitution.draw.geometry import direction
+from restitution.draw.ink import Segment, arc_span, hatch, right_angle_points, round_hatch
 from restitution.draw.labels import Placed, PlacedLabel, captioned, place
 from restitution.draw.scene import (
     Arc,
@@ -200,7 +201,7 @@ def _arrow(arrow: Arrow) -> str:
         return ""
     stroke = style.STROKES[arrow.role]
     head = style.head(arrow.role, length)
-    way = unit(arrow.end - arrow.start)
+    way = direction(arrow.end - arrow.start)
     if arrow.role == "impulse":
         data = _double_arrow(arrow.start, arrow.end, head)
         return _path("impulse", data, stroke, ACCENT)
@@ -222,7 +223,7 @@ def _head(tip: Vector, way: Vector, head: style.Head) -> str:
 
 def _double_arrow(start: Vector, end: Vector, head: style.Head) -> str:
     """Two shafts that run into an open head."""
-    way = unit(end - start)
+    way = direction(end - start)
     side = way.turned_left()
     half = min(style.SHAFT_GAP / 2, 0.6 * head.half)
     neck = end - way * head.length

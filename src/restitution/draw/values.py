@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.components import Model, model, protected_letters
+from restitution.draw.geometry import floats
 from restitution.errors import RestitutionError
 from restitution.problem import Impact, Kick
 from restitution.solve.letters import Role
@@ -79,11 +80,11 @@ class Motion:
 
     def before(self, number: int, body: str) -> Vector:
         """A velocity just before an event."""
-        return _floats(self.story.happenings[number - 1].before[body])
+        return floats(self.story.happenings[number - 1].before[body])
 
     def after(self, number: int, body: str) -> Vector:
         """A velocity just after an event."""
-        return _floats(self.story.happenings[number - 1].after[body])
+        return floats(self.story.happenings[number - 1].after[body])
 
 
 def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
@@ -149,7 +150,7 @@ def axes(motion: Motion, number: int) -> tuple[Vector, Vector]:
         n, t = motion.vector(frame.n), motion.vector(frame.t)
     except _FAILURES:  # no value in letters: by the motion itself
         centres = motion.story.happenings[number - 1].oriented()
-        n = _floats(centres if frame.wall is None else -centres)
+        n = floats(centres if frame.wall is None else -centres)
         t = n.turned_left()
     return n / math.hypot(*n), t / math.hypot(*t)
 
@@ -161,10 +162,6 @@ def _chosen(name: str, pleasant: Fraction | None, value: Any, role: Role) -> Cho
     number = math.degrees(float(value)) if angle else float(value)
     near = Fraction(number).limit_denominator(1 if angle else 60)
     return Chosen(name, near if abs(number - near) < 1e-9 else number, angle)
-
-
-def _floats(v: Vector) -> Vector:
-    return Vector(float(v.x), float(v.y))
 
 
 # --- representative values ------------------------------------------------------------------------
@@ -274,7 +271,7 @@ def _velocities(
     story: Story, events: Sequence[int], panels: Sequence[When] = ("before", "after")
 ) -> list[Vector]:
     return [
-        _floats(v)
+        floats(v)
         for number in events
         for when in panels
         for v in getattr(story.happenings[number - 1], when).values()
@@ -288,10 +285,10 @@ def _components(story: Story) -> list[float]:
         c = each.centres if each.centres is not None else each.impulse
         if c is None:
             continue
-        n = _floats(c)
+        n = floats(c)
         size = math.hypot(*n) or 1.0
         for v in (*each.before.values(), *each.after.values()):
-            u = _floats(v)
+            u = floats(v)
             found += [u.dot(n) / size, u.cross(n) / size, math.hypot(*u)]
     return found
 
@@ -309,7 +306,7 @@ def _legibility(story: Story) -> float:
     for each in story.happenings:
         if not isinstance(each.step, Impact | Kick):
             continue
-        sizes = [math.hypot(*_floats(v)) for v in (*each.before.values(), *each.after.values())]
+        sizes = [math.hypot(*floats(v)) for v in (*each.before.values(), *each.after.values())]
         largest = max(sizes, default=0.0)
         moving = [x for x in sizes if x > 1e-12 * (largest or 1.0)]
         if moving:
@@ -350,7 +347,7 @@ def _same_lines(first: Story, second: Story, events: Sequence[int]) -> bool:
         a, b = first.happenings[number - 1].centres, second.happenings[number - 1].centres
         if a is None or b is None:
             continue
-        one, other = _floats(a), _floats(b)
+        one, other = floats(a), floats(b)
         if abs(one.cross(other)) > _SAME * math.hypot(*one) * math.hypot(*other):
             return False
     return True

@@ -1,0 +1,116 @@
+"""The angles of velocities at an event: with the line of centres, an axis, or the way before."""
+
+from __future__ import annotations
+
+import math
+
+from restitution.draw.event import RADIUS, Body, Drawing, View
+from restitution.draw.geometry import direction, sides_towards
+from restitution.draw.said import Angle, supplement
+from restitution.draw.scene import Arc, Label, Line
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.vector import Vector
+
+
+def put_angle(
+    view: View,
+    body: Body,
+    angle: Angle,
+    arrow: tuple[Vector, Vector],
+    arriving: bool,
+    leg: float,
+    index: int,
+    drawing: Drawing,
+) -> None:
+    """An angle of a velocity: around the centre of its sphere, or where the arrow meets the rim.
+
+    It is around the centre where it is with a line of centres that is drawn there. ``leg`` is the
+    length of the component across, which starts or ends at the rim; ``index`` counts the angles.
+    """
+    tail, tip = arrow
+    way = direction(tip - tail)
+    line = _reference(angle, way)[0] * (-1.0 if arriving else 1.0)
+    beside = math.hypot(*((tip if arriving else tail) - body.centre)) > RADIUS + 1e-6
+    inwards = 1.0 if body.towards is None else line.dot(body.towards)
+    if view.kind == "spheres" and not beside and inwards < 1e-6:
+        radius, drawn = RADIUS + 2.6 + 2.4 * index, inwards < -1 + 1e-6
+        put_arc(body.centre, RADIUS, radius, angle, way, arriving, drawn, drawing)
+        return
+    between = abs(math.atan2(line.cross(way), abs(line.dot(way))))
+    length = math.hypot(*(tip - tail))
+    radius = max(5.0, 1.5 / math.tan(between / 2)) if between > 0.02 else 5.0
+    radius = max(3.4, min(radius, 0.6 * length)) + 2.4 * index
+    drawn = leg >= radius and abs(line.dot(view.t)) > 1 - 1e-6
+    put_arc(tip if arriving else tail, 0.0, radius, angle, way, arriving, drawn, drawing)
+
+
+def _reference(angle: Angle, way: Vector) -> tuple[Vector, Layout]:
+    """The unit vector from which an angle is drawn, and its label: no obtuse ones."""
+    reference = direction(angle.reference)
+    if angle.line and reference.dot(way) < 0:
+        return -reference, angle.label
+    if not angle.line and reference.dot(way) < -0.03:
+        return -reference, supplement(angle.label)
+    return reference, angle.label
+
+
+def put_arc(
+    vertex: Vector,
+    clear: float,
+    radius: float,
+    angle: Angle,
+    way: Vector,
+    arriving: bool,
+    drawn: bool,
+    drawing: Drawing,
+) -> None:
+    """An arc from the reference to an arrow, its label, and the reference line unless ``drawn``.
+
+    The reference line starts at the distance ``clear`` from the vertex.
+    """
+    reference, label = _reference(angle, way)
+    between = math.atan2(reference.cross(way), reference.dot(way))
+    right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
+    if abs(between) < 0.02 or right:
+        return
+    line, arrow = (-reference, -way) if arriving else (reference, way)
+    if not drawn:
+        drawing.shapes.append(Line("across", vertex + line * clear, vertex + line * (radius + 2.5)))
+    a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
+    middle = direction(line + arrow)
+    # A narrow angle has room for its label farther out.
+    at, *moves = (vertex + middle * (radius + out) for out in (0.0, 1.2, 2.4))
+    drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
+
+
+def put_deflection(
+    view: View, body: Body, tail: Vector, length: float, index: int, drawing: Drawing
+) -> None:
+    """The angle between the first direction, continued and dotted, and the direction after.
+
+    An acute one is drawn where the arrow starts, one larger around the centre. ``index`` counts
+    the angles that are drawn already.
+    """
+    label = view.said.deflections.get((view.number, body.name))
+    u, v = view.velocity(body.name, "before"), view.velocity(body.name, "after")
+    if label is None or not math.hypot(*u):
+        return
+    first, second = direction(u), direction(v)
+    between = math.atan2(first.cross(second), first.dot(second))
+    if abs(between) < 0.02 or math.pi - abs(between) < 0.02:
+        return
+    if abs(between) < math.radians(85):
+        vertex, start, radius = tail, tail, max(4.2, min(6.5, 0.55 * length)) + 2.4 * index
+        end = tail + first * (radius + 4.0)
+    else:
+        over = body.towards is not None and first.dot(body.towards) > 0.6 and view.kind != "wall"
+        radius = RADIUS + (1.8 if over else 5.0)
+        vertex, start = body.centre, body.centre + first * RADIUS
+        end = body.centre + first * (radius + (1.0 if over else 4.0))
+    drawing.shapes.append(Line("onward", start, end))
+    a, b = math.atan2(first.y, first.x), math.atan2(second.y, second.x)
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
+    middle = Vector(math.cos(a + between / 2), math.sin(a + between / 2))
+    drawing.labels.append(Label(label, vertex + middle * radius, sides_towards(middle), 0.8, 2.8))

@@ -1,0 +1,133 @@
+"""What is known of speeds and angles along a path, as people write it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from restitution.draw.geometry import floats, still
+from restitution.draw.plan import Stop
+from restitution.draw.said import Sayings
+from restitution.draw.values import Motion
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Letter as TreeLetter
+from restitution.render import layout as lay
+from restitution.render.layout import Degrees, Layout, Number, Words
+from restitution.render.text import to_text
+from restitution.solve.forms import plain
+from restitution.solve.solution import Branch, PartSolution, Solution
+from restitution.solve.story import Story
+from restitution.vector import Vector
+
+# Longer expressions (in characters on one line) say less beside a path than they hide.
+_SHORT = 9
+# Velocities of more operations than this have no short size.
+_LONG = 30
+_SAME = 1e-9
+
+
+@dataclass
+class Known:
+    """What is known of angles and speeds, as people write it."""
+
+    solution: Solution
+    part: PartSolution
+    branch: Branch
+    motion: Motion
+    said: Sayings | None = None  # where only what the question says may be shown
+    found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
+
+    def speed(self, body: str, after: int) -> Layout | None:
+        """The speed of a sphere after an event, if it is short."""
+        if (body, after) not in self.found:
+            self.found[body, after] = self._speed(body, after)
+        return self.found[body, after]
+
+    def _speed(self, body: str, after: int) -> Layout | None:
+        if self.said is not None:
+            words = self.said.of(body, after)
+            if words.size is None or _has_letters(words.size):
+                return words.size or words.vector
+            return lay.Phrase((words.size, Words("m s⁻¹")))
+        if still(floats(self.motion.story.velocity(body, after))):
+            return None
+        try:
+            story = self.branch.story
+            velocity = story.velocity(body, after)
+            if sum(x.count_ops() for x in velocity) > _LONG:
+                return None
+            value = plain(story.size(velocity), [self.branch.sample])
+        except (RestitutionError, ArithmeticError):
+            return None
+        if any(symbol.name.startswith("_") for symbol in value.free_symbols):
+            return None
+        laid = lay.from_sympy(value)
+        if value.free_symbols:
+            return laid if len(to_text(laid)) <= _SHORT else None
+        if len(to_text(laid)) > 4:
+            laid = lay.decimal_number(value)
+        return lay.Phrase((laid, Words("m s⁻¹")))
+
+    def angle(self, body: str, stop: Stop, *, before: bool) -> Layout | None:
+        """The angle of a velocity with a wall (with a round one: with the radius), if it is short.
+
+        A letter that has this value, or the value itself where it is the same for all letters.
+        """
+        if self.said is not None:
+            normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
+            angles = self.said.of(body, stop.number - 1).angles if before else []
+            given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
+            return given[0].label if given and stop.kind == "wall" else None
+        told = [
+            self.motion.story,
+            self.branch.numbers,
+            *(moved for _, moved in self.motion.free if moved is not None),
+        ]
+        sizes = [size for story in told if (size := _angle(story, body, stop, before)) is not None]
+        if len(sizes) < len(told) or sizes[0] < _SAME:
+            return None
+        letters = [name for name, role in self.part.roles.items() if role.kind == "angle"]
+        for turned in (False, True):
+            wanted = [math.pi / 2 - size if turned else size for size in sizes]
+            for name in letters:
+                values = [_letter(story, name, stop.number) for story in told]
+                if all(v is not None and abs(v - w) < _SAME for v, w in zip(values, wanted)):
+                    laid = lay.letter(name)
+                    rest = lay.total([Degrees(Number("90")), lay.negative(laid)])
+                    return rest if turned else laid
+            if all(abs(size - sizes[0]) < _SAME for size in sizes):
+                # The same for all letters, if any could be varied.
+                varied = len(sizes) > 2 or self.branch.sample != self.motion.numbers
+                return _degrees(sizes[0]) if varied or not self.motion.free else None
+        return None
+
+
+def _angle(story: Story, body: str, stop: Stop, before: bool) -> float | None:
+    happening = story.happenings[stop.number - 1]
+    if happening.centres is None:
+        return None
+    normal = floats(happening.centres)
+    velocity = floats((happening.before if before else happening.after)[body])
+    if still(velocity):
+        return None
+    across, along = abs(velocity.dot(normal)), abs(velocity.cross(normal))
+    return math.atan2(along, across) if stop.kind == "circle" else math.atan2(across, along)
+
+
+def _letter(story: Story, name: str, now: int) -> float | None:
+    """A letter, or what a name of the statement stands for, in radians."""
+    try:
+        value = story.evaluator(now).value(TreeLetter(name))
+        return float(value.measure() if hasattr(value, "measure") else value)
+    except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
+        return None
+
+
+def _has_letters(laid: Layout) -> bool:
+    return any(character.isalpha() for character in to_text(laid))
+
+
+def _degrees(radians: float) -> Layout:
+    size = math.degrees(radians)
+    near = round(2 * size) / 2
+    return Degrees(Number(f"{near:g}") if abs(near - size) < 1e-9 else lay.decimal_number(size))
