@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Form = Literal["pdf", "html"]
 
 DEFAULT_TITLE = "Oblique impacts"
+_MOST = 20.0  # centimetres of room that are given unasked: nearly a page
 FIGURE = 84
 """Width of a figure, in millimetres."""
 
@@ -91,7 +92,7 @@ def _room(part: QuestionPart, options: Options) -> float:
     """Centimetres of room for the working of a part."""
     if options.space is not None:
         return options.space
-    return 0.0 if options.solutions else float(part.marks or 0)
+    return 0.0 if options.solutions else min(float(part.marks or 0), _MOST)
 
 
 _LONG = 4000  # characters of markup that a page may not hold
@@ -151,14 +152,15 @@ def _typst_question(question: Question, figure: str | None, options: Options) ->
     from restitution.wording import typst
 
     opening = typst.opening(question)
-    short = len(opening) < _LONG
+    parts = [typst.part(each) for each in question.parts]
+    first = parts[0] if parts else ""
+    short = len(opening) + len(first) < _LONG
     if figure is not None:
         opening += f"\n\n#figure-of({literal(figure)})"
-    blocks = [_together(opening) if short else opening]
-    for index, each in enumerate(question.parts):
-        if index:
-            blocks.append(f"#room({_room(question.parts[index - 1], options):g}cm)")
-        part = typst.part(each)
+    start = f"{opening}\n\n{first}"
+    blocks = [_together(start) if short else start]
+    for before, part in zip(question.parts, parts[1:], strict=False):
+        blocks.append(f"#room({_room(before, options):g}cm)")
         blocks.append(_together(part) if len(part) < _LONG else part)
     return "\n\n".join(blocks)
 
