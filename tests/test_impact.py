@@ -338,3 +338,14 @@ def test_it_shows_itself():
     )
     still = r.impact(r.Sphere("P", velocity="2i"), r.Wall("W", along="j"), e=0)
     assert "at rest after" in repr(still) and "needs the mass of P" in repr(still)
+
+
+def test_components_may_be_arrays_even_of_two() -> None:
+    u = Vector(np.array([3.0, 4.0]), np.array([0.0, 1.0]))
+    for velocity in (u, (u.x, u.y), [u.x, u.y]):
+        A = r.Sphere("A", mass=1.0, velocity=velocity)
+        B = r.Sphere("B", mass=1.0, velocity=(0.0, 0.0))
+        hit = r.impact(A, B, line_of_centres=(1.0, 0.0), e=0.5)
+        assert hit.impulse.tolist() == [2.25, 3.0]
+        assert hit.after.A.velocity.x.tolist() == [0.75, 1.0]
+        assert hit.after.A.velocity.y.tolist() == [0.0, 1.0]

@@ -296,7 +296,10 @@ class _Reader:
     def _value(self, value: Any, what: str, known: dict[str, Any]) -> Any:
         """A tree's value in exact symbols; other values as they are, vectors as ``Vector``."""
         if isinstance(value, tuple) and len(value) == 2:
-            return Vector(*(self._value(each, what, known) for each in value))
+            # An array in it is a component for many impacts, even if it is of two.
+            return Vector(
+                *(each if _is_array(each) else self._value(each, what, known) for each in value)
+            )
         if isinstance(value, Expression):
             from restitution.expression.evaluate import Angle, Evaluator, Symbolic
 
