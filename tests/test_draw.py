@@ -63,7 +63,7 @@ class Shown:
     scene: Scene
     panel: Panel
 
-    def of(self, kind: type, role: str | None = None) -> list:  # type: ignore[type-arg]
+    def of(self, kind: type, role: str | None = None) -> list:
         return [
             shape
             for shape in self.scene.shapes
@@ -328,7 +328,7 @@ def test_a_wall_in_letters() -> None:
     before, after = shown(scene)
     assert sorted(before.labels()) == sorted(["P", "m", "u", "α", "u cos α", "u sin α"])
     assert sorted(after.labels()) == sorted(["P", "m", "β", "u cos α", "eu sin α", "J", "δ"])
-    assert to_text(scene.note) == "Drawn for α = 40° and e = ½."  # type: ignore[arg-type]
+    assert to_text(scene.note) == "Drawn for α = 40° and e = ½."
     (dotted,) = after.of(Line, "onward")
     arrow = before.velocity("P")
     assert angle_between(dotted.end - dotted.start, arrow) < NEAR
@@ -413,7 +413,7 @@ def test_one_of_several_solutions_is_named() -> None:
     solution = solved(question)
     assert len(solution["e"].answers) == 2
     (scene,) = scenes(solution)
-    assert to_text(scene.note) == "Drawn for e = ⅞."  # type: ignore[arg-type]
+    assert to_text(scene.note) == "Drawn for e = ⅞."
 
 
 def test_an_impulse_from_outside() -> None:
@@ -454,7 +454,7 @@ def test_an_arrow_too_short_to_be_seen_is_longer_than_to_scale_and_the_note_says
     before, after = shown(scene)
     assert length(before.velocity("B")) == pytest.approx(TINY)
     assert length(after.velocity("B")) > TINY
-    assert to_text(scene.note) == "The shortest arrows are longer than to scale."  # type: ignore[arg-type]
+    assert to_text(scene.note) == "The shortest arrows are longer than to scale."
 
 
 # --- values ---------------------------------------------------------------------------------------
@@ -511,8 +511,8 @@ def test_each_event_is_drawn_once_and_a_part_by_its_own_values() -> None:
     (second,) = scenes(solution, "b")
     assert (first.part, first.event) == ("a", 1)
     assert (second.part, second.event) == ("b", 1)
-    assert to_text(first.note) == "Drawn for α = 40° and f = ½."  # type: ignore[arg-type]
-    assert to_text(second.note) == "Drawn for f = ½."  # type: ignore[arg-type]
+    assert to_text(first.note) == "Drawn for α = 40° and f = ½."
+    assert to_text(second.note) == "Drawn for f = ½."
     with pytest.raises(KeyError, match="no part 'c'"):
         scenes(solution, "c")
 

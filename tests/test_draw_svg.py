@@ -330,7 +330,7 @@ def impact() -> Scene:
         "One impact",
         "Before: A moves at u & B at w.",
         (0, 0, 84, 42),
-        tuple(shapes),  # type: ignore[arg-type]
+        tuple(shapes),
         tuple(labels),
         (Panel("Before", (0, 0, 41, 42)), Panel("After", (43, 0, 84, 42))),
         l.Phrase((l.Words("Drawn for"), l.equation(U, l.Number("1")))),
@@ -417,7 +417,7 @@ def classes(root: ET.Element, name: str) -> list[ET.Element]:
 
 
 def drawn(*shapes: object) -> ET.Element:
-    return ET.fromstring(to_svg(Scene("", "", (0, 0, 40, 40), tuple(shapes))))  # type: ignore[arg-type]
+    return ET.fromstring(to_svg(Scene("", "", (0, 0, 40, 40), tuple(shapes))))
 
 
 def test_an_arrow_ends_with_its_tip() -> None:
@@ -481,7 +481,7 @@ def test_a_wall_is_hatched_evenly_at_45_degrees_on_its_far_side() -> None:
 @pytest.mark.parametrize("hatched", ["inside", "outside"])
 def test_a_round_wall_is_hatched_on_the_side_that_is_said(hatched: str) -> None:
     for start, end in ((0.3, 2.8), (0.0, math.tau), (-2.0, 1.0), (3.0, 4.0)):
-        wall = RoundWall("W", Vector(20, 20), 12, start, end, hatched)  # type: ignore[arg-type]
+        wall = RoundWall("W", Vector(20, 20), 12, start, end, hatched)
         root = drawn(wall)
         strokes = pieces(classes(root, "hatch")[0].attrib["d"])
         ends = [math.dist(stroke[1], (20, -20)) for stroke in strokes]
@@ -518,7 +518,7 @@ def test_a_number_in_a_ring_is_in_its_middle() -> None:
 
 def test_a_label_stands_on_its_first_side_where_there_is_room() -> None:
     for side, sign in (("n", (0, 1)), ("e", (1, 0)), ("sw", (-1, -1)), ("centre", (0, 0))):
-        scene = Scene("", "", (0, 0, 40, 40), labels=(Label(U, Vector(20, 20), (side,), 2.0),))  # type: ignore[arg-type]
+        scene = Scene("", "", (0, 0, 40, 40), labels=(Label(U, Vector(20, 20), (side,), 2.0),))
         left, bottom, right, top = place(scene).labels[0].box
         x, y = (left + right) / 2 - 20, (bottom + top) / 2 - 20
         assert (round(x, 6) > 0) - (round(x, 6) < 0) == sign[0]

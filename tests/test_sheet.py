@@ -23,7 +23,7 @@ SOME = ("corner", "two-spheres-with-vectors", "right-angles-afterwards", "second
 
 
 def made(name: str, form: str = "pdf", options: Options = PLAIN) -> Entry:
-    return entry(r.solve(r.parse(examples.text(name))), form, options)  # type: ignore[arg-type]
+    return entry(r.solve(r.parse(examples.text(name))), form, options)
 
 
 def pages(pdf: bytes) -> list[str]:

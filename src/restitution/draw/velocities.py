@@ -34,7 +34,7 @@ TINY = 1.5  # no arrow is shorter, or it could not be seen
 _WIDEST = 5.6  # of a label of a component, in em
 
 
-def arrives(body_towards: Vector | None, velocity: Vector, when: When) -> bool:
+def _arrives(body_towards: Vector | None, velocity: Vector, when: When) -> bool:
     """Whether an arrow is drawn as ending at the circle rather than as starting from it.
 
     Before an impact it is, where it would run through what the sphere strikes.
@@ -56,7 +56,7 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
         _sense_of_nothing(view, body, when, body.centre + UP * RADIUS, drawing)
         return
     way, length = v / size, max(TINY, size * scale)
-    arriving = arrives(body.towards, v, when)
+    arriving = _arrives(body.towards, v, when)
     tail = body.centre - way * (RADIUS + length) if arriving else body.centre + way * RADIUS
     lifted = None if arriving else _lifted(view, body, way, length)
     tail = tail if lifted is None else lifted

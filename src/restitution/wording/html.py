@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from html import escape
 
@@ -26,7 +25,6 @@ STYLE = """
 @media print { .question { color: #000; background: #fff; max-width: none; padding: 0;
   font-size: 11pt; } .question p, .question .row { break-inside: avoid; } }
 """
-_CLOSE = re.compile(r"[^ ]*")
 
 
 def to_html(question: Question) -> str:
@@ -59,7 +57,7 @@ def said(words: Words) -> str:
             out += f"<i>{escape(each.text)}</i>"
         else:
             following = rest[index + 1] if index + 1 < len(rest) else ""
-            close = _CLOSE.match(following).group() if isinstance(following, str) else ""  # type: ignore[union-attr]
+            close = following.split(" ", 1)[0] if isinstance(following, str) else ""
             if isinstance(following, str) and close:
                 rest[index + 1] = following[len(close) :]
             whole = to_mathml(each) + escape(close)

@@ -6,7 +6,15 @@ from collections.abc import Iterator
 
 from restitution.render.latex import to_latex
 from restitution.render.markdown import escape
-from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import (
+    Block,
+    Listing,
+    Named,
+    Piece,
+    Question,
+    QuestionPart,
+    Words,
+)
 from restitution.wording.words import count_of_marks
 
 
@@ -27,12 +35,12 @@ def said(words: Words) -> str:
     return "".join(_piece(each) for each in words)
 
 
-def _piece(each: object) -> str:
+def _piece(each: Piece) -> str:
     if isinstance(each, str):
         return escape(each)
     if isinstance(each, Named):
         return f"*{each.text}*"
-    return f"${to_latex(each)}$"  # type: ignore[arg-type]
+    return f"${to_latex(each)}$"
 
 
 def _part(part: QuestionPart) -> list[str]:

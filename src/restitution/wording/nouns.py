@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from restitution.expression.tree import (
     Apply,
@@ -155,7 +156,7 @@ def _binary(scene: Scene, tree: Binary) -> Noun:
             return _pair("the product of ", noun(scene, left), " and ", noun(scene, right))
         case "/":
             return _ratio(scene, left, right)
-    if right == Number(2):  # type: ignore[arg-type]
+    if right == Number(Fraction(2)):
         return _led("the square of ", noun(scene, left))
     return _pair("", noun(scene, left), " to the power ", noun(scene, right))
 

@@ -6,7 +6,15 @@ from collections.abc import Iterator
 
 from restitution.render.text import NO_BREAK, width, wrapped
 from restitution.render.text import to_text as one_line
-from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import (
+    Block,
+    Listing,
+    Named,
+    Piece,
+    Question,
+    QuestionPart,
+    Words,
+)
 from restitution.wording.words import count_of_marks
 
 _INDENT = 5
@@ -29,12 +37,12 @@ def said(words: Words) -> str:
     return "".join(_piece(each) for each in words)
 
 
-def _piece(each: object) -> str:
+def _piece(each: Piece) -> str:
     if isinstance(each, str):
         return each
     if isinstance(each, Named):
         return each.text
-    return one_line(each).replace(" ", NO_BREAK)  # type: ignore[arg-type]
+    return one_line(each).replace(" ", NO_BREAK)
 
 
 def _part(part: QuestionPart, columns: int) -> list[list[str]]:

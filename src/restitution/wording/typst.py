@@ -7,7 +7,15 @@ from collections.abc import Iterator
 from restitution.render.text import NO_BREAK
 from restitution.render.typst import to_typst as equation
 from restitution.render.typst import words as text
-from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import (
+    Block,
+    Listing,
+    Named,
+    Piece,
+    Question,
+    QuestionPart,
+    Words,
+)
 from restitution.wording.words import count_of_marks
 
 
@@ -35,13 +43,13 @@ def said(words: Words) -> str:
     return "".join(_piece(each) for each in words)
 
 
-def _piece(each: object) -> str:
+def _piece(each: Piece) -> str:
     if isinstance(each, str):
         # A literal knows no such blank: Typst's own sign for one is outside of it.
         return "~".join(text(part) if part else "" for part in each.split(NO_BREAK))
     if isinstance(each, Named):
         return f"#emph[{text(each.text)}]"
-    return equation(each)  # type: ignore[arg-type]
+    return equation(each)
 
 
 def _row(head: str, body: str) -> str:
