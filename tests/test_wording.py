@@ -91,7 +91,7 @@ def test_every_number_of_the_statement_is_told(path):
     text = to_text(asked, 10_000)
     said |= {Fraction(each) / 100 for each in re.findall(r"(\d+)%", text)}
     said |= {Fraction(2)} if "twice" in text else set()
-    said |= {Fraction(1), Fraction(2)} if "half of" in text else set()
+    said |= {Fraction(1), Fraction(2)} if "half of" in text.lower() else set()
     said |= {Fraction(0)} if re.search("negative|positive", text) else set()
     # The square of a quantity, and "correct to 3 significant figures".
     said |= {Fraction(2)} if "the square of" in text or "m²" in text else set()
