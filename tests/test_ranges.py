@@ -76,9 +76,43 @@ given deflection(A) = theta
 find range of k, range of theta
 #= range of k -> k > 1/2
 #= range of theta -> 0 < theta < arctan(√2)""",
+    # A goes on with 1 - 3e: 1 where e = 0, at rest where e = 1/3, and 2 backwards where e = 1.
+    "a speed that vanishes inside": """sphere A: mass 1, velocity 4i
+sphere B: mass 3, at rest
+A hits B: along i
+find range of speed(A), minimum of speed(A) over e, maximum of speed(A) over e
+#= range of speed(A) -> 0 <= speed(A) <= 2
+#= minimum of speed(A) over e -> 0 when e = 1/3
+#= maximum of speed(A) over e -> 2 when e = 1""",
+    # A goes on with (1 - 2e) u/3.
+    "the same in letters": """sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i
+find range of speed(A), minimum of speed(A) over e
+#= range of speed(A) -> 0 <= speed(A) <= u/3
+#= minimum of speed(A) over e -> 0 when e = 1/2""",
+    # A goes on with u (1 - k/2)/(1 + k).
+    "at rest for one mass": """sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+find minimum of speed(A) over k
+#= minimum of speed(A) over k -> 0 when k = 2""",
 }
 
 
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES.keys())
 def test_ends(text: str) -> None:
     assert disagreements(solve(parse(text)), expected(text)) == []
+
+
+# Both grow with what they are sought over, which has no upper end.
+@pytest.mark.parametrize("item", ["speed(B) over u", "k u over k", "k over k"])
+def test_no_greatest_value(item: str) -> None:
+    text = f"""sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+find maximum of {item}"""
+    (found,) = solve(parse(text)).parts[None].items
+    assert found.error is not None
+    assert found.error.kind == "impossible"
+    assert "no maximum" in found.error.message

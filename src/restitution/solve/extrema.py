@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import ContradictionError, UnsupportedError
+from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
 from restitution.expression.tree import Letter
 from restitution.problem import Extremum
 from restitution.render.layout import display, equation, from_sympy
@@ -27,9 +27,8 @@ from restitution.solve.ranges import (
     _is_reached,
     _limit_at,
     _near,
-    derivative,
     limits,
-    zeros,
+    turning,
 )
 from restitution.solve.solution import Answer, ItemResult
 
@@ -58,6 +57,9 @@ def find_extremum(
     if not found:
         raise ContradictionError("no values satisfy all that is told")
     trial, (candidate, reached, _, _) = max(found, key=lambda each: sign * each[1][2])
+    if candidate.value.is_infinite:
+        grows = "grows" if candidate.value == sp.oo else "falls"
+        raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")
     value = forms.plain(candidate.value, outcome.witnesses(trial))
     if angle:
         value = exact.tidy_angle(value)
@@ -90,7 +92,7 @@ def _best(
     symbol = region.symbol
     if not value.has(symbol):
         raise UnsupportedError(f"the quantity does not depend on {name}")
-    points = list(zeros([derivative(value, symbol)], [symbol], roles, name))
+    points = turning(value, symbol, roles)
     points += region.points
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
     candidates = []

@@ -11,7 +11,7 @@ import random
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import sympy as sp
@@ -737,9 +737,7 @@ def _candidates(
             if not expression.has(symbol):
                 after.append(candidate)
                 continue
-            points: list[sp.Expr] = list(
-                zeros([derivative(expression, symbol)], [symbol], roles, name)
-            )
+            points = turning(expression, symbol, roles)
             role = roles[name]
             points += [-sp.oo if role.low is None else role.low]
             points += [sp.oo if role.high is None else role.high]
@@ -764,7 +762,22 @@ def _candidates(
     return open_
 
 
-def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:
+    """Where an expression can turn: its stationary points, and the kinks where a bar vanishes."""
+    bars = sorted((bar for bar in expression.atoms(sp.Abs) if bar.has(symbol)), key=str)
+    points: list[sp.Expr] = []
+    for bar in bars:
+        points += zeros(
+            [sp.together(bar.args[0]).as_numer_denom()[0]], [symbol], roles, symbol.name
+        )
+    for signs in product((1, -1), repeat=len(bars)):
+        put = {bar: sign * bar.args[0] for bar, sign in zip(bars, signs, strict=True)}
+        slope = _derivative(expression.xreplace(put), symbol)
+        points += zeros([slope], [symbol], roles, symbol.name)
+    return list(dict.fromkeys(points))
+
+
+def _derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     """The numerator of the derivative, which vanishes at stationary points."""
     core = expression
     if isinstance(core, sp.Pow) and core.exp == sp.S.Half:
