@@ -28,6 +28,7 @@ from restitution.solve.ranges import (
     _limit_at,
     _near,
     limits,
+    require_told,
     turning,
 )
 from restitution.solve.solution import Answer, ItemResult
@@ -40,6 +41,7 @@ def find_extremum(
     line = None if item.place is None else item.place.line
     if not isinstance(item.over, Letter):
         raise UnsupportedError("an extremum is sought over a letter")
+    require_told(desk.problem, item.over)
     name = item.over.name
     setting = desk.settle(in_terms_of, item)
     if name not in setting.roles:

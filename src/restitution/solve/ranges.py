@@ -26,13 +26,13 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
-from restitution.problem import Compare, Range
+from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.algebra import solve_system
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.letters import Role, is_angle
+from restitution.solve.letters import Role, is_angle, roles
 from restitution.solve.numbers import (
     DIGITS,
     FIELD,
@@ -492,18 +492,46 @@ def find_range(
 ) -> ItemResult:
     """All values of a letter, or of a quantity, that the facts allow."""
     line = None if item.place is None else item.place.line
-    tree = item.expression
-    base = desk.settle(in_terms_of, item)
+    require_told(desk.problem, item.expression)
+    meant = _meant(desk, item, in_terms_of)
+    tree = meant.expression
+    base = desk.settle(in_terms_of, meant)
     if isinstance(tree, Letter) and tree.name not in base.lets:
         values = _range_of_letter(desk, tree.name, in_terms_of, base)
         angle = base.roles[tree.name].kind == "angle"
     else:
-        values, angle = _range_of_quantity(desk, item, now, in_terms_of)
+        values, angle = _range_of_quantity(desk, meant, now, in_terms_of)
     if values is sp.S.EmptySet:
         raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
-    shown = to_text(display_set(values, from_tree(tree), angle=angle))
+    shown = to_text(display_set(values, from_tree(item.expression), angle=angle))
     answer = Answer(1, values, exact.sympy_text(values), None, shown, angle=angle)
     return ItemResult(item, line, item.text, "range", (answer,))
+
+
+def require_told(problem: Problem, tree: Expression) -> None:
+    """Raise MissingError for a letter of which only questions speak: it stands for nothing."""
+    told = roles(
+        replace(
+            problem,
+            parts=tuple(
+                replace(part, steps=tuple(s for s in part.steps if not isinstance(s, Find | Show)))
+                for part in problem.parts
+            ),
+        )
+    )
+    for name in sorted(letters(tree) - set(told)):
+        if name == "e":
+            raise MissingError("no collision has e for its coefficient of restitution")
+        raise MissingError(f"nothing is told of {name}")
+
+
+def _meant(desk: Desk, item: Range, in_terms_of: tuple[str, ...] | None) -> Range:
+    """An item with what its letter was let to be: the range of a ratio, not of its name."""
+    lets = desk.settle(in_terms_of, item).lets
+    tree = item.expression
+    while isinstance(tree, Letter) and tree.name in lets:
+        tree = lets[tree.name][0].expression
+    return item if has_quantity(tree) else replace(item, expression=tree)
 
 
 def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:

@@ -249,13 +249,16 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
         claimed = evaluator.scalar(step.relation.operands[-1])
         value = found.answers[0].value
         ok = bool(exact.same(claimed, value))
-        return ItemResult(
-            step, line, step.text, "show", holds=ok, counterexample=None if ok else {}
-        )
+        return _compared(step, line, found, ok)
     assert isinstance(subject, Range)
     from restitution.solve.ranges import claimed_set, same_set
 
     claimed = claimed_set(step.relation, subject, evaluator)
     sets = [each.value for each in found.answers]
     ok = same_set(claimed, sp.Union(*sets) if sets else sp.S.EmptySet, roles)
-    return ItemResult(step, line, step.text, "show", holds=ok, counterexample=None if ok else {})
+    return _compared(step, line, found, ok)
+
+
+def _compared(step: Show, line: int | None, found: ItemResult, ok: bool) -> ItemResult:
+    """A claim beside what was found: where it is false, the truth is its answer."""
+    return ItemResult(step, line, step.text, "show", () if ok else found.answers, holds=ok)
