@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 from answers import disagreements, expected
 
+from restitution.export.answers import answers
 from restitution.language import parse
 from restitution.solve import solve
 
@@ -97,6 +99,17 @@ sphere B: mass k m, at rest
 A hits B: along i, e = 1/2
 find minimum of speed(A) over k
 #= minimum of speed(A) over k -> 0 when k = 2""",
+    # A goes on with (m - eM) u/(m + M), back where M/m > 1/e.
+    "a ratio by its name": """sphere A: mass m, velocity u i
+sphere B: mass M, at rest
+A hits B: along i
+let k = M/m
+let q = k
+given velocity(A) opposite to velocity(B)
+find range of k, range of q, range of M/m
+#= range of k -> k > 1/e
+#= range of q -> q > 1/e
+#= range of M/m -> M/m > 1/e""",
 }
 
 
@@ -116,3 +129,32 @@ find maximum of {item}"""
     assert found.error is not None
     assert found.error.kind == "impossible"
     assert "no maximum" in found.error.message
+
+
+@pytest.mark.parametrize("item", ["range of e", "maximum of e over e", "range of x"])
+def test_letter_of_questions_only(item: str) -> None:
+    (found,) = solve(parse(f"{WALL.strip()}: e = 1\nfind {item}")).parts[None].items
+    assert found.error is not None
+    assert found.error.kind == "missing"
+
+
+# A turns back where e > 1/2; B goes on with 2(1 + e).
+@pytest.mark.parametrize(
+    ("claim", "truth"),
+    [
+        ("range of e: 0 < e < 1", sp.Interval.Lopen(sp.Rational(1, 2), 1)),
+        ("maximum of speed(B) over e = 2", 4),
+    ],
+)
+def test_false_claim_is_answered_with_the_truth(claim: str, truth: object) -> None:
+    text = f"""sphere A: mass m, velocity 6i
+sphere B: mass 2m, at rest
+A hits B: along i
+given velocity(A) opposite to velocity(B)
+show {claim}"""
+    solution = solve(parse(text))
+    (shown,) = solution.parts[None].items
+    assert shown.holds is False
+    assert shown.counterexample is None
+    assert [each.value for each in shown.answers] == [truth]
+    assert shown.answers[0].display in answers(solution)

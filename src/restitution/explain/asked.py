@@ -641,8 +641,20 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
                 words.append(", ")
             words.append(lay.equation(lay.letter(name), _written(value)))
         words.append(" it does not hold")
+    for true in result.answers:  # of a range or an extremum
+        words += [": ", _true_bound(item, true)]
+        if isinstance(item.subject, Extremum):
+            words.append(" is reached" if true.reached else " is approached, but not reached")
     words.append(".")
     work.write("note", words=tuple(words))
+
+
+def _true_bound(item: Show, true: Answer) -> Layout:
+    assert item.subject is not None
+    asked = lay.from_tree(item.subject.expression)
+    if isinstance(item.subject, Range):
+        return lay.display_set(true.value, asked, angle=true.angle)
+    return look(true.value, angle=true.angle)
 
 
 __all__ = ["explain_item", "put_in", "speaks_across", "stages", "trees_of"]

@@ -116,7 +116,8 @@ def _answers(item: ItemResult) -> str:
     if item.error is not None:
         return f"{item.text}: {item.error.message}"
     if item.holds is not None:
-        return f"{item.text}: {'shown' if item.holds else 'false'}"
+        said = "shown" if item.holds else "false"
+        return f"{item.text}: {', '.join([said, *(each.display for each in item.distinct)])}"
     return f"{item.text} = " + " or ".join(each.display for each in item.distinct)
 
 

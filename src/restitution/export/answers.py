@@ -66,6 +66,8 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
         if item.counterexample:
             values = ", ".join(f"{name} = {value}" for name, value in item.counterexample.items())
             yield f", for instance with {values}"
+        if item.answers:
+            yield ": "
     for number, answer in enumerate(item.distinct):
         if number:
             yield "  or  "
