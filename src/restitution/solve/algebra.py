@@ -418,6 +418,8 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
         if of_data:
             return None if any(zero(factor) for factor in of_data) else of_data
         able = [f for f in parts if any(not s.name.startswith("_") for s in f.free_symbols)]
+    else:
+        able += [f for f in parts if f not in able and _told_of(f, free)]
     for factor in able:
         inside = factor.free_symbols & free
         if not inside:
@@ -428,6 +430,21 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
     if not kept and zero(equation):
         return None
     return _truly(kept, free, zero)
+
+
+def _told_of(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
+    """Whether the root of a factor that cannot vanish is a value people meet and have to reject.
+
+    It is one of a letter that is sought, by an equation of degree 1 with numbers alone; but not
+    nothing, and not e = −1, which is no impact at all.
+    """
+    if factor.is_Symbol or len(factor.free_symbols) != 1 or not factor.free_symbols <= free:
+        return False
+    (x,) = factor.free_symbols
+    if x.name.startswith(("_", "cos_", "sin_", "tan_")) or not factor.is_polynomial(x):
+        return False
+    poly = sp.Poly(factor, x)
+    return bool(poly.degree() == 1 and poly.eval(-1) != 0)
 
 
 def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
