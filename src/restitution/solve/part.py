@@ -551,9 +551,14 @@ def work_out(setting: Setting) -> Outcome:
     last: tuple[Letters, Story] | None = None
     deciding = {name for pair in _equations_of_letters(setting) for name in _named(pair)}
     decisions: list[Decision] = []
+    failed: ImpossibleError | None = None
     for values, angles in _letter_branches(setting):
         letters_ = Letters(setting.roles, values, angles)
-        story = setting.tell(letters_)
+        try:
+            story = setting.tell(letters_)
+        except ImpossibleError as error:
+            failed = failed or error  # other values may still do
+            continue
         wanted = setting.requirements(story)
         equations = [
             sp.sympify(each.value, strict=True)
@@ -567,7 +572,7 @@ def work_out(setting: Setting) -> Outcome:
             trials.append(setting.try_out(combined, letters_))
         last = letters_, story
     if last is None or not trials:
-        raise _clash(setting)
+        raise failed or _clash(setting)
     return Outcome(setting, tuple(_distinct(trials)), *last, frozenset(deciding), tuple(decisions))
 
 
@@ -585,6 +590,16 @@ def _same_values(a: Trial, b: Trial) -> bool:
 
 def _clash(setting: Setting) -> RestitutionError:
     lines = sorted({given.place.line for given, _ in setting.facts if given.place is not None})
+    return _clash_of(setting, lines)
+
+
+def clash_of_bounds(setting: Setting) -> RestitutionError:
+    """Why inequalities that are given cannot hold: two lines on one letter, if they are told."""
+    bounds: dict[str, list[tuple[sp.Expr, bool, bool, int]]] = {}
+    return _clash_of(setting, [])
+
+
+def _clash_of(setting: Setting, lines: list[int]) -> RestitutionError:
     place = setting.facts[-1][0].place if setting.facts else None
     if lines:
         where = (

@@ -66,6 +66,9 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     known = story.place(name, number - 1)
     velocity = story.velocity(name, number - 1)
     radius = story.radius(name)
+    if known is not None and not story.implied and _is_at(story, number, name, wall):
+        story.tracks[name].places.append((number, *known))
+        return known[1]
     if wall.centre is not None:
         return _time_to_circle(story, number, name, wall, known, velocity, radius)
     origin = wall.through if wall.through is not None else wall.start
@@ -108,6 +111,17 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     return time
 
 
+def _is_at(story: Story, number: int, name: str, wall: Wall) -> bool:
+    """Whether a sphere's latest event is that it came to this wall."""
+    left = story.latest(name, number - 1)
+    return (
+        left is not None
+        and isinstance(left.step, Arrival)
+        and isinstance(left.step.target, Name)
+        and left.step.target.name == wall.name
+    )
+
+
 def _nothing_first(
     story: Story,
     name: str,
@@ -116,10 +130,12 @@ def _nothing_first(
     velocity: Vector,
     flight: Scalar,
     number: int,
+    partners: tuple[str, ...] = (),
 ) -> None:
-    """No other wall whose place is known is struck before."""
+    """No other wall or sphere whose place is known is struck before."""
     radius = story.radius(name)
     left = story.latest(name, number - 1)
+    _no_sphere_first(story, name, partners, flight, number)
     for wall in story.walls.values():
         origin = wall.through if wall.through is not None else wall.start
         if wall is target or origin is None:
@@ -148,6 +164,43 @@ def _nothing_first(
             options.append(Condition(-share, ">=", reason, "place"))
             options.append(Condition(share - along.dot(along), ">=", reason, "place"))
         story.conditions.append(AnyOf(tuple(options), reason))
+
+
+def _no_sphere_first(
+    story: Story, name: str, partners: tuple[str, ...], flight: Scalar, number: int
+) -> None:
+    """No sphere is struck before that moves uniformly from a known place; in numbers alone."""
+    own = story.place(name, number - 1)
+    if story.field.exact or own is None:
+        return
+    radius = story.radius(name)
+    reach = 0 if radius is None else 2 * radius
+    left = story.latest(name, number - 1)
+    for other, track in story.tracks.items():
+        known = story.place(other, number - 1)
+        if other == name or other in partners or known is None:
+            continue
+        if left is not None and other in left.bodies:
+            continue  # it has just left that sphere
+        latest = story.latest(other, number - 1)
+        if track.places[-1][0] != (0 if latest is None else latest.number):
+            continue  # nobody knows where it has been since
+        v, w = story.velocity(name, number - 1), story.velocity(other, number - 1)
+        start = later(story, own[1], known[1])
+        gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
+        approach = v - w
+        ga, ww = gap.dot(approach), approach.dot(approach)
+        if story.unknowns.sign(ga) != 1:
+            continue
+        under = ga * ga - ww * (gap.dot(gap) - reach * reach)
+        side = story.unknowns.sign(under)
+        if side == -1 or (side == 0 and radius is not None):
+            continue  # it passes by
+        touch = (ga - (story.field.sqrt(under) if side == 1 else 0)) / ww
+        if story.unknowns.sign(touch) == 1:
+            spare = start + touch - (own[1] + flight)
+            reason = f"{name} strikes {other} first"
+            story.conditions.append(Condition(spare, ">=", reason, "place"))
 
 
 def _time_to_circle(
@@ -258,6 +311,8 @@ def meeting(
         ) / ww
         c = story.neat(gap - approach * flight)
     flight = story.rational(flight)
+    if story.field.exact and flight.is_negative:
+        raise ImpossibleError(f"{step.first} and {step.second} are separating")
     # Where they begin at one place they collide there and then.
     together = r is None and story.field.is_zero(gap.dot(gap))
     story.conditions.append(
@@ -271,7 +326,8 @@ def meeting(
     time = start + flight
     for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
         where = known[0] + v * (time - known[1])
-        _nothing_first(story, name, None, known[0], v, time - known[1], number)
+        partners = (step.first, step.second)
+        _nothing_first(story, name, None, known[0], v, time - known[1], number, partners)
         story.tracks[name].places.append((number, story.neat(where), time))
     return time, c
 

@@ -10,10 +10,12 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import MissingError, RestitutionError, UnsupportedError
+from restitution.expression.tree import letters
 from restitution.problem import Compare, Extremum, Range, Show, trees_of_relation
 from restitution.solve.coefficients import without_impossible
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import requirements
+from restitution.solve.neat import neat
 from restitution.solve.numbers import FIELD, TINY, UndefinedError, at
 from restitution.solve.part import Letters, Numbers, holds
 from restitution.solve.solution import Branch, ItemResult
@@ -50,8 +52,10 @@ def _refute(
     free = sorted(
         name for name in setting.roles if name not in branch.values and name not in setting.lets
     )
-    hidden = sorted(name for name in outcome.letters.hidden_roles if name not in branch.values)
-    roles = {**setting.roles, **outcome.letters.hidden_roles}
+    matters = _matters(claim, branch, now, step)
+    hidden_roles = {**outcome.letters.hidden_roles, **_hidden_roles(branch)}
+    hidden = sorted(name for name in hidden_roles if name not in branch.values)
+    roles = {**setting.roles, **hidden_roles}
     trials = FEW if isinstance(claim, Compare) and claim.figures is not None else TRIALS
     if isinstance(claim, Compare) and set(claim.operators) == {"="} and claim.figures is None:
         wanted = requirements(claim, branch.story, now, step.place)
@@ -84,7 +88,13 @@ def _refute(
                 for name, value in branch.values.items():
                     if not name.startswith("_"):
                         shown[name] = exact.sympy_text(exact.tidy(_with(value, shown, roles)))
+                if matters is not None and any(name.startswith("_") for name in matters):
+                    unknowns = branch.letters
+                    phrases = unknowns.phrases if isinstance(unknowns, Letters) else {}
+                    needed = [phrases.get(n, n) for n in sorted(matters) if n.startswith("_")]
+                    raise MissingError(f"this claim needs {' and '.join(needed)}")
                 used = _used(worker, outcome)
+                used = used if matters is None else used & matters
                 return {k: v for k, v in shown.items() if k in used}
         except MissingError:
             raise
@@ -99,8 +109,26 @@ def _refute(
     return None
 
 
+def _hidden_roles(branch: Branch) -> dict[str, Any]:
+    return branch.letters.hidden_roles if isinstance(branch.letters, Letters) else {}
+
+
+def _matters(claim: Any, branch: Branch, now: int, step: Show) -> set[str] | None:
+    """The letters and hidden unknowns on which a claim depends; None where that is not known."""
+    found: set[str] = set()
+    for tree in trees_of_relation(claim):
+        found |= letters(tree)
+    try:
+        for need in requirements(claim, branch.story, now, step.place):
+            for each in need.options if isinstance(need, AnyOf) else (need,):
+                value = sp.sympify(each.value, strict=True)
+                found |= {s.name for s in neat(value).free_symbols}
+    except (RestitutionError, ArithmeticError, TypeError, ValueError):
+        return None
+    return found
+
+
 def _used(worker: _Worker, outcome: Any) -> set[str]:
-    from restitution.expression.tree import letters
     from restitution.problem import Impact, trees
 
     used: set[str] = set()

@@ -306,10 +306,32 @@ class _Worker:
             column = None if item.place is None else item.place.column
             if error.line is None:
                 error = type(error)(error.message, line, column)
-            return ItemResult(item, line, item.text, kind, error=error)
+            refused = self._all_refused(item, now, in_terms_of, kind, error)
+            return ItemResult(item, line, item.text, kind, rejected=refused, error=error)
         except UNFORESEEN as error:
             line = None if item.place is None else item.place.line
             return ItemResult(item, line, item.text, kind, error=unforeseen(error, line))
+
+    def _all_refused(
+        self,
+        item: Any,
+        now: int,
+        in_terms_of: tuple[str, ...] | None,
+        kind: ItemKind,
+        error: RestitutionError,
+    ) -> tuple[Rejected, ...]:
+        """The roots for a letter, where for none of them the motion is possible."""
+        if not isinstance(error, ImpossibleError) or not isinstance(item.expression, Letter):
+            return ()
+        try:
+            outcome = self.desk.outcome(self.desk.settle(in_terms_of))
+            solved = all(item.expression.name in t.found.values for t in outcome.refused)
+            if outcome.accepted or not solved:
+                return ()
+            angle = self._is_angle(item.expression, outcome.setting)
+            return self._rejected(item, outcome, [], now, kind, angle)
+        except (RestitutionError, *UNFORESEEN):
+            return ()
 
     def _kind(self, tree: Expression) -> ItemKind:
         if isinstance(tree, Negate):

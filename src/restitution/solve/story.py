@@ -17,6 +17,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal, Protocol
 
 import sympy as sp
@@ -146,6 +147,7 @@ class Story:
         self._now = 0
         self._evaluators: dict[int, Evaluator] = {}
         self.tracks = {name: _Track([]) for name in self.spheres}
+        self._sizes()
         for sphere in problem.spheres:
             self._start(sphere)
         parts = problem.parts[: problem.parts.index(part) + 1]
@@ -230,6 +232,22 @@ class Story:
         if sphere.position is not None:
             where = self.read_vector(sphere.position, f"the place of {name}")
             track.places.append((0, where, self.field.zero))
+
+    def _sizes(self) -> None:
+        """Radii are positive, and all spheres have one. Raises ImpossibleError for two."""
+        told = {
+            each.name: self.read(each.radius, f"the radius of {each.name}")
+            for each in self.problem.spheres
+            if each.radius is not None and not _in_lets(each.radius, self.lets)
+        }
+        for name, radius in told.items():
+            what = f"the radius of {name} must be positive"
+            self.conditions.append(Condition(radius, ">", what, "sign"))
+        for (one, r), (other, s) in pairwise(told.items()):
+            if not self.field.is_zero(self.rational(r - s)):
+                sizes = (f"{one} has {r}", f"{other} has {s}") if self.field.exact else ()
+                told_sizes = f": {', '.join(sizes)}" if sizes else ""
+                raise ImpossibleError(f"all spheres have one radius{told_sizes}")
 
     def mass(self, name: str) -> Scalar:
         """The mass of a sphere: a hidden unknown where it is not given."""
@@ -504,6 +522,8 @@ class Story:
     def _impact_with_wall(self, number: int, step: Impact) -> Happening:
         name, wall = step.first, self.walls[step.second]
         u = self.velocity(name, number - 1)
+        if self.spheres[name].mass is not None:
+            self.mass(name)  # no matter for the velocity, but it has to be positive
         e = self._coefficient(number, step)
         time = places.time_to_wall(self, number, name, wall)
         zero = Vector(self.field.zero, self.field.zero)
@@ -630,9 +650,16 @@ class Story:
         if self.field.exact:
             under = sp.expand(under)
         what = f"the offset must be less than 2r, or {step.first} passes {step.second}"
+        if self.field.is_zero(under):
+            raise ImpossibleError(what)
         self.conditions.append(Condition(under, ">", what, "place"))
         c = approach * self.real_root(under, what) + approach.turned_left() * d
         return self.neat(c)
+
+
+def _in_lets(value: Any, lets: Mapping[str, object]) -> bool:
+    """Whether a property of a body rests on a name that the story has to be told for."""
+    return isinstance(value, Expression) and not letters(value).isdisjoint(lets)
 
 
 def lets_of(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
