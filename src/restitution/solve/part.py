@@ -36,7 +36,7 @@ from restitution.problem import (
 from restitution.problem import Value as ValueItem
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
-from restitution.solve.facts import givens, requirements
+from restitution.solve.facts import UNHELD, givens, requirements
 from restitution.solve.letters import (
     POSITIVE,
     REAL,
@@ -590,27 +590,41 @@ def _same_values(a: Trial, b: Trial) -> bool:
 
 def _clash(setting: Setting) -> RestitutionError:
     lines = sorted({given.place.line for given, _ in setting.facts if given.place is not None})
-    return _clash_of(setting, lines)
-
-
-def clash_of_bounds(setting: Setting) -> RestitutionError:
-    """Why inequalities that are given cannot hold: two lines on one letter, if they are told."""
-    bounds: dict[str, list[tuple[sp.Expr, bool, bool, int]]] = {}
-    return _clash_of(setting, [])
-
-
-def _clash_of(setting: Setting, lines: list[int]) -> RestitutionError:
     place = setting.facts[-1][0].place if setting.facts else None
     if lines:
-        where = (
-            "line " + str(lines[0])
-            if len(lines) == 1
-            else "lines " + ", ".join(map(str, lines[:-1])) + f" and {lines[-1]}"
-        )
+        where = _lines(lines)
         message = f"the facts clash: no values satisfy all that is given in {where} and the story"
     else:
         message = "the data clash: no values satisfy all that is told"
     return ContradictionError(message, None if place is None else place.line)
+
+
+def _lines(lines: Sequence[int]) -> str:
+    if len(lines) == 1:
+        return f"line {lines[0]}"
+    return "lines " + ", ".join(map(str, lines[:-1])) + f" and {lines[-1]}"
+
+
+def _clashing_bounds(setting: Setting) -> list[int]:
+    """Two lines of facts that leave one letter no value; else all that hold an inequality."""
+    told = [(given, given.place.line) for given, _ in setting.facts if given.place is not None]
+    for name in sorted(setting.roles):
+        bounds = [(narrowed_by(REAL, name, given), line) for given, line in told]
+        for low, one in bounds:
+            for high, other in bounds:
+                if one == other or low.low is None or high.high is None:
+                    continue
+                touching = low.low == high.high and not (low.closed[0] and high.closed[1])
+                if touching or bool(low.low > high.high):
+                    return sorted((one, other))
+    return sorted(
+        {
+            line
+            for given, line in told
+            for relation in given.relations
+            if isinstance(relation, Compare) and set(relation.operators) != {"="}
+        }
+    )
 
 
 def _combine(
@@ -886,7 +900,7 @@ def _to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -
     return chosen_letter
 
 
-def impossible(trials: Sequence[Trial], place: Place | None) -> RestitutionError:
+def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -> RestitutionError:
     """Why none of the solutions can be: the commonest physical reason."""
     reasons = Counter(
         (t.reason, t.kind) for t in trials if t.reason is not None and t.kind != "equation"
@@ -896,5 +910,8 @@ def impossible(trials: Sequence[Trial], place: Place | None) -> RestitutionError
         return ContradictionError("the facts clash: no real values satisfy them all", line)
     (reason, kind), _ = reasons.most_common(1)[0]
     if kind == "fact":
-        return ContradictionError(f"the facts clash: {reason}", line)
+        lines = _clashing_bounds(setting) if reason == UNHELD else []
+        where = f", of those in {_lines(lines)}" if len(lines) > 1 else ""
+        where = f" in line {lines[0]}" if len(lines) == 1 else where
+        return ContradictionError(f"the facts clash: {reason}{where}", line)
     return ImpossibleError(str(reason), line)

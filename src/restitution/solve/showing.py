@@ -122,10 +122,21 @@ def _matters(claim: Any, branch: Branch, now: int, step: Show) -> set[str] | Non
         for need in requirements(claim, branch.story, now, step.place):
             for each in need.options if isinstance(need, AnyOf) else (need,):
                 value = sp.sympify(each.value, strict=True)
-                found |= {s.name for s in neat(value).free_symbols}
+                found |= _deciding(neat(value))
     except (RestitutionError, ArithmeticError, TypeError, ValueError):
         return None
     return found
+
+
+def _deciding(value: sp.Expr) -> set[str]:
+    """The letters on which it depends whether a value is 0, or which sign it has."""
+    parts = [each for side in sp.fraction(sp.factor(value)) for each in sp.Mul.make_args(side)]
+    return {
+        s.name
+        for each in parts
+        if not (each.is_positive or each.is_negative)
+        for s in each.free_symbols
+    }
 
 
 def _used(worker: _Worker, outcome: Any) -> set[str]:

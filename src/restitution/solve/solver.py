@@ -232,7 +232,7 @@ class _Worker:
             # Where the data imply an impossible coefficient, that is said, and the rest answered.
             accepted = self._with_impossible_coefficient(outcome)
             if not accepted:
-                raise impossible(outcome.trials, self.part.place)
+                raise impossible(outcome.setting, outcome.trials, self.part.place)
         made = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
         if not outcome.accepted:
             self._warn_of_coefficient(made)
