@@ -26,7 +26,6 @@ from restitution.solve.story import Happening, Story
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf
-UNHELD = "a given inequality does not hold"
 
 
 def givens(problem: Problem, part: Part) -> list[tuple[Given, int]]:
@@ -120,7 +119,7 @@ def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
         raise StatementError("vectors cannot be compared by size: use abs(…)")
     relation: Literal[">", ">="] = ">=" if op.endswith("=") else ">"
     small, large = (left, right) if op.startswith("<") else (right, left)
-    reason = UNHELD
+    reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
         evaluator = story.evaluator(0)
         a, b = evaluator.as_angle(small), evaluator.as_angle(large)

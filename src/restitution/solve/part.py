@@ -36,7 +36,7 @@ from restitution.problem import (
 from restitution.problem import Value as ValueItem
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
-from restitution.solve.facts import UNHELD, givens, requirements
+from restitution.solve.facts import givens, requirements
 from restitution.solve.letters import (
     POSITIVE,
     REAL,
@@ -606,7 +606,7 @@ def _lines(lines: Sequence[int]) -> str:
 
 
 def _clashing_bounds(setting: Setting) -> list[int]:
-    """Two lines of facts that leave one letter no value; else all that hold an inequality."""
+    """The first two lines of facts whose numerical bounds leave one letter no value."""
     told = [(given, given.place.line) for given, _ in setting.facts if given.place is not None]
     for name in sorted(setting.roles):
         bounds = [(narrowed_by(REAL, name, given), line) for given, line in told]
@@ -617,14 +617,7 @@ def _clashing_bounds(setting: Setting) -> list[int]:
                 touching = low.low == high.high and not (low.closed[0] and high.closed[1])
                 if touching or bool(low.low > high.high):
                     return sorted((one, other))
-    return sorted(
-        {
-            line
-            for given, line in told
-            for relation in given.relations
-            if isinstance(relation, Compare) and set(relation.operators) != {"="}
-        }
-    )
+    return []
 
 
 def _combine(
@@ -906,12 +899,13 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
         (t.reason, t.kind) for t in trials if t.reason is not None and t.kind != "equation"
     )
     line = None if place is None else place.line
+    clash = _clashing_bounds(setting)
+    if clash:
+        text = f"the facts clash: no number is within the bounds of {_lines(clash)}"
+        return ContradictionError(text, line)
     if not reasons:
         return ContradictionError("the facts clash: no real values satisfy them all", line)
     (reason, kind), _ = reasons.most_common(1)[0]
     if kind == "fact":
-        lines = _clashing_bounds(setting) if reason == UNHELD else []
-        where = f", of those in {_lines(lines)}" if len(lines) > 1 else ""
-        where = f" in line {lines[0]}" if len(lines) == 1 else where
-        return ContradictionError(f"the facts clash: {reason}{where}", line)
+        return ContradictionError(f"the facts clash: {reason}", line)
     return ImpossibleError(str(reason), line)

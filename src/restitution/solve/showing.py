@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 TRIALS = 160
 FEW = 16
+# What is longer than this is not factorised to see which letters matter.
+LONG = 400
 
 
 def show(worker: _Worker, step: Show, now: int) -> ItemResult:
@@ -52,7 +54,7 @@ def _refute(
     free = sorted(
         name for name in setting.roles if name not in branch.values and name not in setting.lets
     )
-    matters = _matters(claim, branch, now, step)
+    needs = _needs(claim, branch, now, step)
     hidden_roles = {**outcome.letters.hidden_roles, **_hidden_roles(branch)}
     hidden = sorted(name for name in hidden_roles if name not in branch.values)
     roles = {**setting.roles, **hidden_roles}
@@ -88,13 +90,11 @@ def _refute(
                 for name, value in branch.values.items():
                     if not name.startswith("_"):
                         shown[name] = exact.sympy_text(exact.tidy(_with(value, shown, roles)))
-                if matters is not None and any(name.startswith("_") for name in matters):
-                    unknowns = branch.letters
-                    phrases = unknowns.phrases if isinstance(unknowns, Letters) else {}
-                    needed = [phrases.get(n, n) for n in sorted(matters) if n.startswith("_")]
-                    raise MissingError(f"this claim needs {' and '.join(needed)}")
                 used = _used(worker, outcome)
-                used = used if matters is None else used & matters
+                if needs is not None:
+                    matters = _matters(claim, needs)
+                    _complete(matters, branch)
+                    used &= matters
                 return {k: v for k, v in shown.items() if k in used}
         except MissingError:
             raise
@@ -109,28 +109,45 @@ def _refute(
     return None
 
 
+def _complete(matters: set[str], branch: Branch) -> None:
+    """Raises MissingError where a claim rests on what the statement leaves open."""
+    phrases = branch.letters.phrases if isinstance(branch.letters, Letters) else {}
+    open_ = sorted(name for name in matters if name.startswith("_"))
+    if open_:
+        needed = dict.fromkeys(phrases.get(name, name.lstrip("_")) for name in open_)
+        raise MissingError(f"this claim needs {' and '.join(needed)}")
+
+
 def _hidden_roles(branch: Branch) -> dict[str, Any]:
     return branch.letters.hidden_roles if isinstance(branch.letters, Letters) else {}
 
 
-def _matters(claim: Any, branch: Branch, now: int, step: Show) -> set[str] | None:
-    """The letters and hidden unknowns on which a claim depends; None where that is not known."""
+def _needs(claim: Any, branch: Branch, now: int, step: Show) -> list[Any] | None:
+    """What a claim asks for, in letters; None where it cannot be told so."""
+    try:
+        return requirements(claim, branch.story, now, step.place)
+    except (RestitutionError, ArithmeticError, TypeError, ValueError):
+        return None
+
+
+def _matters(claim: Any, needs: list[Any]) -> set[str]:
+    """The letters and hidden unknowns on which a claim depends, with those that it names."""
     found: set[str] = set()
     for tree in trees_of_relation(claim):
         found |= letters(tree)
-    try:
-        for need in requirements(claim, branch.story, now, step.place):
-            for each in need.options if isinstance(need, AnyOf) else (need,):
-                value = sp.sympify(each.value, strict=True)
-                found |= _deciding(neat(value))
-    except (RestitutionError, ArithmeticError, TypeError, ValueError):
-        return None
+    for need in needs:
+        for each in need.options if isinstance(need, AnyOf) else (need,):
+            found |= _deciding(sp.sympify(each.value, strict=True))
     return found
 
 
 def _deciding(value: sp.Expr) -> set[str]:
     """The letters on which it depends whether a value is 0, or which sign it has."""
-    parts = [each for side in sp.fraction(sp.factor(value)) for each in sp.Mul.make_args(side)]
+    if sp.count_ops(value) > LONG:
+        return {s.name for s in value.free_symbols}
+    parts = [
+        each for side in sp.fraction(sp.factor(neat(value))) for each in sp.Mul.make_args(side)
+    ]
     return {
         s.name
         for each in parts

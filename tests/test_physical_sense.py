@@ -1,0 +1,177 @@
+"""What a motion has to be to be possible, and what is said where it is not.
+
+Roots and times were worked out by hand from the two equations of an impact.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import restitution
+from restitution.errors import ContradictionError, ImpossibleError, MissingError
+from restitution.solve.solution import ItemResult
+
+
+def answer(text: str) -> ItemResult:
+    """The first item of a statement, solved."""
+    (part, *_) = restitution.solve(restitution.parse(text)).parts.values()
+    return part.items[0]
+
+
+def rejected(text: str) -> list[tuple[str, str]]:
+    return [(root.exact, root.reason) for root in answer(text).rejected]
+
+
+COEFFICIENT = "a coefficient of restitution lies in [0, 1]"
+
+
+def test_a_coefficient_below_zero_is_told_of() -> None:
+    # 4i becomes v i with v**2 = 10 - 9: v = -1 gives e = 1/2, v = 1 gives e = -1/10.
+    text = """sphere A: mass 1, velocity 4i+3j
+sphere B: mass 2, velocity -i
+A hits B: along i
+given speed(A) = √10
+find e"""
+    assert [each.exact for each in answer(text).answers] == ["1/2"]
+    assert rejected(text) == [("-1/10", COEFFICIENT)]
+
+
+def test_so_it_is_at_a_wall() -> None:
+    # 9 (1 - e**2) = 5
+    text = """wall W: along i
+sphere P: mass 2, velocity 5i - 3j
+P hits W
+given energy_lost = 5
+find e"""
+    assert [each.exact for each in answer(text).answers] == ["2/3"]
+    assert rejected(text) == [("-2/3", COEFFICIENT)]
+
+
+def test_a_root_is_told_of_though_it_is_the_only_one() -> None:
+    # 3 (m - 3)/(m + 3) = -4
+    text = """sphere A: mass m, velocity 3i
+sphere B: mass 3, at rest
+A hits B: along i, e = 1
+given velocity(A) = -4i
+find m"""
+    assert isinstance(answer(text).error, ImpossibleError)
+    assert rejected(text) == [("-3/7", "m must be positive")]
+
+
+@pytest.mark.parametrize("mass", ["-2", "0"])
+def test_a_mass_at_a_wall_is_positive(mass: str) -> None:
+    error = answer(f"""wall W: along i
+sphere P: mass {mass}, velocity 5i - 3j
+P hits W: e = 1/2
+find impulse""").error
+    assert isinstance(error, ImpossibleError)
+    assert "mass of P must be positive" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "said"),
+    [
+        ("1", "3", "all spheres have one radius: A has 1, B has 3"),
+        ("r", "s", "all spheres have one radius: A has r, B has s"),
+        ("0", "0", "the radius of A must be positive"),
+        ("-1", "-1", "the radius of A must be positive"),
+    ],
+)
+def test_all_spheres_have_one_positive_radius(one: str, other: str, said: str) -> None:
+    error = answer(f"""sphere A: mass 1, velocity i, radius {one}
+sphere B: mass 1, at rest, radius {other}
+A hits B: along i, e = 1
+find velocity(B)""").error
+    assert isinstance(error, ImpossibleError)
+    assert said in str(error)
+
+
+IN_A_ROW = """sphere A: mass 1, at (0, 0), velocity 2i{size}
+sphere B: mass 1, at (5, {aside}), at rest{size}
+sphere C: mass 1, at (12, 0), at rest{size}
+"""
+
+
+@pytest.mark.parametrize("size", ["", ", radius 1"])
+def test_a_sphere_may_stand_in_the_way(size: str) -> None:
+    text = IN_A_ROW.format(size=size, aside=0)
+    error = answer(text + "A hits C: along i, e = 1\nfind velocity(C)").error
+    assert isinstance(error, ImpossibleError)
+    assert "A strikes B first" in str(error)
+
+
+@pytest.mark.parametrize(("size", "aside"), [("", 1), (", radius 1", 3), (", radius 1", 2)])
+def test_or_beside_it(size: str, aside: int) -> None:
+    text = IN_A_ROW.format(size=size, aside=aside)
+    assert answer(text + "A hits C: along i, e = 1\nfind velocity(C)").error is None
+
+
+def test_what_is_struck_in_turn_is_in_nobody_s_way() -> None:
+    text = IN_A_ROW.format(size="", aside=0)
+    found = answer(text + "A hits B: along i, e = 1\nB hits C: along i, e = 1\nfind time(2)")
+    assert found.exact == 6
+
+
+def test_a_wall_that_was_reached_is_hit_then_and_there() -> None:
+    text = """wall S: along j, through (4, 0)
+sphere P: mass 1, at (0, 0), velocity 2i + j
+P reaches S
+P hits S: e = 1/4
+find """
+    assert answer(text + "time(1)").exact == answer(text + "time(2)").exact == 2
+    assert answer(text + "velocity(P)").answers[0].exact == ("-1/2", "1")
+
+
+UNWEIGHED = """sphere A: mass 1, velocity i
+sphere B: mass 1, at rest
+sphere C: velocity i
+A hits B: along i, e = 1
+show energy(C) > """
+
+
+def test_a_claim_on_a_mass_that_is_not_told() -> None:
+    assert answer(UNWEIGHED + "0").holds
+    error = answer(UNWEIGHED + "1").error
+    assert isinstance(error, MissingError)
+    assert "the mass of C" in str(error)
+
+
+@pytest.mark.parametrize("line", ["e = 1", "along i, e = 1"])
+def test_one_does_not_catch_the_other(line: str) -> None:
+    error = answer(f"""sphere A: mass 1, at (0, 0), velocity 2i
+sphere B: mass 1, at (5, 0), velocity 3i
+A hits B: {line}
+find velocity(B)""").error
+    assert isinstance(error, ImpossibleError)
+    assert "separating" in str(error)
+
+
+@pytest.mark.parametrize("offset", ["2", "3"])
+def test_an_offset_of_two_radii_is_a_miss(offset: str) -> None:
+    error = answer(f"""sphere A: mass 1, velocity 2i, radius 1
+sphere B: mass 1, at rest
+A hits B: offset {offset}, e = 1
+find velocity(B)""").error
+    assert isinstance(error, ImpossibleError)
+    assert "less than 2r" in str(error)
+
+
+def test_a_counterexample_tells_what_matters() -> None:
+    text = """sphere A: mass m, velocity u i
+sphere B: mass k*m, at rest
+A hits B: along i, e = e
+show energy_lost > energy(0)/2"""
+    # (1 - e**2) k/(1 + k) > 1/2
+    assert set(answer(text).counterexample or ()) == {"e", "k"}
+
+
+def test_bounds_that_clash_are_named() -> None:
+    error = answer("""sphere A: mass 1, velocity u i
+sphere B: mass k, at rest
+A hits B: along i, e = 1
+given u > 1
+given k > 2
+given k < 1
+find velocity(A)""").error
+    assert isinstance(error, ContradictionError)
+    assert "lines 5 and 6" in str(error)
