@@ -356,3 +356,32 @@ def test_typst_sets_every_question(tmp_path):
     source = tmp_path / "all.typ"
     source.write_text("\n".join(to_typst(worded(each)) for each in FILES), encoding="utf-8")
     assert typst.compile(str(source))[:5] == b"%PDF-"
+
+
+def test_before_any_event_is_told_a_quantity_is_an_initial_one():
+    text = (
+        "let R = energy(P)\nwall W: along i\nsphere P: velocity 3i - j\nP hits W: e = 1/2\nfind R"
+    )
+    said = " ".join(to_text(question(parse(text))).split())
+    assert "Let R denote the initial kinetic energy of P." in said
+
+
+def test_once_a_quantity_is_the_quantity():
+    text = "wall W: along i\nsphere P: velocity 3i - j\nP hits W: e = 1/2\nfind 1 impulse"
+    assert "Find the magnitude of the impulse" in to_text(question(parse(text)), 200)
+
+
+def test_long_labels_have_room_in_print(tmp_path):
+    """In Typst's own layout every label of a list ends before the column of the words begins."""
+    typst = pytest.importorskip("typst")
+    quantities = ", ".join(["speed(P)", "energy(P)", "momentum(P)", "velocity(P)"] * 2)
+    text = f"sphere P: velocity 3i\npart p100\nfind {quantities}\npart b\nfind speed(P)"
+    made = to_typst(question(parse(text)))
+    probe = tmp_path / "probe.typ"
+    probe.write_text(
+        "#show grid: it => { let (first, ..) = it.columns\n"
+        "  assert(first >= measure(it.children.at(0).body).width + 0.5em.to-absolute())\n  it }\n"
+        + made,
+        encoding="utf-8",
+    )
+    assert typst.compile(str(probe))[:5] == b"%PDF-"

@@ -15,7 +15,13 @@ STYLE = """
   font: 1.05rem/1.6 Georgia, "Times New Roman", serif; }
 .question h1 { font-size: 1.35rem; line-height: 1.25; margin: 0 0 1rem; }
 .question p { margin: .5rem 0; }
-.question .row { display: grid; grid-template-columns: 2.4rem 1fr; align-items: baseline; }
+.question .row { display: grid; grid-template-columns: minmax(2.4rem, max-content) minmax(0, 1fr);
+  align-items: baseline; }
+.question .row > span { padding-right: .5rem; }
+.question .asked { display: grid;
+  grid-template-columns: minmax(2.4rem, max-content) minmax(0, 1fr); }
+.question .asked > * { grid-column: 1 / -1; }
+.question .asked > .row { grid-template-columns: subgrid; }
 .question .asked .row > div > p { margin: .1rem 0; }
 .question .marks { text-align: right; }
 .question .whole { white-space: nowrap; }
@@ -23,7 +29,9 @@ STYLE = """
   font-size: 1.05em; }
 @media (prefers-color-scheme: dark) { .question { color: #e8e8ec; background: #17181c; } }
 @media print { .question { color: #000; background: #fff; max-width: none; padding: 0;
-  font-size: 11pt; } .question p, .question .row { break-inside: avoid; } }
+  font-size: 11pt; } .question p, .question .row, .question .figure { break-inside: avoid; }
+  .question h1, .question h1 + p, .question p:has(+ .figure), .question .figure {
+  break-after: avoid; } }
 """
 
 

@@ -247,7 +247,9 @@ def moment(scene: Scene, tree: Quantity, body: str | None) -> Words:
         return just_before(scene, body)
     if isinstance(tree.stage, AtTime):
         return at_time(scene, tree.stage)
-    return after(scene, scene.stage(tree.stage, body))
+    number = scene.stage(tree.stage, body)
+    # No event is told yet by whose name this moment could go.
+    return INITIALLY if scene.now == number == 0 else after(scene, number)
 
 
 def _place_when(scene: Scene, tree: Quantity, body: str | None) -> Words:

@@ -52,9 +52,11 @@ def _piece(each: Piece) -> str:
     return equation(each)
 
 
-def _row(head: str, body: str) -> str:
-    label = text(f"({head})")
-    return f"#grid(columns: (2.2em, 1fr), row-gutter: 0.65em, [{label}], [{body}])"
+def _row(head: str, body: str, widest: str = "") -> str:
+    """A label and what it is of; ``widest`` is the longest label of those below one another."""
+    label, room = text(f"({head})"), text(f"({widest or head})")
+    column = f"calc.max(2.2em.to-absolute(), measure[{room}].width + 0.6em.to-absolute())"
+    return f"#context grid(columns: ({column}, 1fr), row-gutter: 0.65em, [{label}], [{body}])"
 
 
 def part(part: QuestionPart) -> str:
@@ -71,5 +73,6 @@ def _block(block: Block) -> Iterator[str]:
         return
     if block.lead:
         yield said(block.lead)
+    widest = max((number for number, _ in block.entries), key=len)
     for number, words in block.rows():
-        yield _row(number, said(words)) if number else said(words)
+        yield _row(number, said(words), widest) if number else said(words)

@@ -152,6 +152,8 @@ def lies_along(style: Style, tree: Expression) -> Words:
 def times(factor: Expression) -> Words:
     """A factor without quantities, in front of a quantity in words."""
     fraction = as_fraction(factor)
+    if fraction == 1:
+        return ()
     if fraction == 2:
         return ("twice ",)
     if fraction == Fraction(1, 2):
