@@ -250,7 +250,7 @@ def test_show_ends_with_the_printed_result() -> None:
 
 def test_false_claims_are_refuted_not_shown() -> None:
     text = to_text(told(WALL.replace("find impulse, energy_lost", "show speed(P) = e u")))
-    assert "is false" in text
+    assert "The speed of P is not eu: it is" in " ".join(text.split())
     assert "A1*" not in text
 
 
@@ -582,3 +582,32 @@ def test_styled_text_differs_from_plain_text_in_type_only() -> None:
     assert "𝐣" not in styled
     without = re.sub(r"\x1b\[\d*m", "", styled)
     assert without == plain.replace("𝐢", "i").replace("𝐣", "j").replace("𝐯", "v")
+
+
+LINE = """
+sphere A: mass 3m, at rest
+sphere B: mass m, velocity u i
+sphere C: mass 3m, at rest
+B hits C: along i, e = 2/3
+B hits A: along i, e = 2/3
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "said"),
+    [
+        (LINE + "show B and C collide again", "B and C do not collide again, as 𝐯_B = (u/16)𝐢"),
+        (LINE + "show B at rest", "B is not at rest: 𝐯_B = (u/16)𝐢"),
+        (LINE + "show speed(C) = 0.5u to 1 s.f.", "The speed of C is not 0.5u: it is 0.417u."),
+        (LINE + "show speed(C) = u", "The speed of C is not u: it is 5u/12 = 0.417u."),
+        (
+            WALL.replace("find impulse, energy_lost", "show 2 speed(P) = e u"),
+            " is not true in general: with ",
+        ),
+        (LINE + "show velocity(B) in the direction of velocity(A)", "𝐯_B is not in the direction"),
+    ],
+)
+def test_a_false_claim_is_answered_in_words(statement: str, said: str) -> None:
+    text = " ".join(to_text(told(statement)).split())
+    assert said in text
+    assert "is false" not in text and " = 1/20 it does not" not in text

@@ -610,16 +610,6 @@ def _show_rest(work: Working, relation: AtRest, now: int) -> None:
     work.write("result", words=(f"So {relation.body.name} is at rest, as required.",))
 
 
-def _written(text: str) -> Layout:
-    """A number of a counter-example, given as text: ``9/10``, ``pi/18``."""
-    plain = text.replace("*pi", "").replace("pi", "1")
-    try:
-        number = sp.Rational(plain)
-    except (TypeError, ValueError):
-        return lay.Words(text)
-    return look(number * sp.pi, angle=True) if "pi" in text else look(number)
-
-
 def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
     """A false statement: what is true instead, and numbers that show it."""
     relation: Relation = item.relation
@@ -628,25 +618,33 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
             prepare(work, tree, now)
             for quantity in quantities_in(work, tree, now):
                 sub_result(work, quantity)
-    given = dict(result.counterexample or {})
-    claim: str | Layout = result.text
-    if isinstance(relation, Compare) and item.subject is None and relation.figures is None:
-        operands = tuple(lay.from_tree(each) for each in relation.operands)
-        claim = lay.Relation(operands, tuple(lay.SIGNS.get(op, op) for op in relation.operators))
-    words: list[str | Layout] = [claim, " is false"]
-    if given:
-        words.append(": for instance with ")
-        for index, (name, value) in enumerate(given.items()):
-            if index:
-                words.append(", ")
-            words.append(lay.equation(lay.letter(name), _written(value)))
-        words.append(" it does not hold")
-    for true in result.answers:  # of a range or an extremum
-        words += [": ", _true_bound(item, true)]
-        if isinstance(item.subject, Extremum):
-            words.append(" is reached" if true.reached else " is approached, but not reached")
-    words.append(".")
-    work.write("note", words=tuple(words))
+    from restitution.explain.refuting import refutation
+
+    if item.subject is not None and result.answers:
+        words: list[str | Layout] = [result.text, " is false"]
+        for true in result.answers:
+            words += [": ", _true_bound(item, true)]
+            if isinstance(item.subject, Extremum):
+                words.append(" is reached" if true.reached else " is approached, but not reached")
+        work.write("note", words=(*words, "."))
+        return
+    if item.subject is None:
+        for body in work.model.story.spheres.keys() & set(_bodies(relation)):
+            prepare(work, Quantity("velocity", (Name(body),)), now)
+        if isinstance(relation, Aligned):
+            for tree in (relation.left, relation.right):
+                work.reach(work.open(tuple(work.model.story.direction(tree, now))))
+    work.write("note", words=refutation(work, item, result.counterexample or {}, now))
+
+
+def _bodies(relation: Relation) -> list[str]:
+    """The spheres of whose motion a claim speaks that is no comparison."""
+    match relation:
+        case AtRest(body):
+            return [body.name]
+        case Meets(first, second):
+            return [first.name, second.name]
+    return []
 
 
 def _true_bound(item: Show, true: Answer) -> Layout:

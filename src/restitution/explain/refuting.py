@@ -1,0 +1,189 @@
+"""A claim that is false in words: what is true instead, or numbers for which it fails."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.explain.phrases import answer, listed, look
+from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
+from restitution.explain.steps import Words
+from restitution.expression.tree import Expression, Name, Quantity
+from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.explain.working import Working
+
+_FAILS = {"=": sp.Ne, "<": sp.Ge, "<=": sp.Gt, ">": sp.Le, ">=": sp.Lt}
+
+
+def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) -> Words:
+    """A sentence or two; ``given`` are values of letters for which the claim fails."""
+    relation: Relation = item.relation
+    match relation:
+        case Compare() if item.subject is not None:
+            return _no_bound(item, relation)
+        case Compare():
+            return _compared(work, relation, given, now)
+        case Meets():
+            return _meeting(work, relation, now)
+        case AtRest(body):
+            speed = _velocity(work, body.name, now)
+            return (f"{body.name} is not at rest: ", speed, ".")
+        case Aligned(left, link, right):
+            ways = [
+                lay.equation(lay.from_tree(tree), look(plain(work, way)))
+                for tree in (left, right)
+                if isinstance(way := work.model.story.direction(tree, now), Vector)
+                and quantities_in(work, tree, now)
+            ]
+            first, last = lay.from_tree(left), lay.from_tree(right)
+            letters = any(_symbols(work, tree, now) & set(given) for tree in (left, right))
+            general = " in general" if letters else ""
+            reason: Words = (": ", *listed([(each,) for each in ways])) if ways else ()
+            return (first, f" is not {link} ", last, general, *reason, ".")
+    raise TypeError(relation)  # pragma: no cover - the kinds of relation are all listed
+
+
+def _no_bound(item: Show, relation: Compare) -> Words:
+    claim = _claim(relation)
+    if item.subject is not None and hasattr(item.subject, "kind"):
+        operands = tuple(map(lay.from_tree, relation.operands))
+        return (f"The {item.subject.kind} of ", operands[0], " is not ", operands[-1], ".")
+    return ("The range of possible values is not ", claim, ".")
+
+
+def _claim(relation: Compare) -> Layout:
+    operands = tuple(lay.from_tree(each) for each in relation.operands)
+    return lay.Relation(operands, tuple(lay.SIGNS.get(op, op) for op in relation.operators))
+
+
+def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: int) -> Words:
+    left, op, right = _failing(work, relation, given, now)
+    value = evaluated(work, left, now)
+    angle = _angled(work, left, value)
+    first, last = lay.from_tree(left), lay.from_tree(right)
+    if op == "=" and isinstance(left, Quantity) and not quantities_in(work, right, now):
+        found = [each.layout for each in answer(value, angle=angle)]
+        if relation.figures is not None:
+            found = found[-1:]  # its exact form stands in the line above
+        said = found[0] if len(found) == 1 else lay.equation(*found)
+        return (*_the(left, first), " is not ", last, ": it is ", said, ".")
+    used = sorted((_symbols(work, left, now) | _symbols(work, right, now)) & set(given))
+    values = [
+        (lay.equation(lay.letter(name), _number_look(given[name])),)
+        for name in used
+        if _number(given[name]) is not None
+    ]
+    lead: Words = (": ",)
+    if values:
+        lead = (" in general: with ", *listed(values), ", for instance, ")
+    sides: list[Words] = []
+    for tree in (left, right):
+        if quantities_in(work, tree, now) or _symbols(work, tree, now):
+            there = _at(evaluated(work, tree, now), given)
+            shown = [each.layout for each in answer(there, angle=angle)]
+            sides.append((lay.equation(lay.from_tree(tree), *shown),))
+    if not any(quantities_in(work, tree, now) for tree in (left, right)) and values:
+        fails = " is not true in general: it fails, for instance, with "
+        return (_claim(relation), fails, *listed(values), ".")
+    return (_claim(relation), " is not true", *lead, *listed(sides), ".")
+
+
+def _failing(
+    work: Working, relation: Compare, given: Mapping[str, str], now: int
+) -> tuple[Expression, str, Expression]:
+    """The first pair of a chain for which the claim fails; the only one of most."""
+    pairs = list(zip(relation.operands, relation.operators, relation.operands[1:], strict=False))
+    for left, op, right in pairs:
+        a, b = (_at(evaluated(work, tree, now), given) for tree in (left, right))
+        if isinstance(a, tuple) or isinstance(b, tuple):
+            continue
+        if _FAILS[op](sp.N(a, 20), sp.N(b, 20)) == sp.true:
+            return left, op, right
+    return pairs[0]
+
+
+def _at(value: Any, given: Mapping[str, str]) -> Any:
+    """A value with the numbers of the counter-example for its letters."""
+    if isinstance(value, tuple):
+        return tuple(_at(each, given) for each in value)
+    value = sp.sympify(value, strict=True)
+    numbers = {
+        each: number
+        for each in value.free_symbols
+        if each.name in given and (number := _number(given[each.name])) is not None
+    }
+    return sp.simplify(value.xreplace(numbers)) if numbers else value
+
+
+def _symbols(work: Working, tree: Expression, now: int) -> set[str]:
+    value = evaluated(work, tree, now)
+    parts = value if isinstance(value, tuple) else (value,)
+    return {each.name for part in parts for each in sp.sympify(part, strict=True).free_symbols}
+
+
+def _number(text: str) -> sp.Expr | None:
+    """A number of a counter-example that was chosen: ``9/10``, ``pi/18``; None for a surd."""
+    try:
+        number = sp.Rational(text.replace("*pi", "").replace("pi", "1"))
+    except (TypeError, ValueError):
+        return None
+    return number * sp.pi if "pi" in text else number
+
+
+def _number_look(text: str) -> Layout:
+    return look(_number(text), angle="pi" in text)
+
+
+def _angled(work: Working, tree: Expression, value: Any) -> bool:
+    return not isinstance(value, tuple) and _is_angle(work, tree)
+
+
+def _the(tree: Expression, laid: Layout) -> Words:
+    """What a sentence begins with; a vector needs no article."""
+    return (laid,) if isinstance(laid, lay.Bold) else ("The ", laid)
+
+
+def _velocity(work: Working, body: str, now: int) -> Layout:
+    tree = Quantity("velocity", (Name(body),))
+    return lay.equation(lay.from_tree(tree), look(evaluated(work, tree, now)))
+
+
+def _meeting(work: Working, relation: Meets, now: int) -> Words:
+    """``B and C do not collide again, as …``: how they move."""
+    one, other = relation.first.name, relation.second.name
+    again = " again" if relation.again else ""
+    moving = [name for name in (one, other) if name in work.model.story.spheres]
+    verb = "collide" if len(moving) == 2 else "hit"
+    ends = "" if len(moving) == 2 else f" {other}"
+    who = " and ".join(moving)
+    always = all(_monomial(part) for name in moving for part in _components(work, name, now))
+    if not always:
+        which = "need not" if relation.happens else "may"
+    elif relation.happens:
+        which = "do not" if len(moving) == 2 else "does not"
+    else:
+        which = "do" if len(moving) == 2 else "does"
+    speeds = [(_velocity(work, name, now),) for name in moving]
+    return (f"{who} {which} {verb}{ends}{again}, as ", *listed(speeds), ".")
+
+
+def _components(work: Working, body: str, now: int) -> tuple[sp.Expr, ...]:
+    return tuple(
+        sp.sympify(each, strict=True)
+        for each in evaluated(work, Quantity("velocity", (Name(body),)), now)
+    )
+
+
+def _monomial(value: sp.Expr) -> bool:
+    """Whether the sign of a value does not hang on its letters, which are positive: u/16."""
+    if not value.free_symbols:
+        return True
+    _, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    return all(each.as_base_exp()[0].is_Symbol for each in sp.Mul.make_args(rest) if each != 1)
