@@ -597,12 +597,13 @@ B hits A: along i, e = 2/3
     ("statement", "said"),
     [
         (LINE + "show B and C collide again", "B and C do not collide again, as 𝐯_B = (u/16)𝐢"),
+        ("sphere A: mass 50, velocity 3 i\nshow speed(A) + 1 < 2", "It is not true that"),
         (LINE + "show B at rest", "B is not at rest: 𝐯_B = (u/16)𝐢"),
         (LINE + "show speed(C) = 0.5u to 1 s.f.", "The speed of C is not 0.5u: it is 0.417u."),
         (LINE + "show speed(C) = u", "The speed of C is not u: it is 5u/12 = 0.417u."),
         (
             WALL.replace("find impulse, energy_lost", "show 2 speed(P) = e u"),
-            " is not true in general: with ",
+            "It is not true in general that ",
         ),
         (LINE + "show velocity(B) in the direction of velocity(A)", "𝐯_B is not in the direction"),
     ],

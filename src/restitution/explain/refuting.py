@@ -14,7 +14,6 @@ from restitution.expression.tree import Expression, Name, Quantity
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.vector import Vector
 
 if TYPE_CHECKING:
     from restitution.explain.working import Working
@@ -37,10 +36,11 @@ def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) ->
             return (f"{body.name} is not at rest: ", speed, ".")
         case Aligned(left, link, right):
             ways = [
-                lay.equation(lay.from_tree(tree), look(plain(work, way)))
+                lay.equation(
+                    lay.from_tree(tree), look(plain(work, work.model.story.direction(tree, now)))
+                )
                 for tree in (left, right)
-                if isinstance(way := work.model.story.direction(tree, now), Vector)
-                and quantities_in(work, tree, now)
+                if quantities_in(work, tree, now)
             ]
             first, last = lay.from_tree(left), lay.from_tree(right)
             letters = any(_symbols(work, tree, now) & set(given) for tree in (left, right))
@@ -71,7 +71,8 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
     if op == "=" and isinstance(left, Quantity) and not quantities_in(work, right, now):
         found = [each.layout for each in answer(value, angle=angle)]
         if relation.figures is not None:
-            found = found[-1:]  # its exact form stands in the line above
+            # Its exact form stands in the line above.
+            found = [_rounded(value, evaluated(work, right, now)) or found[-1]]
         said = found[0] if len(found) == 1 else lay.equation(*found)
         return (*_the(left, first), " is not ", last, ": it is ", said, ".")
     used = sorted((_symbols(work, left, now) | _symbols(work, right, now)) & set(given))
@@ -82,7 +83,7 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
     ]
     lead: Words = (": ",)
     if values:
-        lead = (" in general: with ", *listed(values), ", for instance, ")
+        lead = (": with ", *listed(values), ", for instance, ")
     sides: list[Words] = []
     for tree in (left, right):
         if quantities_in(work, tree, now) or _symbols(work, tree, now):
@@ -90,9 +91,24 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
             shown = [each.layout for each in answer(there, angle=angle)]
             sides.append((lay.equation(lay.from_tree(tree), *shown),))
     if not any(quantities_in(work, tree, now) for tree in (left, right)) and values:
-        fails = " is not true in general: it fails, for instance, with "
-        return (_claim(relation), fails, *listed(values), ".")
-    return (_claim(relation), " is not true", *lead, *listed(sides), ".")
+        instance = (": it fails, for instance, with ", *listed(values), ".")
+        return ("It is not true in general that ", _claim(relation), *instance)
+    general = " in general" if values else ""
+    return (f"It is not true{general} that ", _claim(relation), *lead, *listed(sides), ".")
+
+
+def _rounded(value: Any, claimed: Any) -> Layout | None:
+    """A value in numbers, times the letters of what is claimed; None if it holds others."""
+    letters = list(sp.sympify(claimed, strict=True).free_symbols)
+    if set(value.free_symbols) != set(letters):
+        return None
+    unit = claimed / claimed.xreplace(dict.fromkeys(letters, sp.Integer(1)))
+    one, other = (
+        sp.N((value / unit).xreplace(dict.fromkeys(letters, sp.Integer(n))), 20) for n in (1, 2)
+    )
+    if abs(one - other) > abs(one) * sp.Float("1e-12"):
+        return None
+    return answer(sp.Rational(str(one)) * unit)[-1].layout
 
 
 def _failing(
