@@ -542,6 +542,54 @@ def test_the_figure_of_a_question_says_nothing_of_its_answers() -> None:
     assert not before.of(Arrow, "impulse")
 
 
+def test_the_figure_shows_no_letter_at_the_value_that_is_found() -> None:
+    scene = figure(solved(text("component-of-either-sign")))  # p is found to be 4
+    assert scene is not None and scene.note is not None
+    assert to_text(scene.note) == "Not to scale."
+    assert "45" not in scene.description and "4 m s" not in scene.description
+    (before,) = shown(scene)
+    assert not before.of(Arrow, "component")
+    assert "p𝐢 − 4𝐣" in before.labels()
+
+
+def test_the_figure_does_not_show_a_direction_that_is_sought() -> None:
+    assert figure(solved(text("unknown-wall"))) is None
+
+
+def test_a_picture_to_scale_does_not_say_that_it_is_not() -> None:
+    scene = figure(solved(text("angle-on-either-side")))  # e is found, and shapes what is after
+    assert scene is not None and scene.note is None
+
+
+def test_an_impossible_impact_is_not_drawn_as_if_it_happened() -> None:
+    impossible = """
+        wall W: along i
+        sphere P: mass 1, velocity 5i - 3j
+        P hits W: e = e
+        given speed(P) = 10
+        find e
+    """
+    (scene,) = pictures(solved(impossible))
+    assert [panel.name for panel in scene.panels] == ["Before"]
+    assert scene.note is not None and "not possible" in to_text(scene.note)
+    assert "not possible" in scene.description and "After" not in scene.description
+
+
+def test_the_supplement_of_an_angle_less_than_half_a_turn_is_the_angle() -> None:
+    scene = figure(
+        solved(
+            """
+            wall W: along i
+            sphere P: mass 1, velocity u at (pi - beta) to W
+            P hits W: e = 1/2
+            find speed(P)
+            """
+        )
+    )
+    assert scene is not None
+    assert "β" in shown(scene)[0].labels()
+
+
 def test_a_picture_is_light_to_import() -> None:
     code = "import sys, restitution.draw; print(*sys.modules)"
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

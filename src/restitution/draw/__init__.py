@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from restitution.draw.scene import Scene
     from restitution.draw.values import When
     from restitution.solve.solution import PartSolution, Solution
+    from restitution.vector import Vector
 
 __all__ = ["Drawings", "draw", "figure", "scenes"]
 
@@ -53,11 +54,14 @@ def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
 
     A plan is drawn of a story with places, or of several events with a wall; its ``event`` is None.
 
+    An impact for which a coefficient of restitution outside [0, 1] is found is shown as before, and
+    says so; no event after it is drawn.
+
     An event is drawn by the values of the first part that is solved with it; with ``part``, all
     events up to that part by its values. Raises KeyError for a part that is not there, and what
     kept it from being solved (ContradictionError, ImpossibleError, …) where nothing can be drawn.
     """
-    return tuple(_pictures(solution, _parts(solution, part), ("before", "after")))
+    return tuple(_pictures(solution, _parts(solution, part)))
 
 
 def figure(solution: Solution) -> Scene | None:
@@ -73,7 +77,42 @@ def figure(solution: Solution) -> Scene | None:
         plan = path_figure(solution, solved[-1], solved[-1].branches[0])
         if plan is not None:
             return plan
-    return next(_pictures(solution, solved, ("before",)), None)
+    return _before(solution, solved[0]) if solved else None
+
+
+def _before(solution: Solution, part: PartSolution) -> Scene | None:
+    """The first event as it is before; None where the line of centres or the wall is sought."""
+    from restitution.draw.before_after import before_and_after
+    from restitution.draw.said import sayings
+    from restitution.draw.values import motion
+    from restitution.problem import Impact, Kick
+
+    branch, still_open = part.branches[0], part.open_story
+    told = motion(solution, part, branch)
+    for happening in told.story.happenings:
+        if not isinstance(happening.step, Impact | Kick):
+            continue
+        number, sought = happening.number, set(branch.values)
+        before: list[Vector] = []
+        if still_open is not None:
+            first = still_open.happenings[number - 1]
+            before = list(first.before.values())
+            if first.centres is not None and _letters([first.centres]) & sought:
+                return None
+        scene = before_and_after(
+            told,
+            sayings(told),
+            number,
+            ("before",),
+            question=True,
+            to_scale=not _letters(before) & sought,
+        )
+        return replace(scene, part=part.part.label, event=number)
+    return None
+
+
+def _letters(vectors: Iterable[Vector]) -> set[str]:
+    return {symbol.name for v in vectors for x in v for symbol in x.free_symbols}
 
 
 def _says_more(solution: Solution, part: PartSolution) -> bool:
@@ -95,11 +134,10 @@ def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
     return solved
 
 
-def _pictures(
-    solution: Solution, parts: Iterable[PartSolution], panels: Sequence[When]
-) -> Iterator[Scene]:
+def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Scene]:
     """The plan and a picture of each event, by the values of the first part that has it."""
     from restitution.draw.before_after import before_and_after
+    from restitution.draw.describe import is_possible
     from restitution.draw.path import path_scene
     from restitution.draw.said import sayings
     from restitution.draw.values import motion
@@ -112,12 +150,17 @@ def _pictures(
             continue
         told = motion(solution, part, branch)
         said = sayings(told)
-        if "after" in panels and _says_more(solution, part):
+        possible = all(is_possible(told, each.number) for each in told.story.happenings)
+        if possible and _says_more(solution, part):
             plan = path_scene(solution, part, branch, told)
             if plan is not None:
                 yield replace(plan, part=part.part.label)
         for happening in told.story.happenings[drawn:]:
             if isinstance(happening.step, Impact | Kick):
+                panels: Sequence[When] = ("before", "after")
+                panels = panels if is_possible(told, happening.number) else panels[:1]
                 scene = before_and_after(told, said, happening.number, panels)
                 yield replace(scene, part=part.part.label, event=happening.number)
+            if not is_possible(told, happening.number):
+                return
         drawn = len(told.story.happenings)

@@ -63,10 +63,21 @@ SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels e
 
 
 def before_and_after(
-    motion: Motion, said: Sayings, number: int, panels: Sequence[When] = ("before", "after")
+    motion: Motion,
+    said: Sayings,
+    number: int,
+    panels: Sequence[When] = ("before", "after"),
+    *,
+    question: bool = False,
+    to_scale: bool = True,
 ) -> Scene:
-    """The picture of one impact, or of one blow from outside. ``number`` is that of the event."""
-    view = _view(motion, said, number)
+    """The picture of one impact, or of one blow from outside. ``number`` is that of the event.
+
+    That of a ``question`` has velocities as the statement gives them, and no values by which it is
+    drawn; it says so where it is not ``to_scale``.
+    """
+    view = replace(_view(motion, said, number), question=question)
+    to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.found)
     scale, drawings = _fitted(view, panels)
     boxes = [each.box() for each in drawings]
     bottom, top = min(box[1] for box in boxes), max(box[3] for box in boxes)
@@ -87,7 +98,9 @@ def before_and_after(
     lowered = _with_axes(shapes, labels, frames[0]) if _needs_axes(view) else 0.0
     return Scene(
         describe.title(motion, number, panels),
-        describe.description(motion, number, panels),
+        describe.question(motion, number, said, to_scale=to_scale)
+        if question
+        else describe.description(motion, number, panels),
         (0.0, -lowered - FRAME, WIDTH, height + FRAME),
         tuple(shapes),
         tuple(labels),
@@ -95,7 +108,7 @@ def before_and_after(
             Panel(when.capitalize(), (box[0], -lowered, *box[2:]))
             for when, box in zip(panels, frames)
         ),
-        _note(view, panels, scale),
+        _note(view, panels, scale, to_scale=to_scale),
     )
 
 
@@ -193,8 +206,12 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
     return lowered
 
 
-def _note(view: View, panels: Sequence[When], scale: float) -> Layout | None:
+def _note(view: View, panels: Sequence[When], scale: float, *, to_scale: bool) -> Layout | None:
     """The values by which letters are drawn, and whether an arrow is longer than to scale."""
+    if view.question:
+        return None if to_scale else lay.Words("Not to scale.")
+    if not describe.is_possible(view.motion, view.number):
+        return lay.Words(describe.IMPOSSIBLE)
     words = describe.values_of(drawn_for(view.motion, (view.number,), panels))
     sizes = [math.hypot(*view.velocity(body.name, when)) for body in view.bodies for when in panels]
     if any(1e-6 < size * scale < TINY for size in sizes):

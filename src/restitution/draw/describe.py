@@ -10,6 +10,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
+from restitution.draw.said import Sayings, has_letters, state_after
 from restitution.draw.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
@@ -18,7 +19,14 @@ from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.vector import Vector
 
+IMPOSSIBLE = "This impact is not possible: e would not lie in [0, 1]."
 _NEAR = 1e-9
+
+
+def is_possible(motion: Motion, number: int) -> bool:
+    """Whether the coefficient of restitution that is found for an event lies in [0, 1]."""
+    e = motion.story.happenings[number - 1].e
+    return e is None or -_NEAR <= float(e) <= 1 + _NEAR
 
 
 def title(motion: Motion, number: int, panels: Sequence[When]) -> str:
@@ -58,9 +66,26 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
                 f"The impulses on {step.first} and {step.second} are equal and opposite, "
                 "along the line of centres."
             )
-    if chosen:
+    if not is_possible(motion, number):
+        sentences.append(IMPOSSIBLE)
+    elif chosen:
         sentences.append(f"Drawn for {listed([to_text(_equal(each)) for each in chosen])}.")
     return " ".join(sentences)
+
+
+def question(motion: Motion, number: int, said: Sayings, *, to_scale: bool) -> str:
+    """What the statement gives of one event, and nothing that follows from it."""
+    sentences = [_setting(motion, number)]
+    for body in _bodies(motion, number):
+        words = said.of(body, state_after(motion, body, number - 1))
+        if math.hypot(*motion.before(number, body)) < _NEAR:
+            sentences.append(f"{body} is at rest.")
+        elif words.size is not None:
+            unit = "" if has_letters(words.size) else " m s⁻¹"
+            sentences.append(f"{body} moves at {to_text(words.size)}{unit}.")
+        elif words.vector is not None:
+            sentences.append(f"{body} moves with velocity {to_text(words.vector)}.")
+    return " ".join(sentences if to_scale else [*sentences, "Not to scale."])
 
 
 def _value_of(chosen: Chosen) -> Layout:

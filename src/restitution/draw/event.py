@@ -46,6 +46,7 @@ class View:
     bodies: tuple[Body, ...]
     n: Vector
     t: Vector
+    question: bool = False  # only what the statement gives is to be seen
 
     def velocity(self, body: str, when: When) -> Vector:
         get = self.motion.before if when == "before" else self.motion.after

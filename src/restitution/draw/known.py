@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from restitution.draw.geometry import floats, still
 from restitution.draw.plan import Stop
-from restitution.draw.said import Sayings
+from restitution.draw.said import Sayings, has_letters
 from restitution.draw.values import Motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter as TreeLetter
@@ -46,7 +46,7 @@ class Known:
     def _speed(self, body: str, after: int) -> Layout | None:
         if self.said is not None:
             words = self.said.of(body, after)
-            if words.size is None or _has_letters(words.size):
+            if words.size is None or has_letters(words.size):
                 return words.size or words.vector
             return lay.Phrase((words.size, Words("m s⁻¹")))
         if still(floats(self.motion.story.velocity(body, after))):
@@ -121,10 +121,6 @@ def _letter(story: Story, name: str, now: int) -> float | None:
         return float(value.measure() if hasattr(value, "measure") else value)
     except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
         return None
-
-
-def _has_letters(laid: Layout) -> bool:
-    return any(character.isalpha() for character in to_text(laid))
 
 
 def _degrees(radians: float) -> Layout:

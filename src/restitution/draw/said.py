@@ -45,6 +45,7 @@ from restitution.problem import (
 )
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
+from restitution.render.text import to_text
 from restitution.vector import Vector
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
@@ -197,7 +198,7 @@ class _Reader:
             reference = Vector(1.0, 0.0)
         if reference is None:
             return None
-        return Angle(reference, tree.wall is not None, _measure(tree.angle))
+        return Angle(reference, False, _measure(tree.angle))
 
     def equal(self, left: Expression, right: Expression, now: int) -> None:
         """``left = right``, where left speaks of the motion and right is known."""
@@ -349,10 +350,16 @@ def _measure(tree: Expression) -> Layout:
     return lay.from_tree(tree)
 
 
+def has_letters(laid: Layout) -> bool:
+    """Whether a label has letters in it, and so its unit with them."""
+    return any(character.isalpha() for character in to_text(laid))
+
+
 def supplement(label: Layout) -> Layout:
-    """180° less an angle: α for 180° − α, 60° for 120°."""
+    """180° less an angle: α for 180° − α and for π − α, 60° for 120°."""
     half_turn = lay.Degrees(lay.Number("180"))
-    if isinstance(label, lay.Sum) and label.terms[0] == ("+", half_turn) and len(label.terms) == 2:
+    straight = ("+", half_turn), ("+", lay.letter("pi"))
+    if isinstance(label, lay.Sum) and label.terms[0] in straight and len(label.terms) == 2:
         sign, rest = label.terms[1]
         if sign == "-":
             return rest

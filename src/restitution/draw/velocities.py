@@ -63,7 +63,9 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
     tip = tail + way * length
     drawing.shapes.append(Arrow("velocity", tail, tip))
     along, across = v.dot(view.n) * scale, v.dot(view.t) * scale
-    if abs(along) < 1e-6 or abs(across) < 1e-6 or size * scale < TINY:
+    if view.question:
+        _as_given(view, body, when, (tail, tip), drawing)
+    elif abs(along) < 1e-6 or abs(across) < 1e-6 or size * scale < TINY:
         _in_one_direction(view, body, when, tail, tip, drawing)
         if abs(along) < 1e-6 and size * scale >= TINY:
             end = tail if arriving else tip
@@ -71,9 +73,21 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
     else:
         _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
     for index, angle in enumerate(words.angles):
-        put_angle(view, body, angle, (tail, tip), arriving, abs(across), index, drawing)
+        leg = 0.0 if view.question else abs(across)
+        put_angle(view, body, angle, (tail, tip), arriving, leg, index, drawing)
     if when == "after":
         put_deflection(view, body, tail, length, len(words.angles), drawing)
+
+
+def _as_given(
+    view: View, body: Body, when: When, arrow: tuple[Vector, Vector], drawing: Drawing
+) -> None:
+    """The label of a velocity as the statement gives it, if it does."""
+    words = view.words(body.name, when)
+    label = words.size or words.vector
+    if label is not None:
+        tail, tip = arrow
+        drawing.labels.append(beside(label, tail, tip, _clear_side(body, direction(tip - tail))))
 
 
 def _in_one_direction(
