@@ -16,7 +16,9 @@ import pytest
 from hypothesis import given, settings
 from strategies import CONTENTS, pictures
 
-from restitution.draw import style, svg
+import restitution as r
+from restitution import examples
+from restitution.draw import scenes, style, svg
 from restitution.draw.labels import Placed, place
 from restitution.draw.scene import (
     Arc,
@@ -610,3 +612,18 @@ def test_a_long_note_is_broken_into_lines() -> None:
     assert placed.box[2] - placed.box[0] <= 50 + 1e-9
     lefts = {round(each.box[0], 6) for each in placed.words}
     assert len(lefts) == 1
+
+
+def test_pictures_in_one_file_share_their_glyphs_and_are_told_at_its_root() -> None:
+    several = scenes(r.solve(r.parse(examples.text("corner"))))
+    whole = svg.stacked(several)
+    root = ET.fromstring(whole)
+    assert root.get("role") == "img"
+    title, description, *_ = root
+    assert title.tag.endswith("title") and description.tag.endswith("desc")
+    for scene in several:
+        assert scene.title in (title.text or "") and scene.description in (description.text or "")
+    outlines = [path.get("d") for path in root.iterfind("./{*}defs/{*}path")]
+    assert len(outlines) == len(set(outlines)) and len(list(root.iter("{*}defs"))) == 1
+    ids = [each.get("id") for each in root.iter() if each.get("id")]
+    assert len(ids) == len(set(ids))

@@ -152,3 +152,11 @@ def test_without_typst_there_is_a_hint(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(UnsupportedError, match=r"pip install 'restitution\[pdf\]'"):
         to_pdf([made("corner")], None, PLAIN)
     assert "<svg" in to_html([made("corner", "html")], None, PLAIN)
+
+
+def test_a_picture_that_stands_twice_on_a_page_has_ids_of_its_own() -> None:
+    html = to_html([made("corner", "html", ANSWERS)] * 2, None, ANSWERS)
+    ids = re.findall(r'\bid="([^"]+)"', html)
+    assert len(ids) == len(set(ids))
+    assert set(re.findall(r'href="#([^"]+)"', html)) <= set(ids)
+    assert set(re.findall(r'aria-labelledby="(\S+) ', html)) <= set(ids)

@@ -10,7 +10,15 @@ from restitution.draw.geometry import floats, sides_towards
 from restitution.draw.scene import Label, Line, RoundWall, StraightWall
 from restitution.render import layout as lay
 from restitution.render.glyphs import outline
+from restitution.render.layout import Layout
 from restitution.vector import Vector
+
+_LEAST = 2.1  # of the letters of a name within a circle
+
+
+def name_of(name: str) -> Layout:
+    """The name of a body, a wall or a point, as the statement writes it."""
+    return lay.Letter(name) if len(name) == 1 else lay.Words(name)
 
 
 def put_lines(view: View, drawing: Drawing) -> None:
@@ -61,7 +69,7 @@ def put_wall(view: View, drawing: Drawing) -> None:
         drawing.shapes.append(Line("across", -view.t * half * 0.8, view.t * half * 0.8))
         at = centre + Vector(math.cos(middle + spread), math.sin(middle + spread)) * bend
     if len(view.motion.story.walls) > 1:
-        drawing.labels.append(Label(lay.Words(name), at, sides_towards(-view.n), 2.2))
+        drawing.labels.append(Label(name_of(name), at, sides_towards(-view.n), 2.2))
 
 
 def _inside(view: View, name: str) -> bool:
@@ -77,10 +85,13 @@ def _inside(view: View, name: str) -> bool:
 
 def put_names(view: View, body: Body, drawing: Drawing) -> None:
     """The name of a sphere and its mass, within its circle if they are short."""
-    letter = lay.Letter(body.name) if len(body.name) == 1 else lay.Words(body.name)
-    left, _, right, _ = outline(letter).box
-    size = min(3.2, 1.15 * RADIUS / (right - left))
-    name = Label(letter, body.centre, ("centre",), 0.0, size, fixed=True)
+    written = name_of(body.name)
+    left, _, right, _ = outline(written).box
+    size = min(3.2, 1.35 * RADIUS / (right - left))
+    if size < _LEAST:
+        name = Label(written, body.centre, sides_towards(UP), RADIUS + 0.8, 3.0)
+    else:
+        name = Label(written, body.centre, ("centre",), 0.0, size, fixed=True)
     given = view.motion.told.story.spheres[body.name].mass
     if given is not None:
         laid = lay.as_layout(given)
@@ -88,8 +99,9 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
         size = max(2.1, min(2.6, 1.2 * RADIUS / (right - left)))
         mass = Label(laid, body.centre, ("centre",), 0.0, size, fixed=True)
         if _fits(mass):
-            name = replace(name, at=body.centre + UP * (0.5 + _height(name) / 2))
-            mass = replace(mass, at=body.centre - UP * (0.5 + _height(mass) / 2))
+            if name.fixed:
+                name = replace(name, at=body.centre + UP * (0.5 + _height(name) / 2))
+                mass = replace(mass, at=body.centre - UP * (0.5 + _height(mass) / 2))
         else:
             mass = Label(laid, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)
         drawing.labels.append(mass)

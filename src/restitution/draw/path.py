@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from restitution.draw.bodies import name_of
 from restitution.draw.describe import listed
 from restitution.draw.distances import distances
 from restitution.draw.geometry import length, sides_towards, unit
@@ -180,7 +181,7 @@ class _Drawing:
             inward = at - out * 3
             moves = (inward - out * 6,)
             self.labels.append(
-                Label(_name(wall.name), inward, sides_towards(wall.far), gap=2.6, moves=moves)
+                Label(name_of(wall.name), inward, sides_towards(wall.far), gap=2.6, moves=moves)
             )
             return
         corners = list(wall.corners)
@@ -207,7 +208,7 @@ class _Drawing:
     def _point_name(self, letter: str, at: Vector, way: Vector) -> None:
         if letter not in self.named:
             self.named.add(letter)
-            self.labels.append(Label(_name(letter), at, sides_towards(way), gap=1.6))
+            self.labels.append(Label(name_of(letter), at, sides_towards(way), gap=1.6))
 
     # --- paths ----------------------------------------------------------------------------
 
@@ -232,7 +233,7 @@ class _Drawing:
             self._speed(leg, start, end)
             if several and leg.kind == "exit":
                 self.labels.append(
-                    Label(_name(leg.body), end, sides_towards(leg.direction), gap=1.2)
+                    Label(name_of(leg.body), end, sides_towards(leg.direction), gap=1.2)
                 )
 
     def _outside(self, start: Vector, leg: Leg) -> Vector:
@@ -274,13 +275,13 @@ class _Drawing:
             leg = next((leg for leg in self.plan.legs if leg.body == name), None)
             at = self._start(name)
             away = -leg.direction if leg is not None and leg.after == 0 else Vector(-1.0, 1.0)
-            if radius >= _LETTERED:
+            if radius >= _LETTERED and len(name) == 1:
                 self.shapes.append(Disc(name, at, radius))
-                self.labels.append(Label(_name(name), at, ("centre",), fixed=True))
+                self.labels.append(Label(name_of(name), at, ("centre",), fixed=True))
                 continue
             self.shapes.append(Disc(name, at, radius) if radius >= _DISC else Dot(name, at, 1.0))
             self.labels.append(
-                Label(_name(name), at, sides_towards(away), gap=max(radius, 1.0) + 0.6)
+                Label(name_of(name), at, sides_towards(away), gap=max(radius, 1.0) + 0.6)
             )
         for stop in () if self.question else self.plan.stops:
             if stop.kind == "spheres":
@@ -431,7 +432,7 @@ class _Drawing:
                 self.shapes.append(Dot(name, at))
             if name not in self.named:
                 self.named.add(name)
-                self.labels.append(Label(_name(name), at, gap=1.4))
+                self.labels.append(Label(name_of(name), at, gap=1.4))
 
     def distances(self) -> None:
         for each in distances(self.plan, *self._exact()):
@@ -498,12 +499,6 @@ def _bearing(v: Vector) -> float:
 def _half_chord(radius: float, out: Vector) -> float:
     """How far it is to the rim of a disc along a line that passes its centre at right angles."""
     return math.sqrt(max(radius**2 - out.dot(out), 0.0)) if length(out) < radius else 0.0
-
-
-def _name(name: str) -> Layout:
-    """The name of a body or a point: W, W₁."""
-    head = name.rstrip("0123456789")
-    return Letter(head, name[len(head) :])
 
 
 def _unchanged(plan: Plan, leg: Leg) -> bool:

@@ -101,7 +101,7 @@ def description(plan: Plan, values: Known) -> str:
             if after is not None:
                 said += f" and leaves at {to_text(after)} to it"
         speeds = [
-            f"{name} at {to_text(speed)}"
+            f"{name} moves at {to_text(speed)}"
             for name in names
             if stop.kind != "arrival" and (speed := values.speed(name, stop.number)) is not None
         ]

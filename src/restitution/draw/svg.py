@@ -3,8 +3,7 @@
 Colours and lines are presentation attributes, so that every viewer shows them, typst and Inkscape
 among them. A short style follows the page: within a page lines take the colour of its text, and a
 picture of its own turns light where the reader prefers dark. Every outline of a glyph is stored
-once. Ids begin with a hash of the picture, so that several may stand on one page; one that stands
-there twice repeats its ids for the same content.
+once. Ids begin with a hash of the picture, so that several may stand on one page.
 """
 
 from __future__ import annotations
@@ -52,52 +51,51 @@ def stacked(scenes: Sequence[Scene]) -> str:
     """Scenes below one another as the text of one SVG file, each beneath its title."""
     if len(scenes) == 1:
         return to_svg(scenes[0])
-    pictures: list[str] = []
-    width = height = 0.0
-    for scene in scenes:
-        placed = captioned(place(scene), scene.title)
-        left, bottom, right, top = placed.box
-        pictures.append(render(placed, height))
-        width = max(width, right - left)
-        height += top - bottom + GAP
-    size = f"{_number(width)} {_number(height - GAP)}"
-    root = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}mm"'
-        f' height="{_number(height - GAP)}mm" viewBox="0 0 {size}" color="{INK}">'
-    )
-    dark = f"@media (prefers-color-scheme:dark){{svg:root{{color:{INK_ON_DARK}}}}}"
-    return "\n".join([root, f"<style>{dark}</style>", *pictures, "</svg>", ""])
+    placed = [captioned(place(scene), scene.title) for scene in scenes]
+    return _file(placed, [scene.title for scene in scenes])
 
 
-def render(placed: Placed, down: float | None = None) -> str:
-    """A placed scene as the text of an SVG file, or of an element so far ``down`` in another."""
-    left, bottom, right, top = placed.box
-    width, height = _number(right - left), _number(top - bottom)
+def render(placed: Placed) -> str:
+    """A placed scene as the text of an SVG file."""
+    return _file([placed], [placed.scene.title])
+
+
+def _file(pictures: Sequence[Placed], titles: Sequence[str]) -> str:
+    """Pictures below one another, which share their outlines of glyphs."""
     glyphs: dict[str, str] = {}
-    body = [
-        *_shapes(placed.scene),
-        *(
-            f'<path class="leader" d="{_polyline(each.leader)}"{_stroke(style.STROKES["leader"])}/>'
-            for each in placed.labels
-            if each.leader is not None
-        ),
-        *(_label(each, glyphs) for each in (*placed.labels, *placed.words)),
-    ]
+    body: list[str] = []
+    down = 0.0
+    for placed in pictures:
+        left, _, _, top = placed.box
+        drawn = filter(None, _picture(placed, glyphs))
+        if len(pictures) == 1:
+            body += drawn
+        else:
+            at = f"{_number(-left)} {_number(down + top)}"
+            body += [f'<g transform="translate({at})">', *drawn, "</g>"]
+        down += top - placed.box[1] + GAP
+    left, top = (pictures[0].box[0], pictures[0].box[3]) if len(pictures) == 1 else (0.0, 0.0)
+    width = _number(max(each.box[2] - each.box[0] for each in pictures))
+    height = _number(down - GAP)
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
+    description = " ".join(
+        placed.scene.description if len(pictures) == 1 else f"{title}. {placed.scene.description}"
+        for title, placed in zip(titles, pictures)
+    )
     root = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
         f' id="{_ID}" role="img"'
-        f' aria-labelledby="{_ID}-t {_ID}-d"{_size(width, height, down)}'
+        f' aria-labelledby="{_ID}-t {_ID}-d" width="{width}mm" height="{height}mm"'
         f' viewBox="{_number(left)} {_number(-top)} {width} {height}"'
         f' color="{INK}" fill="none" stroke="none" stroke-linejoin="round">'
     )
     lines = [
         root,
-        f'<title id="{_ID}-t">{escape(placed.scene.title, quote=False)}</title>',
-        f'<desc id="{_ID}-d">{escape(placed.scene.description, quote=False)}</desc>',
+        f'<title id="{_ID}-t">{escape("; ".join(titles), quote=False)}</title>',
+        f'<desc id="{_ID}-d">{escape(description, quote=False)}</desc>',
         f"<style>{_STYLE}</style>",
         *([f"<defs>{outlines}</defs>"] if outlines else []),
-        *filter(None, body),
+        *body,
         "</svg>",
         "",
     ]
@@ -105,10 +103,15 @@ def render(placed: Placed, down: float | None = None) -> str:
     return text.replace(_ID, "r" + hashlib.sha256(text.encode()).hexdigest()[:10])
 
 
-def _size(width: str, height: str, down: float | None) -> str:
-    if down is None:
-        return f' width="{width}mm" height="{height}mm"'
-    return f' y="{_number(down)}" width="{width}" height="{height}"'
+def _picture(placed: Placed, glyphs: dict[str, str]) -> Iterator[str]:
+    """What is drawn and written in a picture; ``glyphs`` grows by the outlines that it uses."""
+    yield from _shapes(placed.scene)
+    for each in placed.labels:
+        if each.leader is not None:
+            data = _polyline(each.leader)
+            yield f'<path class="leader" d="{data}"{_stroke(style.STROKES["leader"])}/>'
+    for each in (*placed.labels, *placed.words):
+        yield _label(each, glyphs)
 
 
 # In a page, lines have the colour of its text; alone or as an image, that of the reader's choice,
