@@ -590,6 +590,21 @@ def test_the_supplement_of_an_angle_less_than_half_a_turn_is_the_angle() -> None
     assert "β" in shown(scene)[0].labels()
 
 
+def test_a_component_too_short_to_be_seen_has_no_label() -> None:
+    steep = "wall W: along i\nsphere P: mass 1, velocity u at 89.9° to W\nP hits W: e = 1/2\n"
+    (scene,) = scenes(solved(steep + "find speed(P)"))
+    for each in shown(scene):
+        assert not any("cos" in label for label in each.labels())
+
+
+def test_a_long_name_stands_beside_its_sphere() -> None:
+    tale = "wall W: along i\nsphere Theveryheavyball: velocity u at 40° to W\n"
+    tale += "Theveryheavyball hits W: e = 1/2\nfind speed(Theveryheavyball)"
+    (scene,) = scenes(solved(tale))
+    named = [each for each in scene.labels if to_text(each.content) == "Theveryheavyball"]
+    assert len(named) == 2 and all(each.size > 2.5 and not each.fixed for each in named)
+
+
 def test_a_picture_is_light_to_import() -> None:
     code = "import sys, restitution.draw; print(*sys.modules)"
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

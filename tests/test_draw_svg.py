@@ -623,7 +623,7 @@ def test_pictures_in_one_file_share_their_glyphs_and_are_told_at_its_root() -> N
     assert title.tag.endswith("title") and description.tag.endswith("desc")
     for scene in several:
         assert scene.title in (title.text or "") and scene.description in (description.text or "")
-    outlines = [path.get("d") for path in root.iterfind("./{*}defs/{*}path")]
-    assert len(outlines) == len(set(outlines)) and len(list(root.iter("{*}defs"))) == 1
+    outlines = [path.get("d") for path in root.iterfind(f"./{NS}defs/{NS}path")]
+    assert len(outlines) == len(set(outlines)) and len(list(root.iter(f"{NS}defs"))) == 1
     ids = [each.get("id") for each in root.iter() if each.get("id")]
     assert len(ids) == len(set(ids))

@@ -13,7 +13,7 @@ from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
 from restitution.vector import Vector
 
-_LEAST = 2.1  # of the letters of a name within a circle
+_LEAST = 1.8  # of the letters of a name within a circle
 
 
 def name_of(name: str) -> Layout:

@@ -35,7 +35,7 @@ from restitution.draw.values import Motion, motion
 from restitution.expression.tree import Expression, Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick, Problem
 from restitution.render.glyphs import union
-from restitution.render.layout import Bold, Layout, Letter, Number
+from restitution.render.layout import Bold, Layout, Number
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.vector import Vector

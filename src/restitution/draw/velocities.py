@@ -31,6 +31,7 @@ from restitution.render.text import to_text
 from restitution.vector import Vector
 
 TINY = 1.5  # no arrow is shorter, or it could not be seen
+_SEEN = 0.6  # a component that is shorter is not drawn
 _WIDEST = 5.6  # of a label of a component, in em
 
 
@@ -134,12 +135,15 @@ def _triangle(
         legs.reverse()
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
-    drawing.shapes += [Arrow("component", start, end) for start, end in ends]
+    seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
+    drawing.shapes += [Arrow("component", *leg) for leg, long in zip(ends, seen) if long]
     inside = (tail + tip + corner) / 3
-    for (start, end), (axis, value, part) in zip(ends, legs):
+    for (start, end), (axis, value, part), long in zip(ends, legs, seen):
         middle = (start + end) / 2
         outward = axis.turned_left()
         outward = outward if outward.dot(middle - inside) > 0 else -outward
+        if not long:  # or its label would seem to name the velocity
+            continue
         label = None if part is None else _directed(part, axis, value, middle, outward, drawing)
         if label is not None:
             drawing.labels.append(beside(label, start, end, outward))
