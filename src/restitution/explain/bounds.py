@@ -597,6 +597,8 @@ def _ends(
         slope = _constant_sign(work, sp.diff(value, symbol))
         if slope == 0:
             continue
+        if _turns_back(work, tree, value, symbol):
+            continue
         angle = work.is_angle(symbol)
         is_angle = isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
         is_angle = is_angle or (
@@ -689,6 +691,23 @@ def _is_limit(
     return bool(abs(near - far) < 1e-6)
 
 
+def _turns_back(work: Working, tree: Expression, value: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a speed, written without bars, changes sign as a letter runs through its range."""
+    role = work.model.unknowns.roles.get(symbol.name)
+    if role is None or not isinstance(tree, Quantity) or tree.kind != "speed":
+        return False
+    for place in (role.low, sp.oo if role.high is None else role.high):
+        if place is None:
+            continue
+        try:
+            there = _beside(work, place)
+            if at(value, {**work.model.sample, symbol.name: there}) < 0:
+                return True
+        except (UndefinedError, KeyError, ArithmeticError, TypeError):
+            continue
+    return False
+
+
 def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int) -> None:
     """A range or an extremum that is printed and has to be shown."""
     del result
@@ -761,6 +780,9 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         else:
             sub_result(work, asked)
     value = sp.sympify(evaluated(work, tree, now), strict=True)
+    if _turns_back(work, tree, value, x):
+        work.write("result", words=("A speed is a size: it falls to 0, then grows again.",))
+        return
     function, target_, name = _as_function(value, target, lay.from_tree(tree))
     if not isinstance(tree, Quantity) and function == value:
         work.write("result", [chain(Side(lay.from_tree(tree), value), side(value))])
