@@ -13,7 +13,7 @@ from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
 from restitution.vector import Vector
 
-_LEAST = 1.8  # of the letters of a name within a circle
+_LEAST = 1.5  # of the letters of a name within a circle
 
 
 def name_of(name: str) -> Layout:
@@ -87,7 +87,7 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
     """The name of a sphere and its mass, within its circle if they are short."""
     written = name_of(body.name)
     left, _, right, _ = outline(written).box
-    size = min(3.2, 1.35 * RADIUS / (right - left))
+    size = min(3.2, 1.15 * RADIUS / (right - left))
     if size < _LEAST:
         name = Label(written, body.centre, sides_towards(UP), RADIUS + 0.8, 3.0)
     else:
