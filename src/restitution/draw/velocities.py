@@ -31,7 +31,7 @@ from restitution.render.text import to_text
 from restitution.vector import Vector
 
 TINY = 1.5  # no arrow is shorter, or it could not be seen
-_SEEN = 0.6  # a component that is shorter is not drawn
+_SEEN = 0.6  # a component that is shorter has no label
 _WIDEST = 5.6  # of a label of a component, in em
 
 
@@ -136,7 +136,7 @@ def _triangle(
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
     seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
-    drawing.shapes += [Arrow("component", *leg) for leg, long in zip(ends, seen) if long]
+    drawing.shapes += [Arrow("component", *leg) for leg in ends]
     inside = (tail + tip + corner) / 3
     for (start, end), (axis, value, part), long in zip(ends, legs, seen):
         middle = (start + end) / 2
