@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
-from restitution.expression.tree import Letter
+from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.problem import Extremum
 from restitution.render.layout import display, equation, from_sympy
 from restitution.render.text import to_text
@@ -41,7 +41,8 @@ def find_extremum(
     line = None if item.place is None else item.place.line
     if not isinstance(item.over, Letter):
         raise UnsupportedError("an extremum is sought over a letter")
-    require_told(desk.problem, item.over)
+    if not (has_quantity(item.expression) and letters(item.over) <= letters(item.expression)):
+        require_told(desk.problem, item.over)  # else a time, say, of which the question speaks
     name = item.over.name
     setting = desk.settle(in_terms_of, item)
     if name not in setting.roles:
