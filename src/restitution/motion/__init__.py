@@ -1,0 +1,5 @@
+"""Motion between impacts and through them.
+
+Between impacts every sphere moves uniformly, so a simulation needs no time step: it goes from
+impact to impact, and all that there is to know are straight pieces and what happens at their ends.
+"""
