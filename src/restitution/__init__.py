@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from restitution.draw import draw
     from restitution.errors import (
+        CollapseError,
         ContradictionError,
         ImpossibleError,
         MissingError,
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from restitution.explain import explain
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
+    from restitution.motion import Table, simulate
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "CollapseError",
     "ContradictionError",
     "ImpossibleError",
     "MissingError",
@@ -46,6 +49,7 @@ __all__ = [
     "RestitutionError",
     "Sphere",
     "StatementError",
+    "Table",
     "TimeLimitError",
     "UnsupportedError",
     "Vector",
@@ -57,12 +61,14 @@ __all__ = [
     "parse",
     "question",
     "read",
+    "simulate",
     "solve",
     "to_statement",
 ]
 
 _NAMES_OF_MODULES = {
     "errors": (
+        "CollapseError",
         "ContradictionError",
         "ImpossibleError",
         "MissingError",
@@ -75,6 +81,7 @@ _NAMES_OF_MODULES = {
     "explain": ("explain",),
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
+    "motion": ("Table", "simulate"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solve": ("solve",),
     "vector": ("Vector",),

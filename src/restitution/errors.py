@@ -6,6 +6,7 @@
     ├── ContradictionError  the facts clash                              (kind "contradiction")
     ├── ImpossibleError     it cannot happen, for a physical reason      (kind "impossible")
     ├── UnsupportedError    well stated, but beyond what is solved here  (kind "unsupported")
+    ├── CollapseError       impacts without end in a finite time         (kind "collapse")
     └── TimeLimitError      the solving was stopped                      (kind "time limit")
 
 Each names the quantity, its value, the rule and, where it was said in a text, the place.
@@ -13,7 +14,7 @@ Each names the quantity, its value, the rule and, where it was said in a text, t
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 
 class RestitutionError(Exception):
@@ -70,6 +71,16 @@ class UnsupportedError(RestitutionError):
     """A question that is well stated but that cannot be solved here."""
 
     kind = "unsupported"
+
+
+class CollapseError(RestitutionError):
+    """A motion in which infinitely many impacts happen before some moment.
+
+    ``run`` is the motion up to where it was given up.
+    """
+
+    kind = "collapse"
+    run: Any = None
 
 
 class TimeLimitError(RestitutionError):
