@@ -43,8 +43,9 @@ if TYPE_CHECKING:
 # Impacts in a row of one sphere with bodies that it was touching already. A cascade among bodies
 # that touch, or in a narrow corner, may need many; without loss there are always finitely many.
 MOST_IN_A_ROW = 4096
-# After so many of them with e < 1, bodies whose approach is no more than rounding have collapsed.
-SURE_IN_A_ROW = 8
+# With e < 1 so many are a collapse; fewer, where the bodies have all but come to rest together.
+MOST_WITH_LOSS = 64
+SURE_AT_REST = 8
 
 
 def simulate(table: Table, *, until: Any = None, impacts: int | None = None) -> Run:
@@ -273,8 +274,11 @@ class _Course:
         approach, e = (u1 - u2).dot(c) / length, self.table.layout.e(*names)
         speeds = self.speeds[first] + (self.speeds[second] if w2 else 0)
         faint = float(approach) <= TOLERANCE * speeds
+        shallow = float(approach) ** 2 <= 8 * TOLERANCE * speeds**2  # a chord within rounding
         touching = float(due.apart) <= TOLERANCE * (_size(place) + _size(c))
-        self.refuse_collapse(due, e, touching=touching, faint=faint)
+        if touching:
+            slides = shallow and (e < 1 or not self.kind.exact or approach == 0)
+            self.refuse_collapse(due, e, faint=faint, slides=slides)
         if approach <= 0:
             return
         on_second = law.impulse(u1, u2, w1, w2, c, e)
@@ -318,14 +322,17 @@ class _Course:
             return shape.place - place
         return place - shape.centre if (ball, other) in self.inside else shape.centre - place
 
-    def refuse_collapse(self, due: _Due, e: Any, *, touching: bool, faint: bool) -> None:
+    def refuse_collapse(self, due: _Due, e: Any, *, faint: bool, slides: bool) -> None:
+        """Raise a CollapseError where bodies that touch already strike each other for ever."""
         balls = [each for each in (due.first, due.second) if each < len(self.balls)]
         row = max(self.in_a_row[each] for each in balls)
         names = self.name(due.first), self.name(due.second)
-        if touching and faint and (due.first, due.second) in self.inside:
+        if slides and (due.first, due.second) in self.inside:
             what = f"{names[0]} comes to slide along {names[1]}, in impacts without end"
-        elif (touching and faint and e < 1 and row >= SURE_IN_A_ROW) or (
+        elif (
             max(row, self.quiet) >= MOST_IN_A_ROW
+            or (e < 1 and row >= MOST_WITH_LOSS)
+            or (e < 1 and row >= SURE_AT_REST and faint)
         ):
             what = (
                 f"the impacts of {names[0]}, the latest with {names[1]}, follow one another "
@@ -335,8 +342,8 @@ class _Course:
             return
         time = float(self.kind.time(self.now))
         error = CollapseError(
-            f"at {time:.6g} s, after {len(self.struck)} impacts, {what}: the motion cannot be told "
-            "further; what happened until then is the run of this error"
+            f"at {time:.6g} s, after {counted(len(self.struck), 'impact')}, {what}: the motion cannot "
+            "be told further; what happened until then is the run of this error"
         )
         error.run = self.so_far(self.now)
         raise error
