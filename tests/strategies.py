@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
+from restitution.motion import Table, polygon
 from restitution.render import layout
 from restitution.vector import Vector
 
@@ -620,6 +621,56 @@ def tales(
             pair = draw(st.tuples(halves(), halves()).filter(any))
             velocities[name] = said(pair, "u" if letters else "")
     return Tale(masses, velocities, tuple(blows))
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+CELL = 4  # m
+
+
+@st.composite
+def tables(
+    draw: st.DrawFn, *, spheres: int = 4, e: st.SearchStrategy[Fraction] | None = None
+) -> Table:
+    """Tables with walls around and among up to so many spheres, each in a cell of its own.
+
+    The wall around is a square or an L; all numbers are quarters or halves, so that every table
+    can be played exactly too. What stands in a cell leaves a quarter of a metre around it.
+    """
+    e = e or st.just(Fraction(1))
+    cells = [(x, y) for x in range(3) for y in range(3)]
+    corners = [(0, 0), (12, 0), (12, 12), (0, 12)]
+    if draw(st.booleans()):
+        cells.remove((2, 2))
+        corners[2:3] = [(12, 8), (8, 8), (8, 12)]
+    cells = draw(st.permutations(cells))
+    centres = [((2 * x + 1) * CELL // 2, (2 * y + 1) * CELL // 2) for x, y in cells]
+    count = draw(st.integers(1, spheres))
+    radii = st.sampled_from([Fraction(n, 4) for n in (1, 2, 4, 7)])
+    thrown = [
+        p.Sphere(
+            f"S{n}",
+            mass=draw(st.sampled_from([Fraction(1, 2), 1, 2, 5])),
+            radius=draw(radii),
+            position=centre,
+            velocity=draw(st.tuples(halves(), halves()).filter(any if n == 0 else bool)),
+        )
+        for n, centre in enumerate(centres[:count])
+    ]
+    among = []
+    for n, (x, y) in enumerate(centres[count:], start=1):
+        kind = draw(st.sampled_from(["none", "circle", "segment"]))
+        if kind == "circle":
+            among.append(p.Wall(f"C{n}", centre=(x, y), radius=draw(radii)))
+        elif kind == "segment":
+            dx, dy = draw(st.tuples(halves(-3, 3), halves(-3, 3)).filter(any))
+            half = dx / 2, dy / 2
+            among.append(
+                p.Wall(f"B{n}", start=(x - half[0], y - half[1]), end=(x + half[0], y + half[1]))
+            )
+    around = polygon(corners)
+    special = {wall.name: draw(e) for wall in (*around, *among) if draw(st.booleans())}
+    return Table(thrown, (*around, *among), draw(e), special)
 
 
 # --- pictures ---------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import heapify, heappop, heappush
 from math import hypot
+from numbers import Integral
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from restitution import law
@@ -65,7 +66,7 @@ def simulate(table: Table, *, until: Any = None, impacts: int | None = None) -> 
 def _checked(table: Table, until: Any, impacts: int | None) -> tuple[Any, int | None]:
     if until is None and impacts is None:
         raise StatementError("a motion has an end: say until=… (s), or impacts=… (how many)")
-    if impacts is not None and impacts != abs(int(impacts)):
+    if impacts is not None and not (isinstance(impacts, Integral) and impacts >= 0):
         raise StatementError(f"the number of impacts is a whole number from 0, not {impacts!r}")
     if until is None:
         return None, impacts
@@ -342,8 +343,8 @@ class _Course:
             return
         time = float(self.kind.time(self.now))
         error = CollapseError(
-            f"at {time:.6g} s, after {counted(len(self.struck), 'impact')}, {what}: the motion cannot "
-            "be told further; what happened until then is the run of this error"
+            f"at {time:.6g} s, after {counted(len(self.struck), 'impact')}, {what}: the motion "
+            "cannot be told further; what happened until then is the run of this error"
         )
         error.run = self.so_far(self.now)
         raise error
