@@ -637,7 +637,7 @@ def tables(
     The wall around is a square or an L; all numbers are quarters or halves, so that every table
     can be played exactly too. What stands in a cell leaves a quarter of a metre around it.
     """
-    e = e or st.just(Fraction(1))
+    e = st.just(Fraction(1)) if e is None else e
     cells = [(x, y) for x in range(3) for y in range(3)]
     corners = [(0, 0), (12, 0), (12, 12), (0, 12)]
     if draw(st.booleans()):

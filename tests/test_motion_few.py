@@ -526,10 +526,10 @@ def test_rotation():
 
 
 @KINDS
-@pytest.mark.parametrize("gap", ["0", "1"])
+@pytest.mark.parametrize("gap", [0, 1])
 def test_newtons_line(exact, gap):
     """Equal spheres in line hand the velocity on, touching or apart."""
-    row = [sphere(f"S{n}", (f"{n} + {n} {gap}", 0), (0, 0)) for n in range(3)]
+    row = [sphere(f"S{n}", (n * (1 + gap), 0), (0, 0)) for n in range(3)]
     table = Table([sphere("A", (-3, 0), (1, 0)), *row], exact=exact)
     run = simulate(table, impacts=50)
     pairs = [("A", "S0"), ("S0", "S1"), ("S1", "S2")]
@@ -576,9 +576,7 @@ def test_inner_corner_reverses_the_velocity(exact):
         first, second = run.impacts
         assert (first.second, second.second) == ("Left", "Bottom")
         assert first.time == second.time
-        assert run.at(run.end)["P"].velocity == Vector(*["3/2" if exact else 1.5] * 2).__class__(
-            *[sympy.Rational(3, 2)] * 2
-        )
+        assert tuple(map(float, run.at(run.end)["P"].velocity)) == (1.5, 1.5)
 
 
 @KINDS
@@ -669,7 +667,8 @@ def test_without_rebound_a_sphere_slides(exact):
     ball = sphere("P", (2, 2), (-1, 3))
     run = simulate(Table.box(40, 40, [ball], e=0, exact=exact), until=1000)
     assert [hit.second for hit in run.impacts] == ["Left", "Top"]
-    assert run.at(1000)["P"] == ((0.5, 39.5), (0, 0))
+    position, velocity = run.at(1000)["P"]
+    assert (tuple(map(float, position)), velocity) == ((0.5, 39.5), (0, 0))
 
 
 @pytest.mark.parametrize("turn", [0.1 * n for n in range(16)])
@@ -790,7 +789,7 @@ def test_coefficients_of_walls_and_pairs():
 
 def test_a_wall_has_two_sides():
     wall = Wall("W", start=(0, -5), end=(0, 5))
-    balls = [sphere("A", (-3, 0), (1, 0)), sphere("B", (3, 0), (-1, 0))]
+    balls = [sphere("A", (-3, 0), (1, 0)), sphere("B", (4, 0), (-1, 0))]
     events = simulate(Table(balls, [wall]), impacts=5).events
     assert [*events["line_x"]] == [1, -1]
     assert [*events["x"]] == [0, 0]
