@@ -997,7 +997,7 @@ def test_too_many_roots_are_refused():
         for x in range(3)
         for y in range(3)
     ]
-    with pytest.raises(r.UnsupportedError, match="independent square roots: exact numbers grow"):
+    with pytest.raises(r.UnsupportedError, match="nested deeper than 4: exact numbers grow"):
         simulate(Table.box(14, 14, balls, walls=posts, exact=True), impacts=100)
 
 

@@ -21,7 +21,8 @@ from typing import Any
 _FIRST_BITS = 64
 _BITS_OF_A_TIE = 512  # where two numbers of different towers agree so far, algebra decides
 _SMALL_FACTORS = 1000
-MOST_ROOTS = 12  # a number of the tower has up to 2**12 terms then
+MOST_ROOTS = 8  # a number of the tower has up to 2**8 terms then
+MOST_NESTED = 4  # each root within a root makes the numerators three times as long
 
 Exact = Any  # Fraction | Surd
 
@@ -33,12 +34,15 @@ class TooManyRootsError(ArithmeticError):
 class Root:
     """√square over the field of the roots ``below``; ``new`` if it is known not to lie in it."""
 
-    __slots__ = ("_bits", "_bounds", "below", "new", "square")
+    __slots__ = ("_bits", "_bounds", "below", "depth", "new", "square")
 
     def __init__(self, square: Exact, below: tuple[Root, ...], *, new: bool) -> None:
         self.square = square
         self.below = below
         self.new = new
+        self.depth: int = 1 + max(
+            (each.depth for _, roots in terms(square) for each in roots), default=0
+        )
         self._bits = 0
         self._bounds = (0, 0)
 
@@ -223,11 +227,14 @@ class Tower:
         found = _root_within(x, self.roots)
         if found is not None:
             return abs(found)
-        if len(self.roots) >= MOST_ROOTS:
-            raise TooManyRootsError(f"more than {MOST_ROOTS} independent square roots")
         outside, inside = _square_out(x)
-        self.roots += (Root(inside, self.roots, new=True),)
-        return Surd(Fraction(0), outside, self.roots[-1])
+        root = Root(inside, self.roots, new=True)
+        if len(root.below) >= MOST_ROOTS:
+            raise TooManyRootsError(f"more than {MOST_ROOTS} independent square roots")
+        if root.depth > MOST_NESTED:
+            raise TooManyRootsError(f"square roots nested deeper than {MOST_NESTED}")
+        self.roots += (root,)
+        return Surd(Fraction(0), outside, root)
 
     def tentative_sqrt(self, x: Exact) -> Exact:
         """√x for a number that is only to be compared: nothing is adjoined or looked for."""
