@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
+    from restitution.motion.batch import impacts
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
@@ -58,6 +59,7 @@ __all__ = [
     "draw",
     "explain",
     "impact",
+    "impacts",
     "parse",
     "question",
     "read",
@@ -82,6 +84,7 @@ _NAMES_OF_MODULES = {
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
+    "motion.batch": ("impacts",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solve": ("solve",),
     "vector": ("Vector",),
