@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
     from restitution.motion.batch import impacts
+    from restitution.motion.ensemble import ensemble
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
@@ -57,6 +58,7 @@ __all__ = [
     "Wall",
     "__version__",
     "draw",
+    "ensemble",
     "explain",
     "impact",
     "impacts",
@@ -85,6 +87,7 @@ _NAMES_OF_MODULES = {
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
     "motion.batch": ("impacts",),
+    "motion.ensemble": ("ensemble",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solve": ("solve",),
     "vector": ("Vector",),
