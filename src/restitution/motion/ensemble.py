@@ -127,8 +127,9 @@ def ensemble(
     on the seed and the place of a case alone, not on the executor or the number of workers.
 
     What fails is no reason to stop: an exception in the function is kept in ``failures`` with its
-    case. If a worker process of the default pool dies, the cases that were under way are tried once
-    more, each by itself, and that which kills its worker is the one that failed. An executor that
+    case. What could not be sent to a worker or back is tried once more. If a worker process of the
+    default pool dies, the cases that were under way are tried once more, one after another, and
+    that which kills its worker is the one that failed. An executor that
     is given cannot be started again; when it breaks, the cases under way count as failed, and the
     others are ``missing``.
 
@@ -203,6 +204,15 @@ def _ignore_interrupts() -> None:
 # --- in the process that started them ------------------------------------------------------------
 
 
+@dataclass(frozen=True, slots=True)
+class _Sent:
+    """A chunk under way: whether its cases are tried for a second time, and nothing beside it."""
+
+    chunk: _Chunk
+    again: bool
+    alone: bool
+
+
 class _Run:
     """Cases on their way through an executor."""
 
@@ -220,10 +230,9 @@ class _Run:
         self._given = executor
         self._executor = executor
         self._size = 1  # of the next chunk
-        # With each chunk, whether it is the only one, so that it is known what a worker died of.
-        self._under_way: dict[Future[Any], tuple[_Chunk, bool]] = {}
+        self._under_way: dict[Future[Any], _Sent] = {}
         self._again: deque[_Chunk] = deque()
-        self._one_by_one = False
+        self._one_by_one = False  # so that it is known what a worker died of
         self._deaths = 0
         self._begun = 0
         self._values: dict[int, Any] = {}
@@ -263,43 +272,43 @@ class _Run:
 
     def _send(self) -> bool:
         """Send chunks, as many as may be under way; whether there are any."""
-        while chunk := self._next():
+        while sent := self._next():
             if self._executor is None:
                 self._executor = ProcessPoolExecutor(self._workers, initializer=_ignore_interrupts)
             try:
-                future = self._executor.submit(_chunk_worked_out, self._function, self._seed, chunk)
+                future = self._executor.submit(
+                    _chunk_worked_out, self._function, self._seed, sent.chunk
+                )
             except BrokenExecutor as error:  # it is not known yet, or it was so from the start
-                self._broken(chunk, error, alone=False)
+                self._broken(sent, error)
                 if self.stopped:
                     break
             else:
-                self._under_way[future] = chunk, self._one_by_one
+                self._under_way[future] = sent
         return bool(self._under_way)
 
-    def _next(self) -> _Chunk | None:
+    def _next(self) -> _Sent | None:
         """The next chunk to send, if there is one and it may be sent now."""
         if not self._again:
             self._one_by_one &= bool(self._under_way)
         if len(self._under_way) >= (1 if self._one_by_one else 2 * self._workers):
             return None
         if self._again:
-            return self._again.popleft()
+            return _Sent(self._again.popleft(), again=True, alone=self._one_by_one)
         chunk = list(islice(self._numbered, self._size))
         self._begun += len(chunk)
-        return chunk
+        return _Sent(chunk, again=False, alone=self._one_by_one) if chunk else None
 
     def _finish(self, future: Future[Any]) -> None:
         """Take what came of a chunk."""
-        chunk, alone = self._under_way.pop(future)
+        sent = self._under_way.pop(future)
         error = future.exception()
         if isinstance(error, BrokenExecutor):
-            self._broken(chunk, error, alone=alone)
+            self._broken(sent, error)
         elif error is None:
-            self._keep(chunk, *future.result())
-        elif len(chunk) > 1:  # it could not be sent, or not sent back: which of them was it?
-            self._again.extend([each] for each in chunk)
-        else:
-            self._fail(chunk, error)
+            self._keep(sent.chunk, *future.result())
+        else:  # the function did not raise it: something could not be sent, or not sent back
+            self._try_again(sent, error, last=sent.again)
 
     def _keep(self, chunk: _Chunk, seconds: float, results: list[Any]) -> None:
         for (index, case), result in zip(chunk, results):
@@ -315,17 +324,21 @@ class _Run:
         text = "".join(traceback.format_exception(error))
         self._failures += [Failure(index, case, _told(error), text) for index, case in chunk]
 
-    def _broken(self, chunk: _Chunk, error: BaseException, *, alone: bool) -> None:
+    def _try_again(self, sent: _Sent, error: BaseException, *, last: bool) -> None:
+        """Cases that came to nothing are tried once more, each by itself."""
+        if last:
+            self._fail(sent.chunk, error)
+        else:
+            self._again.extend([each] for each in sent.chunk)
+
+    def _broken(self, sent: _Sent, error: BaseException) -> None:
         """The executor broke with this chunk under way."""
         if self._given is not None:
-            self._fail(chunk, error)
+            self._fail(sent.chunk, error)
             self.stopped = f"the executor broke: {error}"
             wait(self._under_way, timeout=GRACE)
             return
-        if alone and len(chunk) == 1:
-            self._fail(chunk, error)
-        else:
-            self._again.extend([each] for each in chunk)
+        self._try_again(sent, error, last=sent.again and sent.alone)
         if self._executor is None:  # known from another chunk
             return
         # Nothing is sent to another pool before all that was under way has come back.
