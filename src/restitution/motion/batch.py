@@ -37,7 +37,8 @@ CHUNK = 8_192
 _NAMES = ("u1", "u2", "c", "w1", "w2", "e")
 _VECTORS = 3  # so many of them, from the left
 _KERNEL = 8  # rows that the kernel takes at a time
-_ALIGNED = 16  # bytes, as it wants the results
+_ROW = 16  # bytes of a row of the results, which it wants at multiples of that
+_LINE = 64  # bytes of a line of the cache
 
 _Array = npt.NDArray[Any]
 
@@ -196,7 +197,7 @@ def _room(
         each
         if each.dtype == kind
         and each.flags.c_contiguous
-        and each.ctypes.data % _ALIGNED == 0
+        and each.ctypes.data % _ROW == 0
         and not _in_the_way(each, data)
         else np.empty(full, kind)
         for each in out
@@ -253,18 +254,21 @@ def _by_kernel(
     from restitution.motion.fused import fused
 
     count = math.prod(shape)
-    steps = count // _KERNEL
     flat = [_flat(each, shape, vectors=k < _VECTORS) for k, each in enumerate(data)]
-    strides = [0 if same else each.strides[0] * _KERNEL for each, same in flat]
     pairs = [each.reshape(count, 2) for each in results]
+    # The results are written line by line of the cache: the first row starts one.
+    first = min(count, -pairs[0].ctypes.data % _LINE // _ROW)
+    steps = (count - first) // _KERNEL
+    strides = [0 if same else each.strides[0] * _KERNEL for each, same in flat]
 
     def work(part: int) -> bool:
         start, stop = (steps * end // threads for end in (part, part + 1))
+        row = first + start * _KERNEL
         return bool(
             fused(
-                tuple(each.ctypes.data + start * s for (each, _), s in zip(flat, strides)),
+                tuple(each.ctypes.data + (not same) * row * each.strides[0] for each, same in flat),
                 tuple(strides),
-                tuple(each.ctypes.data + start * _KERNEL * each.strides[0] for each in pairs),
+                tuple(each.ctypes.data + row * _ROW for each in pairs),
                 stop - start,
             )
         )
@@ -274,9 +278,10 @@ def _by_kernel(
     else:
         with ThreadPoolExecutor(threads) as pool:
             good = all(pool.map(work, range(threads)))
-    done = steps * _KERNEL
-    last = [each[: count - done] if same else each[done:] for each, same in flat]
-    return good and _by_numpy(last, [each[done:] for each in pairs], (count - done,))
+    for start, stop in (0, first), (first + steps * _KERNEL, count):
+        edge = [each[: stop - start] if same else each[start:stop] for each, same in flat]
+        good = good and _by_numpy(edge, [each[start:stop] for each in pairs], (stop - start,))
+    return good
 
 
 def _flat(array: _Array, shape: tuple[int, ...], *, vectors: bool) -> tuple[_Array, bool]:
