@@ -31,11 +31,11 @@ from restitution.draw.scene import (
     Shape,
     StraightWall,
 )
-from restitution.draw.values import motion
 from restitution.draw.velocities import TINY
 from restitution.examples import names, text
 from restitution.render.text import to_text
 from restitution.solve import Solution
+from restitution.staging.values import motion
 
 NEAR = 1e-6
 

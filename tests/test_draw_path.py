@@ -13,15 +13,15 @@ from restitution.draw import figure, scenes
 from restitution.draw.ink import ink, overlap, touched
 from restitution.draw.labels import place
 from restitution.draw.path import path_scene
-from restitution.draw.plan import Leg, Plan, Stop, Straight
-from restitution.draw.planning import lay_out
 from restitution.draw.scene import Arrow, Disc, Dot, Label, RoundWall, Scene, StraightWall
-from restitution.draw.values import motion
 from restitution.language import parse
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render.text import to_text
 from restitution.solve import solve
 from restitution.solve.story import Story
+from restitution.staging.plan import Leg, Plan, Stop, Straight
+from restitution.staging.planning import lay_out
+from restitution.staging.values import motion
 from restitution.vector import Vector
 
 ROOT = Path(__file__).parent.parent

@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from restitution.draw.scene import Scene
-    from restitution.draw.values import When
     from restitution.solve.solution import PartSolution, Solution
+    from restitution.staging.values import When
     from restitution.vector import Vector
 
 __all__ = ["Drawings", "draw", "figure", "scenes"]
@@ -84,8 +84,8 @@ def _before(solution: Solution, part: PartSolution) -> Scene | None:
     """The first event as it is before; None where the line of centres or the wall is sought."""
     from restitution.draw.before_after import before_and_after
     from restitution.draw.said import sayings
-    from restitution.draw.values import motion
     from restitution.problem import Impact, Kick
+    from restitution.staging.values import motion
 
     branch, still_open = part.branches[0], part.open_story
     told = motion(solution, part, branch)
@@ -140,8 +140,8 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
     from restitution.draw.describe import is_possible
     from restitution.draw.path import path_scene
     from restitution.draw.said import sayings
-    from restitution.draw.values import motion
     from restitution.problem import Impact, Kick
+    from restitution.staging.values import motion
 
     drawn = 0
     for part in parts:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 
 from restitution.draw.event import RADIUS, Body, Drawing, View
-from restitution.draw.geometry import direction, sides_towards
+from restitution.draw.geometry import sides_towards
 from restitution.draw.said import Angle, supplement
 from restitution.draw.scene import Arc, Label, Line
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
+from restitution.staging.geometry import direction
 from restitution.vector import Vector
 
 

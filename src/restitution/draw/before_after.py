@@ -25,7 +25,6 @@ from restitution.draw.event import (
     expected,
     is_on_axes,
 )
-from restitution.draw.geometry import direction, floats
 from restitution.draw.impulses import put_impulses
 from restitution.draw.ink import ink, overlap
 from restitution.draw.said import Sayings, speaks_of_vectors
@@ -44,13 +43,14 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, When, axes, drawn_for
 from restitution.draw.velocities import TINY, put_velocity
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.glyphs import Box, outline
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.staging.geometry import direction, floats
+from restitution.staging.values import Motion, When, axes, drawn_for
 from restitution.vector import Vector
 
 LONGEST = 17.0  # of an arrow of velocity

@@ -6,11 +6,12 @@ import math
 from dataclasses import replace
 
 from restitution.draw.event import RADIUS, UP, Body, Drawing, View
-from restitution.draw.geometry import floats, sides_towards
+from restitution.draw.geometry import sides_towards
 from restitution.draw.scene import Label, Line, RoundWall, StraightWall
 from restitution.render import layout as lay
 from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
+from restitution.staging.geometry import floats
 from restitution.vector import Vector
 
 _LEAST = 1.5  # of the letters of a name within a circle

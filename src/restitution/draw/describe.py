@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from restitution.draw.said import Sayings, has_letters, state_after
-from restitution.draw.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.staging.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
 from restitution.vector import Vector
 
 IMPOSSIBLE = "This impact is not possible: e would not lie in [0, 1]."

@@ -8,8 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from restitution.draw.geometry import length, unit
-from restitution.draw.plan import Plan, Straight
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
 from restitution.render import layout as lay
@@ -18,6 +16,8 @@ from restitution.render.text import to_text
 from restitution.solve.forms import plain
 from restitution.solve.solution import Branch
 from restitution.solve.story import Story
+from restitution.staging.geometry import length, unit
+from restitution.staging.plan import Plan, Straight
 from restitution.vector import Vector
 
 _MOST = 4

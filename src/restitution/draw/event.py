@@ -13,9 +13,9 @@ from restitution.draw.geometry import COMPASS, sides_towards
 from restitution.draw.ink import Piece, distance, ink, overlap, stick
 from restitution.draw.said import Sayings, Words, state_after
 from restitution.draw.scene import Arrow, Label, Shape
-from restitution.draw.values import Motion, When
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
+from restitution.staging.values import Motion, When
 from restitution.vector import Vector
 
 RADIUS = 4.2  # of a sphere on paper

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from restitution.draw.angles import put_arc
 from restitution.draw.event import RADIUS, Body, Drawing, View, beside, room_beside
-from restitution.draw.geometry import direction, floats
 from restitution.draw.scene import Arrow
+from restitution.staging.geometry import direction, floats
 from restitution.vector import Vector
 
 LENGTH = 9.0  # of every arrow

@@ -12,7 +12,6 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from restitution.draw import style
-from restitution.draw.geometry import direction
 from restitution.draw.scene import (
     Arc,
     Arrow,
@@ -27,6 +26,7 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.render.glyphs import Box
+from restitution.staging.geometry import direction
 from restitution.vector import Vector
 
 Segment: TypeAlias = tuple[Vector, Vector]

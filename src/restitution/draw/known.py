@@ -5,10 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from restitution.draw.geometry import floats, still
-from restitution.draw.plan import Stop
 from restitution.draw.said import Sayings, has_letters
-from restitution.draw.values import Motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.render import layout as lay
@@ -17,6 +14,9 @@ from restitution.render.text import to_text
 from restitution.solve.forms import plain
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
+from restitution.staging.geometry import floats, still
+from restitution.staging.plan import Stop
+from restitution.staging.values import Motion
 from restitution.vector import Vector
 
 # Longer expressions (in characters on one line) say less beside a path than they hide.

@@ -14,7 +14,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from restitution.draw import style
-from restitution.draw.geometry import direction
 from restitution.draw.ink import (
     Piece,
     Segment,
@@ -30,6 +29,7 @@ from restitution.draw.ink import (
 from restitution.draw.scene import Disc, Label, Panel, Scene, Side
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout, Phrase, Words
+from restitution.staging.geometry import direction
 from restitution.vector import Vector
 
 CLEARANCE = 0.3  # from the ink of a label to any line, and to the frame

@@ -9,12 +9,10 @@ from dataclasses import dataclass, field, replace
 from restitution.draw.bodies import name_of
 from restitution.draw.describe import listed
 from restitution.draw.distances import distances
-from restitution.draw.geometry import length, sides_towards, unit
+from restitution.draw.geometry import sides_towards
 from restitution.draw.ink import ink, overlap, padded, touched
 from restitution.draw.known import Known
 from restitution.draw.path_words import description, note
-from restitution.draw.plan import Leg, Plan, Stop, Straight
-from restitution.draw.planning import lay_out
 from restitution.draw.said import sayings, speaks_of_vectors
 from restitution.draw.scene import (
     WIDTH,
@@ -31,13 +29,16 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.draw.values import Motion, motion
 from restitution.expression.tree import Expression, Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick, Problem
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Layout, Number
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
+from restitution.staging.geometry import length, unit
+from restitution.staging.plan import Leg, Plan, Stop, Straight
+from restitution.staging.planning import lay_out
+from restitution.staging.values import Motion, motion
 from restitution.vector import Vector
 
 _SAME = 1e-9

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from restitution.draw.describe import listed, values_of
-from restitution.draw.flights import told_places
-from restitution.draw.geometry import floats, length
 from restitution.draw.known import Known
-from restitution.draw.plan import Plan
-from restitution.draw.values import Chosen, Motion, drawn_for
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.solve.story import Story
+from restitution.staging.flights import told_places
+from restitution.staging.geometry import floats, length
+from restitution.staging.plan import Plan
+from restitution.staging.values import Chosen, Motion, drawn_for
 
 _NEAR = 1e-6
 _SAME = 1e-9

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from restitution.draw.values import Motion
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
     Expression,
@@ -46,6 +45,7 @@ from restitution.problem import (
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.staging.values import Motion
 from restitution.vector import Vector
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")

@@ -15,7 +15,6 @@ from html import escape
 from typing import assert_never
 
 from restitution.draw import style
-from restitution.draw.geometry import direction
 from restitution.draw.ink import Segment, arc_span, hatch, right_angle_points, round_hatch
 from restitution.draw.labels import Placed, PlacedLabel, captioned, place
 from restitution.draw.scene import (
@@ -33,6 +32,7 @@ from restitution.draw.scene import (
     StraightWall,
 )
 from restitution.render.glyphs import UNITS, outline
+from restitution.staging.geometry import direction
 from restitution.vector import Vector
 
 INK, INK_ON_DARK = "#1a1a1a", "#ededed"

@@ -18,9 +18,8 @@ from restitution.draw.event import (
     is_on_axes,
     room_beside,
 )
-from restitution.draw.geometry import direction, sides_towards
+from restitution.draw.geometry import sides_towards
 from restitution.draw.scene import Arrow, Label, RightAngle
-from restitution.draw.values import When
 from restitution.exact import tidy
 from restitution.expression.tree import Letter
 from restitution.problem import Impact
@@ -28,6 +27,8 @@ from restitution.render import layout as lay
 from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.staging.geometry import direction
+from restitution.staging.values import When
 from restitution.vector import Vector
 
 TINY = 1.5  # no arrow is shorter, or it could not be seen

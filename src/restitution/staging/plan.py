@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from restitution.draw.geometry import unit
+from restitution.staging.geometry import unit
 from restitution.vector import Vector
 
 

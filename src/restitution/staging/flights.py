@@ -15,10 +15,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from restitution.draw.geometry import floats, length, still, unit
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Kick, Wall
 from restitution.solve.story import Happening, Story
+from restitution.staging.geometry import floats, length, still, unit
 from restitution.vector import Vector
 
 # --- the events in floats -------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from restitution.draw.plan import Leg
+from restitution.staging.plan import Leg
 from restitution.vector import Vector
 
 _CLOSE = 1e-6

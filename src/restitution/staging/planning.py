@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from restitution.draw.flights import Given, Layout, Move, events, solve, told_places, unknowns
-from restitution.draw.geometry import floats, length, still, unit
-from restitution.draw.plan import Leg, Plan, Round, Stop, Straight
-from restitution.draw.walls import Line, crossing, trim
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
 from restitution.solve.story import Story
+from restitution.staging.flights import Given, Layout, Move, events, solve, told_places, unknowns
+from restitution.staging.geometry import floats, length, still, unit
+from restitution.staging.plan import Leg, Plan, Round, Stop, Straight
+from restitution.staging.walls import Line, crossing, trim
 from restitution.vector import Vector
 
 #: What the paths and walls may fill, leaving room for words beside them.

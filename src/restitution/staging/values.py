@@ -15,7 +15,6 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.components import Model, model, protected_letters
-from restitution.draw.geometry import floats
 from restitution.errors import RestitutionError
 from restitution.problem import Impact, Kick
 from restitution.solve.letters import Role
@@ -23,6 +22,7 @@ from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.part import Numbers
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story, lets_of
+from restitution.staging.geometry import floats
 from restitution.vector import Vector
 
 # Pleasant values by kind, the best first. Angles are in degrees.
