@@ -68,6 +68,29 @@ class Struck:
 
 
 @dataclass(frozen=True, slots=True)
+class Blow:
+    """An impulse (N s) given to a sphere from outside; ``place`` is that of its centre (m)."""
+
+    time: float
+    body: str
+    place: Vector
+    impulse: Vector
+    before: Vector
+    after: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """A sphere's centre comes to a point, or a sphere to a wall, and nothing changes (s, m)."""
+
+    time: float
+    body: str
+    place: Vector
+    target: str | None
+    velocity: Vector
+
+
+@dataclass(frozen=True, slots=True)
 class Line:
     """A straight wall, or several joined, through points (m); ``closed`` joins the ends."""
 
@@ -87,7 +110,10 @@ class Circle:
 
 @dataclass(frozen=True)
 class Motion:
-    """Bodies that move, what they strike, and when, from time ``start`` to ``end`` (s)."""
+    """Bodies that move, what they strike, and when, from time ``start`` to ``end`` (s).
+
+    ``points`` are named places (m), ``notes`` sentences for those who look at it.
+    """
 
     tracks: tuple[Track, ...]
     impacts: tuple[Struck, ...]
@@ -95,6 +121,9 @@ class Motion:
     start: float = 0.0
     end: float = 0.0
     notes: Sequence[str] = field(default=())
+    blows: tuple[Blow, ...] = ()
+    reached: tuple[Reached, ...] = ()
+    points: Mapping[str, Vector] = field(default_factory=dict)
 
     def at(self, time: float) -> Mapping[str, tuple[Vector, Vector]]:
         """Place (m) and velocity (m/s) of every sphere at a time, by name."""

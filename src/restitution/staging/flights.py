@@ -155,13 +155,15 @@ class Layout:
     """The unknown places and times, what is known of them, and the pieces whose length is free.
 
     A row of ``rows`` times the unknowns is the entry of ``values``. ``where`` gives the place of a
-    body at an event, and ``lengths`` how long each flight is, as coefficients and a constant.
+    body at an event, and ``lengths`` how long each flight is, as coefficients and a constant;
+    ``times`` has when each event is, as coefficients.
     """
 
     count: int
     rows: list[Any] = field(default_factory=list)
     values: list[float] = field(default_factory=list)
     where: dict[tuple[str, int], tuple[Any, Any]] = field(default_factory=dict)
+    times: dict[int, Any] = field(default_factory=dict)
     lengths: list[tuple[Any, float]] = field(default_factory=list)
     order: list[tuple[Any, float]] = field(default_factory=list)
 
@@ -195,6 +197,7 @@ def unknowns(
             row[2 * len(bodies) + order[number]] = 1 / speed
         return row
 
+    made.times = {move.number: time(move.number) for move in moves}
     for index, body in enumerate(bodies):
         known = starts.get(body)
         latest, place, constant = 0, np.zeros((2, count)), np.zeros(2)
@@ -263,7 +266,7 @@ def solve(made: Layout, targets: Sequence[float], shortest: float) -> Any | None
     low = np.array([shortest] * len(made.lengths) + [0.0] * len(made.order))
     if not free.size or np.abs(rows @ free).max() < 1e-12:
         lengths = rows @ x0
-        return x0 if (lengths[: len(made.lengths)] > 0).all() else None
+        return x0 if (lengths[: len(made.lengths)] > -1e-9 * shortest).all() else None
     back = np.linalg.pinv(rows @ free, rcond=1e-9)
     for part in (1.0, 0.5, 0.2, 0.02):
         goal = wanted

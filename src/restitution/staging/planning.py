@@ -52,7 +52,7 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
         if given.placed:
             return _to_scale(story, moves, given)
         given = replace(given, origins={}, points={})
-        groups = _connected(moves)
+        groups = connected(moves)
         walled = [g for g in groups if any(move.wall is not None for move in g)]
         recent = [g for g in groups if any(move.number > since for move in g)] or groups
         shown = [g for g in walled if g in recent]
@@ -64,7 +64,7 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
     return _side_by_side(made) if made else None
 
 
-def _connected(moves: Sequence[Move]) -> list[list[Move]]:
+def connected(moves: Sequence[Move]) -> list[list[Move]]:
     """The events in groups without a sphere in common."""
     groups: list[list[Move]] = []
     for move in moves:
@@ -78,8 +78,8 @@ def _side_by_side(plans: Sequence[Plan]) -> Plan:
     """Plans that have nothing to do with one another, from left to right, as one."""
     whole = plans[0]
     for plan in plans[1:]:
-        _, _, right, _ = _box(_drawn(whole))
-        left, _, _, _ = _box(_drawn(plan))
+        _, _, right, _ = box(_drawn(whole))
+        left, _, _, _ = box(_drawn(plan))
         moved = _moved(plan, Vector(right - left + _APART, 0.0))
         whole = replace(
             whole,
@@ -143,7 +143,7 @@ def _freely(story: Story, moves: Sequence[Move], given: Given, width: float) -> 
 
 def _fill(plan: Plan, width: float = _WIDTH) -> float:
     """The share of the room on paper that a plan fills; more than 1 for one that is too large."""
-    left, bottom, right, top = _box(_drawn(plan))
+    left, bottom, right, top = box(_drawn(plan))
     return max((right - left) / width, (top - bottom) / _HEIGHT, 1e-3)
 
 
@@ -154,7 +154,7 @@ def _to_scale(story: Story, moves: Sequence[Move], given: Given) -> Plan | None:
     known = [*given.starts.values(), *given.points.values(), *given.origins.values()]
     known += [end for ends in given.segments.values() for end in ends]
     known += [c + d * r for c, r in given.circles.values() for d in (Vector(1, 1), Vector(-1, -1))]
-    left, bottom, right, top = _box(known)
+    left, bottom, right, top = box(known)
     extent = max(right - left, top - bottom) or 1.0
     targets = [0.6 * extent] * len(made.lengths)
     x = solve(made, targets, 0.02 * extent)
@@ -167,7 +167,7 @@ def _to_scale(story: Story, moves: Sequence[Move], given: Given) -> Plan | None:
     scale = 1.0
     for _ in range(4):
         # The ends of the paths have a length on paper: what they add depends on the scale.
-        left, bottom, right, top = _box(known)
+        left, bottom, right, top = box(known)
         across, up = max(right - left, 1e-9), max(top - bottom, 1e-9)
         scale = min(_WIDTH / across, _HEIGHT / up) if scale == 1.0 else scale
         plan, _ = _on_paper(story, moves, given, made, x, scale, radius, 1.0)
@@ -192,7 +192,8 @@ def _drawn(plan: Plan) -> Iterator[Vector]:
         yield from stop.centres.values()
 
 
-def _box(points: Iterable[Vector]) -> tuple[float, float, float, float]:
+def box(points: Iterable[Vector]) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of some points."""
     xs, ys = zip(*points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
@@ -210,9 +211,9 @@ def _on_paper(
     """The plan for these unknowns, and how far it is from a clear one."""
     where = {key: floats(p @ x + c) * scale for key, (p, c) in made.where.items()}
     radius *= scale
-    stops = [_stop(move, where, radius) for move in moves]
+    stops = [stop_of(move, where, radius) for move in moves]
     legs = _flights(moves, given, where, scale)
-    lines = _lines(story, moves, given, stops, scale)
+    lines = wall_lines(story, moves, given, stops, scale)
     ends, short = _loose_ends(story, moves, given, where, lines, shrunk, scale, radius)
     legs = sorted([*legs, *ends], key=lambda leg: leg.after)
     rounds = tuple(
@@ -226,15 +227,7 @@ def _on_paper(
     for (body, _), place in where.items():
         starts.setdefault(body, place)
     points = {name: p * scale for name, p in given.points.items()}
-    if given.placed:
-        _stretch(lines, [*(p for leg in legs for p in (leg.start, leg.end)), *points.values()])
-    else:
-        _under(lines, stops, legs, 20 * shrunk)
-    struck = [(m.wall, m.bodies[0]) for m in moves if m.wall]
-    successive = {
-        frozenset((a, b)) for (a, p), (b, q) in itertools.pairwise(struck) if a != b and p == q
-    }
-    crossed = trim(lines, legs, 60.0 if given.placed else 44.0 * shrunk + 8, successive)
+    crossed, successive = raise_walls(lines, moves, given, stops, legs, points.values(), shrunk)
     walls = tuple(
         Straight(
             line.name,
@@ -266,7 +259,33 @@ def _on_paper(
     return plan, cost
 
 
-def _stop(move: Move, where: Mapping[tuple[str, int], Vector], radius: float) -> Stop:
+def raise_walls(
+    lines: list[Line],
+    moves: Sequence[Move],
+    given: Given,
+    stops: Sequence[Stop],
+    legs: Sequence[Leg],
+    points: Iterable[Vector],
+    shrunk: float,
+) -> tuple[int, set[frozenset[str]]]:
+    """Gives walls their ends, by the paths along them and the corners between them.
+
+    Returns how many paths cross a wall all the same, and which walls are struck in succession.
+    """
+    if given.placed:
+        _stretch(lines, [*(p for leg in legs for p in (leg.start, leg.end)), *points])
+    else:
+        _under(lines, stops, legs, 20 * shrunk)
+    struck = [(m.wall, m.bodies[0]) for m in moves if m.wall]
+    successive = {
+        frozenset((a, b)) for (a, p), (b, q) in itertools.pairwise(struck) if a != b and p == q
+    }
+    reach = 60.0 if given.placed else 44.0 * shrunk + 8
+    return trim(lines, legs, reach, successive), successive
+
+
+def stop_of(move: Move, where: Mapping[tuple[str, int], Vector], radius: float) -> Stop:
+    """An event at the places of its bodies."""
     centres = {name: where[name, move.number] for name in move.bodies}
     contact = centres[move.bodies[0]]
     if move.normal is not None:
@@ -294,9 +313,10 @@ def _flights(
     return legs
 
 
-def _lines(
+def wall_lines(
     story: Story, moves: Sequence[Move], given: Given, stops: Sequence[Stop], scale: float
 ) -> list[Line]:
+    """The straight walls that are struck or have a place, still without their ends."""
     lines = []
     for name, wall in story.walls.items():
         own = [stop for stop in stops if stop.wall == name]
@@ -386,7 +406,7 @@ def _loose_ends(
             end = where[body, own[0].number]
             way, skip = -unit(first), own[0].wall
             most = _approach(end, way, _APPROACH * shrunk + radius, where, radius)
-            far = _free_way(end, way, most, lines, skip)
+            far = free_way(end, way, most, lines, skip)
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - far)
             legs.append(Leg(body, 0, "approach", end + way * far, end))
         last = own[-1].after[body] if own else first
@@ -397,7 +417,7 @@ def _loose_ends(
             far = (
                 onward
                 if onward is not None
-                else _free_way(start, way, _EXIT * shrunk + radius, lines, skip)
+                else free_way(start, way, _EXIT * shrunk + radius, lines, skip)
             )
             for centre, rim in given.circles.values():
                 chord = _inside_circle(start - centre * scale, way, rim * scale)
@@ -441,7 +461,7 @@ def _ends_at_wall(
     )
 
 
-def _free_way(
+def free_way(
     start: Vector, way: Vector, length: float, lines: Iterable[Line], skip: str | None
 ) -> float:
     """A length that stops short of other walls, unless they are too near for that."""
