@@ -127,7 +127,7 @@ def drawn_for(
         for chosen, moved in motion.free
         if moved is None
         or not _same_lines(motion.story, moved, events)
-        or _ratio(*(_velocities(each, events, panels) for each in (motion.story, moved))) is None
+        or _ratio(*(velocities(each, events, panels) for each in (motion.story, moved))) is None
     ]
     return (*shaping, *motion.found)
 
@@ -137,7 +137,7 @@ def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
     for chosen, moved in motion.free:
         if moved is None or chosen.angle:
             continue
-        ratio = _ratio(_velocities(motion.story, events), _velocities(moved, events))
+        ratio = _ratio(velocities(motion.story, events), velocities(moved, events))
         if ratio is not None and math.isclose(ratio, float(_MORE)):
             return chosen.name
     return None
@@ -267,12 +267,13 @@ def _pleasant(role: Role) -> list[Fraction]:
 # --- what numbers show ----------------------------------------------------------------------------
 
 
-def _velocities(
-    story: Story, events: Sequence[int], panels: Sequence[When] = ("before", "after")
+def velocities(
+    story: Story, events: Sequence[int] | None = None, panels: Sequence[When] = ("before", "after")
 ) -> list[Vector]:
+    """The velocities before and after some events, or all."""
     return [
         floats(v)
-        for number in events
+        for number in (range(1, len(story.happenings) + 1) if events is None else events)
         for when in panels
         for v in getattr(story.happenings[number - 1], when).values()
     ]

@@ -1,0 +1,86 @@
+"""A motion as a page that plays it: inline SVG and one ES module, nothing from elsewhere."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from html import escape
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+from restitution.render.page import page
+
+if TYPE_CHECKING:
+    from restitution.motion.pieces import Motion
+    from restitution.solve.solution import Solution
+
+__all__ = ["Playable", "play", "to_html"]
+
+_PAGE = (
+    "html { background: #fff } @media (prefers-color-scheme: dark) "
+    "{ html { background: #17181c } } body { margin: 0 }"
+)
+# The last lines of the module: they start the player of the page.
+_START = """
+mount(
+  document.getElementById("player"),
+  JSON.parse(document.getElementById("motion").textContent),
+  { page: true },
+);
+"""
+_HEIGHT = 720  # pixels that a notebook gives it
+
+
+@dataclass(frozen=True)
+class Playable:
+    """A motion, or several to choose from, as data for the player. It shows itself in Jupyter.
+
+    ``data`` is plain (numbers, texts, lists, dictionaries), as `restitution.export.player.data`
+    describes it; ``html`` is one page that needs nothing else.
+    """
+
+    data: dict[str, Any]
+
+    @property
+    def html(self) -> str:
+        """The page, to be written into a file."""
+        return to_html(self.data)
+
+    def _repr_html_(self) -> str:
+        """For Jupyter: the page in a frame of its own, which can touch nothing around it."""
+        title = escape(self.data["title"] or "Motion")
+        return (
+            f'<iframe title="{title}" sandbox="allow-scripts" srcdoc="{escape(self.html)}" '
+            f'style="width: 100%; height: {_HEIGHT}px; border: 0"></iframe>'
+        )
+
+
+def play(motion: Solution | Motion, part: str | None = None) -> Playable:
+    """The motion of a solved problem (of all its parts, or the one with that label), or any other.
+
+    Letters are at representative values, which the page tells. Raises KeyError for a part that is
+    not there, what kept the problem from being solved, and UnsupportedError with the reason where
+    no motion can be shown.
+    """
+    from restitution.export.player.data import of_motion, of_solution
+    from restitution.motion.pieces import Motion
+
+    return Playable(of_motion(motion) if isinstance(motion, Motion) else of_solution(motion, part))
+
+
+def to_html(data: dict[str, Any]) -> str:
+    """One page that plays the data: style, module and data stand in it."""
+    # In JSON a < can only be within a text, where it may be written so.
+    told = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    module = source("player.js")
+    body = (
+        '<main id="player"><noscript>This page plays a motion with JavaScript.</noscript></main>\n'
+        f'<script type="application/json" id="motion">{told}</script>\n'
+        f'<script type="module">\n{module}{_START}</script>'
+    )
+    return page(data["title"] or "Motion", _PAGE + source("player.css"), body)
+
+
+def source(name: str) -> str:
+    """The text of ``player.js`` or ``player.css``."""
+    return (files(__package__) / name).read_text(encoding="utf-8")

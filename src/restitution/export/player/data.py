@@ -1,0 +1,317 @@
+"""Motions as plain data for the player: straight pieces, events, and what stands beside them.
+
+The object, all numbers in SI units, vectors as pairs::
+
+    {"title": text or null,
+     "motions": [{"label", "drawn": at which values, "notes": [text], "start", "end",
+                  "spheres": [{"name", "radius", "mass": number or null,
+                               "pieces": [[start, end, x, y, velocity x, velocity y]],
+                               "said": [exact velocity and speed, for each piece]}],
+                  "walls": [{"name", "points", "closed"} or {"name", "centre", "radius"}],
+                  "points": [{"name", "at"}],
+                  "events": [{"kind": "impact", "time", "bodies", "wall", "place", "line", "e",
+                              "impulse", "before": {name: velocity}, "after", "lost", "said"}
+                             or {"kind": "blow", "time", "bodies", "place", "impulse", …}
+                             or {"kind": "arrival", "time", "bodies", "place", "target", …}]}]}
+
+``said`` holds exact values as text where the solution has short ones. The unit vector ``line``
+points from the first body to the second, or into the wall.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from restitution.expression.tree import Expression, letters
+from restitution.motion.pieces import Blow, Circle, Line, Motion, Reached, Struck
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.motion.told import Event, Told
+    from restitution.solve.solution import Solution
+    from restitution.staging.values import Chosen
+
+Object = dict[str, Any]
+
+# Longer texts (in characters) say less in a table than the number does.
+_SHORT = 22
+# Values of more operations than this have no short form.
+_LONG = 30
+
+
+def of_solution(solution: Solution, part: str | None = None) -> Object:
+    """The motions of a solved problem, or of one part of it.
+
+    Raises KeyError for a part that is not there, what kept the problem from being solved, and
+    UnsupportedError with the reason where no motion can be shown.
+    """
+    from restitution.motion.told import motions
+
+    told = motions(solution, part)
+    labels = _labels(told)
+    return {
+        "title": solution.problem.title,
+        "motions": [_of_told(each, label) for each, label in zip(told, labels, strict=True)],
+    }
+
+
+def of_motion(motion: Motion, title: str | None = None) -> Object:
+    """One motion, from wherever it comes."""
+    events: list[Event] = [*motion.impacts, *motion.blows, *motion.reached]
+    masses = {track.name: track.mass for track in motion.tracks}
+    return {
+        "title": title,
+        "motions": [_motion(motion, sorted(events, key=lambda each: each.time), masses)],
+    }
+
+
+def _motion(motion: Motion, events: Sequence[Event], masses: Mapping[str, float]) -> Object:
+    spheres = frozenset(track.name for track in motion.tracks)
+    return {
+        "label": "",
+        "drawn": "",
+        "notes": list(motion.notes),
+        "start": _number(motion.start),
+        "end": _number(motion.end),
+        "spheres": [
+            {
+                "name": track.name,
+                "radius": _number(track.radius),
+                "mass": masses.get(track.name),
+                "pieces": [
+                    [*map(_number, (p.start, p.end, *p.place, *p.velocity))] for p in track.pieces
+                ],
+            }
+            for track in motion.tracks
+        ],
+        "walls": [_wall(wall) for wall in motion.walls],
+        "points": [{"name": name, "at": _pair(at)} for name, at in motion.points.items()],
+        "events": [_event(event, spheres, masses) for event in events],
+    }
+
+
+def _wall(wall: Line | Circle) -> Object:
+    if isinstance(wall, Circle):
+        return {
+            "name": wall.name,
+            "centre": _pair(wall.centre),
+            "radius": _number(wall.radius),
+        }
+    return {
+        "name": wall.name,
+        "points": [_pair(point) for point in wall.points],
+        "closed": wall.closed,
+    }
+
+
+def _event(event: Event, names: frozenset[str], masses: Mapping[str, float]) -> Object:
+    common = {"time": _number(event.time), "place": _pair(event.place)}
+    match event:
+        case Struck():
+            bodies = [event.first, event.second]
+            wall = None if event.second in names else event.second
+            spheres = bodies[:1] if wall is not None else bodies
+            before = dict(zip(spheres, event.before, strict=False))
+            after = dict(zip(spheres, event.after, strict=False))
+            known = all(name in masses for name in spheres)
+            lost = (
+                sum(_energy(masses[n], before[n]) - _energy(masses[n], after[n]) for n in spheres)
+                if known
+                else None
+            )
+            return {
+                "kind": "impact",
+                **common,
+                "bodies": spheres,
+                "wall": wall,
+                "line": _pair(event.line_of_centres),
+                "e": _number(event.e),
+                "impulse": _pair(event.impulse) if known else None,
+                "before": {name: _pair(v) for name, v in before.items()},
+                "after": {name: _pair(v) for name, v in after.items()},
+                "lost": None if lost is None else _number(lost),
+            }
+        case Blow():
+            return {
+                "kind": "blow",
+                **common,
+                "bodies": [event.body],
+                "impulse": _pair(event.impulse),
+                "before": {event.body: _pair(event.before)},
+                "after": {event.body: _pair(event.after)},
+            }
+        case Reached():
+            return {
+                "kind": "arrival",
+                **common,
+                "bodies": [event.body],
+                "target": event.target,
+                "before": {event.body: _pair(event.velocity)},
+                "after": {event.body: _pair(event.velocity)},
+            }
+
+
+def _energy(mass: float, velocity: Vector) -> float:
+    return mass * float(velocity.dot(velocity)) / 2
+
+
+def _number(x: float) -> float:
+    """A number that is not longer than it is exact, and no negative zero."""
+    return float(f"{float(x):.12g}") + 0.0
+
+
+def _pair(v: Vector) -> list[float]:
+    return [_number(v.x), _number(v.y)]
+
+
+# --- what the solution says of it -----------------------------------------------------------------
+
+
+def _of_told(told: Told, label: str) -> Object:
+    from restitution.draw.describe import values_of
+    from restitution.render.layout import Phrase
+    from restitution.render.text import to_text
+
+    made = _motion(told.motion, [event for _, event in told.events], told.masses)
+    made["label"] = label
+    words = values_of(_chosen(told))
+    made["drawn"] = to_text(Phrase(words)) if words else ""
+    exact = _Exact(told)
+    for sphere, track in zip(made["spheres"], told.motion.tracks, strict=True):
+        sphere["said"] = [exact.velocity(track.name, stage) for stage in _stages(told, track.name)]
+    for shown, (number, event) in zip(made["events"], told.events, strict=True):
+        if isinstance(event, Struck):
+            shown["said"] = exact.impact(number, event)
+    return made
+
+
+def _chosen(told: Told) -> list[Chosen]:
+    """The letters at whose values it is shown: those that change anything of it."""
+    from restitution.staging.flights import told_places
+    from restitution.staging.values import velocities
+
+    numbers = told.numbers
+    spheres = [numbers.story.spheres[name] for name in told.bodies]
+    masses = {
+        x for each in spheres if isinstance(each.mass, Expression) for x in letters(each.mass)
+    }
+    free = [
+        chosen
+        for chosen, moved in numbers.free
+        if moved is None
+        or chosen.name in masses
+        or velocities(moved) != velocities(numbers.story)
+        or told_places(moved) != told_places(numbers.story)
+    ]
+    return [*free, *(each for each in numbers.found if each not in free)]
+
+
+def _stages(told: Told, body: str) -> list[int]:
+    """After which event of the story each piece of a body's motion is."""
+    times = [0, *(number for number, event in told.events if body in _bodies(event))]
+    pieces = next(track.pieces for track in told.motion.tracks if track.name == body)
+    # A piece that takes no time is left out: those that are there end the list.
+    return times[-len(pieces) :]
+
+
+def _bodies(event: Event) -> tuple[str, ...]:
+    return (event.first, event.second) if isinstance(event, Struck) else (event.body,)
+
+
+class _Exact:
+    """Exact values as text, each worked out once; None where there is no short one."""
+
+    def __init__(self, told: Told) -> None:
+        self.told = told
+        self.known: dict[tuple[str, int], Object | None] = {}
+
+    def velocity(self, body: str, stage: int) -> Object | None:
+        """Components along **i** and **j** and speed of a body after an event of the story."""
+        if (body, stage) not in self.known:
+            story = self._story()
+            v = None if story is None else story.velocity(body, stage)
+            self.known[body, stage] = v and {
+                "x": self.text(lambda: v.x),
+                "y": self.text(lambda: v.y),
+                "speed": self.text(lambda: story.size(v)),
+            }
+        return self.known[body, stage]
+
+    def impact(self, number: int, event: Struck) -> Object | None:
+        """Components along the line of centres and across it, before and after, and e."""
+        story = self._story()
+        if story is None:
+            return None
+        happening = story.happenings[number - 1]
+        c = happening.centres
+        if c is None:
+            return None
+        try:
+            centres = self.told.numbers.vector(c)
+        except (ArithmeticError, LookupError, TypeError):
+            return None
+        sense = 1 if centres.dot(event.line_of_centres) > 0 else -1
+
+        def components(v: Vector) -> Object:
+            return {
+                "along": self.text(lambda: v.dot(c) * sense / story.size(c)),
+                "across": self.text(lambda: c.cross(v) * sense / story.size(c)),
+            }
+
+        spheres = [name for name in happening.bodies if name in story.spheres]
+        return {
+            "e": self.text(lambda: happening.e),
+            "before": {name: components(happening.before[name]) for name in spheres},
+            "after": {name: components(happening.after[name]) for name in spheres},
+        }
+
+    def _story(self) -> Any:
+        from restitution.errors import RestitutionError
+
+        try:
+            return self.told.branch.story
+        except (RestitutionError, ArithmeticError):
+            return None
+
+    def text(self, value: Any) -> str | None:
+        """A value as people write it, if it is short."""
+        from restitution.errors import RestitutionError
+        from restitution.render.layout import from_sympy
+        from restitution.render.text import to_text
+        from restitution.solve.forms import plain
+
+        try:
+            told = value()
+            if told.count_ops() > _LONG:
+                return None
+            found = plain(told, [self.told.branch.sample])
+        except (RestitutionError, ArithmeticError):
+            return None
+        if any(symbol.name.startswith("_") for symbol in found.free_symbols):
+            return None
+        text = to_text(from_sympy(found))
+        return text if len(text) <= _SHORT else None
+
+
+def _labels(told: Sequence[Told]) -> list[str]:
+    """What tells the motions of a problem apart; nothing where there is one only."""
+    made = [list(_label(each, told)) for each in told]
+    return [", ".join(words) for words in made] if len(told) > 1 else [""]
+
+
+def _label(one: Told, all_: Sequence[Told]) -> Iterator[str]:
+    from restitution.draw.describe import listed
+
+    named = [f"({label})" for label in one.labels if label is not None]
+    if named:
+        yield f"Part{'s' if len(named) > 1 else ''} {listed(named)}"
+    elif any(label is not None for each in all_ for label in each.labels):
+        yield "Before the parts"
+    beside = [each for each in all_ if each.labels[0] == one.labels[0]]
+    solutions = {each.branch.number for each in beside}
+    if len(solutions) > 1:
+        yield f"solution {one.branch.number}"
+    groups = [each for each in beside if each.branch.number == one.branch.number]
+    if len(groups) > 1:
+        yield listed(one.bodies)
