@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         UnsupportedError,
     )
     from restitution.explain import explain
+    from restitution.export.player import play
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
@@ -63,6 +64,7 @@ __all__ = [
     "impact",
     "impacts",
     "parse",
+    "play",
     "question",
     "read",
     "simulate",
@@ -83,6 +85,7 @@ _NAMES_OF_MODULES = {
     ),
     "draw": ("draw",),
     "explain": ("explain",),
+    "export.player": ("play",),
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),

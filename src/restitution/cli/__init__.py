@@ -35,9 +35,10 @@ def main() -> None:
             # What cannot be encoded is replaced: an answer is never lost to an alphabet.
             if hasattr(stream, "reconfigure"):
                 stream.reconfigure(errors="replace")
-        if sys.argv[1:2] in (["solve"], ["draw"], ["sheet"]) and not {"-h", "--help"} & set(
-            sys.argv
-        ):
+        if sys.argv[1:2] in (["solve"], ["draw"], ["sheet"], ["play"]) and not {
+            "-h",
+            "--help",
+        } & set(sys.argv):
             # It loads the algebra while the arguments and the files are read here.
             worker = _early_worker()
         from restitution.cli.commands import app

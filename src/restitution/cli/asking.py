@@ -35,15 +35,16 @@ def worker_of(early: Worker | None) -> Worker:
 def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer:
     """Read a file and have the task done; what is wrong is told, in JSON too if that is asked."""
     from restitution.export import contract
-    from restitution.export.job import Job, Writing
+    from restitution.export.job import Job, Playing, Writing
 
     writing = task if isinstance(task, Writing) else Writing()
     json = writing.form == "json"
+    part = task.part if isinstance(task, Writing | Playing) else None
     text = b""
     try:
         text = read(file)
         problem = parse(text)
-        _require_part(problem, writing.part)
+        _require_part(problem, part)
     except RestitutionError as error:
         line = contract.to_json(contract.unreadable(shown_name(file), error)) + "\n"
         return Answer(UNREADABLE, line if json else None, tuple(pointed(file, text, error)))
@@ -51,7 +52,7 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
     try:
         reply = _reply(worker, job)
     except RestitutionError as error:
-        unfinished = contract.unfinished(job.file, problem, error, writing.part)
+        unfinished = contract.unfinished(job.file, problem, error, part)
         line = contract.to_json(unfinished) + "\n"
         return Answer(UNANSWERED, line if json else None, tuple(pointed(file, text, error)))
     messages = [f"{job.file}: warning: {warning}" for warning in reply.warnings]

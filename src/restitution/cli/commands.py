@@ -88,6 +88,19 @@ Their wording, diagrams, room for working, and worked solutions if wanted.
 PDF needs the extra "pdf": pip install 'restitution[pdf]'.
 """
 
+_PLAY = """Play the motion of a question in the browser.
+
+One page, to be opened by any browser, that needs nothing else: play and pause,
+step from impact to impact, slow motion, components before and after.
+
+\b
+    restitution play ball.impact
+    restitution play ball.impact -o ball.html --open
+    restitution examples corner | restitution play - -o corner.html
+
+Letters are at values that the page tells.
+"""
+
 _CHECK = """Read statements without solving them.
 
 What is wrong with them is said, with its place.
@@ -293,6 +306,56 @@ def sheet(
             content = to_html(entries, title, options).encode()
         write_file(output, content, files)
     raise typer.Exit(worst)
+
+
+# --- play -------------------------------------------------------------------------------------
+
+
+@app.command(help=_PLAY)
+def play(
+    context: typer.Context,
+    file: Annotated[
+        str,
+        typer.Argument(metavar="FILE", help="A file that holds a statement; - is standard input."),
+    ],
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="PATH",
+            help="The page; - is standard output. Else ball-motion.html for ball.impact, here.",
+        ),
+    ] = None,
+    part: Annotated[
+        str | None, typer.Option(metavar="LABEL", help="Only this part of the question.")
+    ] = None,
+    show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    time_limit: _TimeLimit = 10.0,
+) -> None:
+    """Write the page that plays the motion of one file."""
+    from restitution.export.job import Playing
+
+    named = output is not None
+    if output is None:
+        stem = "standard-input" if file == "-" else Path(file).name.removesuffix(".impact")
+        output = f"{stem}-motion.html"
+    if show and output == "-":
+        raise typer.BadParameter("a page that is opened needs a file", param_hint="--open")
+    with interruptible(), worker_of(context.obj) as worker:
+        done = answer(worker, file, Playing(part), _limit(time_limit))
+        for message in done.messages:
+            say(message)
+        if done.content is None:
+            raise typer.Exit(done.status)
+        write_file(output, done.content.encode(), [file])
+    if not named:
+        say(f"{shown_name(output)}: written; open it in a browser")
+    if show:
+        import webbrowser
+
+        webbrowser.open(Path(output).resolve().as_uri())
+    raise typer.Exit(done.status)
 
 
 def _limit(seconds: float) -> float | None:

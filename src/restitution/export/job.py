@@ -49,6 +49,13 @@ class Drawing:
 
 
 @dataclass(frozen=True)
+class Playing:
+    """Its motion to be played on a page: that of the part with a label, or of all parts (None)."""
+
+    part: str | None = None
+
+
+@dataclass(frozen=True)
 class Setting:
     """A question to be set on a sheet."""
 
@@ -56,7 +63,7 @@ class Setting:
     options: Options
 
 
-Task: TypeAlias = Writing | Drawing | Setting
+Task: TypeAlias = Writing | Drawing | Playing | Setting
 
 
 @dataclass(frozen=True)
@@ -73,7 +80,7 @@ class Job:
 class Reply:
     """What was made, whether everything asked has an answer, and why an item has none.
 
-    ``content`` is a text (SVG for pictures), or the entry of a sheet.
+    ``content`` is a text (SVG for pictures, HTML for a motion), or the entry of a sheet.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end.
     """
@@ -110,7 +117,7 @@ def serve(job: Job) -> Reply:
     first = None if job.limit is None else job.limit * _FIRST
     with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)):
         solution = solve(job.problem)
-    label = job.task.part if isinstance(job.task, Writing) else None
+    label = job.task.part if isinstance(job.task, Writing | Playing) else None
     found = contract.solved(job.file, solution, label)
     errors = _errors(solution, label)
     tired = any(error.kind == TimeLimitError.kind for error in errors)
@@ -132,11 +139,16 @@ def serve(job: Job) -> Reply:
             from restitution.export.pictures import picture
 
             return Reply(picture(solution, event), answered, errors, tuple(found["warnings"]))
+        case Playing(part):
+            from restitution.export.player import play
+
+            made = play(solution, part).html
+            return Reply(made, answered, errors, tuple(found["warnings"]))
         case Setting(form, options):
             from restitution.export.sheet import entry
 
-            made = entry(solution, form, options)
-            return Reply(made, answered, errors, tuple(found["warnings"]))
+            one = entry(solution, form, options)
+            return Reply(one, answered, errors, tuple(found["warnings"]))
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:

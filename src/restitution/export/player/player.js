@@ -148,6 +148,18 @@ function bounds(motion) {
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
+// Bounds widened to hold some more points.
+function around([left, bottom, right, top], points) {
+  const xs = points.map(([x]) => x);
+  const ys = points.map(([, y]) => y);
+  return [
+    Math.min(left, ...xs),
+    Math.min(bottom, ...ys),
+    Math.max(right, ...xs),
+    Math.max(top, ...ys),
+  ];
+}
+
 function fastest(motion) {
   let most = 0;
   for (const { pieces } of motion.spheres) {
@@ -198,16 +210,21 @@ class Picture {
   // Makes all shapes anew: for another motion, or another size of the picture.
   lay(motion, width, height) {
     this.motion = motion;
-    const [left, bottom, right, top] = bounds(motion);
-    const margin = Math.min(46, 0.09 * width + 8);
-    const k = Math.min(
-      (width - 2 * margin) / (right - left || 1e-9),
-      (height - 2 * margin) / (top - bottom || 1e-9),
-    );
-    const middle = [(left + right) / 2, (bottom + top) / 2];
+    this.arrow = Math.min(0.2 * width, 0.34 * height, 150) / fastest(motion);
+    this.blowLength = Math.min(0.16 * width, 0.25 * height, 110);
+    const margin = Math.min(40, 0.08 * width + 6);
+    const fit = ([left, bottom, right, top]) => {
+      const k = Math.min(
+        (width - 2 * margin) / (right - left || 1e-9),
+        (height - 2 * margin) / (top - bottom || 1e-9),
+      );
+      return { k, middle: [(left + right) / 2, (bottom + top) / 2] };
+    };
+    const bare = bounds(motion);
+    const rough = fit(bare).k;
+    const { k, middle } = fit(around(bare, this.tips(motion, 1 / rough)));
     this.scale = k;
     this.at = ([x, y]) => [width / 2 + k * (x - middle[0]), height / 2 - k * (y - middle[1])];
-    this.arrow = Math.min(0.2 * width, 0.34 * height, 150) / fastest(motion);
     this.width = width;
     this.node.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.node.setAttribute("width", width);
@@ -232,6 +249,31 @@ class Picture {
       texts: [0, 1, 2, 3].map(() => this.add("text", "number")),
     }));
     this.blow = this.arrowhead("blow");
+    this.names = motion.spheres.map((sphere) => this.add("text", "name"));
+    motion.spheres.forEach((sphere, i) => this.names[i].append(sphere.name));
+  }
+
+  // Where arrows begin and end, in m, with so many metres for a pixel.
+  tips(motion, metre) {
+    const found = [];
+    const k = this.arrow * metre;
+    for (const { pieces } of motion.spheres) {
+      for (const [, , x, y, vx, vy] of pieces) found.push([x + vx * k, y + vy * k]);
+      const [start, end, x, y, vx, vy] = pieces.at(-1);
+      found.push([x + vx * (end - start + 0.6 * k), y + vy * (end - start + 0.6 * k)]);
+    }
+    for (const event of motion.events) {
+      for (const name of event.bodies) {
+        const sphere = motion.spheres.find((each) => each.name === name);
+        const place = placeAt(sphere, event.time);
+        found.push(plus(place, event.before[name], -k));
+        if (event.kind === "blow") {
+          const far = (this.blowLength * metre) / (size(event.impulse) || 1);
+          found.push(plus(place, event.impulse, -far));
+        }
+      }
+    }
+    return found;
   }
 
   add(name, kind) {
@@ -294,7 +336,7 @@ class Picture {
   roundWall(wall) {
     const [x, y] = this.at(wall.centre);
     const r = wall.radius * this.scale;
-    const place = this.motion.spheres.length ? placeAt(this.motion.spheres[0], 0) : wall.centre;
+    const place = this.motion.spheres.length ? placeAt(this.motion.spheres[0], this.motion.start) : wall.centre;
     const inside = size(plus(place, wall.centre, -1)) <= wall.radius * (1 + 1e-9);
     let hatching = "";
     const count = Math.max(24, Math.round((2 * Math.PI * r) / 9));
@@ -323,30 +365,27 @@ class Picture {
 
   disc(sphere, i) {
     const r = Math.max(sphere.radius * this.scale, DOT);
-    const name = svg("text", {}, sphere.name);
-    const group = svg(
-      "g",
-      { class: `sphere body${i % COLOURS}${sphere.radius ? "" : " dot"}` },
-      svg("circle", { r }),
-      name,
-    );
-    this.node.append(group);
-    return { group, name, r, key: null };
+    const kind = `sphere body${i % COLOURS}${sphere.radius ? "" : " dot"}`;
+    const node = svg("circle", { class: kind, r });
+    this.node.append(node);
+    return { node, r };
   }
 
-  // The name of a sphere stands beside it, where it is furthest from paths, arrows and neighbours.
-  nameBeside(disc, key, ways) {
-    if (disc.key === key) return;
-    disc.key = key;
+  // The name of a sphere stands where it is furthest from paths, arrows and neighbours: within the
+  // circle if there is room, else beside it.
+  nameAt(i, place, ways) {
     const used = ways.filter((way) => size(way) > 1e-9);
     const turns = [3, 1, 5, 7, 2, 6, 4, 0].map((eighth) => (eighth * Math.PI) / 4);
+    const angle = (way, out) => Math.acos(Math.max(-1, Math.min(1, dot(way, out) / size(way))));
     const room = (turn) => {
       const out = [Math.cos(turn), Math.sin(turn)];
-      return Math.min(2, ...used.map((way) => Math.acos(Math.max(-1, Math.min(1, dot(way, out) / size(way))))));
+      return Math.min(2, ...used.map((way) => angle(way, out)));
     };
     const best = turns.reduce((a, b) => (room(b) > room(a) + 1e-9 ? b : a));
-    disc.name.setAttribute("x", (disc.r + 11) * Math.cos(best));
-    disc.name.setAttribute("y", -(disc.r + 11) * Math.sin(best));
+    const { r } = this.discs[i];
+    const far = r >= 22 ? 0.62 * r : r + 11;
+    this.names[i].setAttribute("x", place[0] + far * Math.cos(best));
+    this.names[i].setAttribute("y", place[1] - far * Math.sin(best));
   }
 
   // Directions in which something is drawn at a sphere, y up.
@@ -356,14 +395,16 @@ class Picture {
     const v = [piece[4], piece[5]];
     const found = [v, [-v[0], -v[1]]];
     if (past) found.push([-past[4], -past[5]]);
-    if (!focus?.bodies.includes(sphere.name)) return found;
-    if (focus.kind === "impact") found.push(focus.line, [-focus.line[0], -focus.line[1]]);
-    if (components && focus.kind === "impact") {
-      const n = focus.line;
-      const share = (w, k) => {
-        const y = k * across(focus, w);
-        return [-n[1] * y, n[0] * y];
-      };
+    const k = focus?.bodies.indexOf(sphere.name) ?? -1;
+    if (k < 0) return found;
+    if (focus.kind === "blow") found.push([-focus.impulse[0], -focus.impulse[1]]);
+    if (focus.kind !== "impact") return found;
+    const n = focus.line;
+    const t = [-n[1], n[0]];
+    const towards = k ? [-n[0], -n[1]] : n; // where the other one is
+    found.push(n, [-n[0], -n[1]], plus(towards, t, 1), plus(towards, t, -1));
+    if (components) {
+      const share = (w, sign) => [t[0] * sign * across(focus, w), t[1] * sign * across(focus, w)];
       found.push(share(moment ? focus.after[sphere.name] : v, 1));
       if (moment) found.push(share(focus.before[sphere.name], -1));
     }
@@ -411,12 +452,11 @@ class Picture {
       const index = pieceAt(sphere, t);
       const piece = sphere.pieces[index];
       const place = places[i];
-      this.discs[i].group.setAttribute("transform", `translate(${place[0]} ${place[1]})`);
+      this.discs[i].node.setAttribute("cx", place[0]);
+      this.discs[i].node.setAttribute("cy", place[1]);
       this.trails[i].setAttribute("d", trails ? this.trail(sphere, index, place) : "M0 0");
       const takesPart = focus?.bodies.includes(sphere.name);
-      const ways = this.ways(sphere, index, focus, moment, components);
-      const neighbours = takesPart && focus.kind === "impact" && !focus.wall ? "met" : "";
-      this.nameBeside(this.discs[i], `${index} ${focus?.time} ${moment} ${components} ${neighbours}`, ways);
+      this.nameAt(i, place, this.ways(sphere, index, focus, moment, components));
       const { velocity, came } = this.arrows[i];
       if (velocities) this.pointTo(velocity, place, this.tip(place, [piece[4], piece[5]]));
       else this.hide(velocity);
@@ -468,8 +508,9 @@ class Picture {
     if (event?.kind === "blow") {
       const place = places[this.index(event.bodies[0])];
       const way = [event.impulse[0], -event.impulse[1]];
-      const length = Math.min(0.16 * this.width, 110) / (size(way) || 1);
-      this.pointTo(this.blow, plus(place, way, -length), plus(place, way, -6 / (size(way) || 1)));
+      const one = 1 / (size(way) || 1);
+      const from = plus(place, way, -this.blowLength * one);
+      this.pointTo(this.blow, from, plus(place, way, -6 * one));
     } else this.hide(this.blow);
     this.parts.forEach((part, k) => {
       const name = impact ? event.bodies[k] : undefined;
@@ -527,23 +568,25 @@ class Picture {
       else this.pointTo(arrow, plus(tip, by), plus(place, by));
     });
     const both = size(plus(first, place, -1)) > 3 && size(plus(second, place, -1)) > 3;
-    if (both) {
+    if (!both) pairs.forEach(([arrow]) => this.hide(arrow)); // it is the velocity itself
+    else {
       const box = `M${first[0]} ${first[1]}L${corner[0]} ${corner[1]}L${second[0]} ${second[1]}`;
       part.box.setAttribute("d", `${part.box.getAttribute("d")}${box}`);
     }
+    const beside = size(side) > 3 ? plus([0, 0], side, 12 / size(side)) : [0, 0];
     this.numbers(part, when ? 2 : 0, [
-      [first, x, place],
-      [second, y, place],
+      [first, x, place, beside],
+      [second, y, place, [0, 0]],
     ]);
   }
 
   numbers(part, offset, tips) {
     if (this.width < 440) return; // they stand in the table
-    tips.forEach(([tip, x, place], index) => {
+    tips.forEach(([tip, x, place, beside], index) => {
       const way = plus(tip, place, -1);
       const text = part.texts[offset + index];
       if (size(way) < 16) return;
-      const out = plus(tip, way, 13 / size(way));
+      const out = plus(plus(tip, way, 12 / size(way)), beside);
       text.setAttribute("x", out[0]);
       text.setAttribute("y", out[1]);
       text.append(figures(Math.abs(x)));
@@ -935,6 +978,7 @@ export class Player {
     this.width = width;
     this.seen = innerHeight;
     const [left, bottom, right, top] = bounds(this.motion);
+    // Neither a strip nor a tower, and with its controls on one screen.
     const shape = Math.max(1.15, Math.min(2.1, (right - left) / (top - bottom || 1e-9)));
     const height = Math.max(190, Math.min(width / shape, 0.62 * innerHeight));
     this.picture.lay(this.motion, width, Math.round(height));
