@@ -1,11 +1,29 @@
-"""Examples made up by Hypothesis: new ones at every run, but the same ones on the CI machine."""
+"""What all tests share: how Hypothesis makes up its examples, and a browser for pages."""
 
 from __future__ import annotations
 
 import os
+import shutil
+from typing import Any
 
+import pytest
 from hypothesis import settings
+
+# New examples at every run, but the same ones on the CI machine.
 
 settings.register_profile("repeatable", derandomize=True, print_blob=True)
 if os.environ.get("CI"):
     settings.load_profile("repeatable")
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+@pytest.fixture(scope="session")
+def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[str, Any]:
+    """The machine's own Chromium, for pytest-playwright; tests that need it say so by ``page``."""
+    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if found is None:
+        reason = f"no browser: none of {', '.join(BROWSERS)} is installed"
+        pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
+    # Without a sandbox it runs in containers too; it opens nothing but pages made by these tests.
+    return {**browser_type_launch_args, "executable_path": found, "args": ["--no-sandbox"]}

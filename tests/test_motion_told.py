@@ -1,0 +1,397 @@
+"""The motion of every solved statement: against the principles, the answers and plain geometry."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import restitution as r
+from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.tree import Name, Quantity
+from restitution.motion.overlap import overlaps
+from restitution.motion.pieces import Circle, Line, Motion, Piece, Struck, Track
+from restitution.motion.told import Told, motions
+from restitution.problem import Value
+from restitution.solve import Solution
+from restitution.vector import Vector
+
+ROOT = Path(__file__).parent.parent
+FILES = [
+    path
+    for folder in ("src/restitution/examples", "tests/questions")
+    for path in sorted((ROOT / folder).glob("*.impact"))
+]
+every = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+
+
+def solved(text: str) -> Solution:
+    return r.solve(r.parse(text))
+
+
+@cache
+def shown(path: Path) -> tuple[Solution | None, tuple[Told, ...], RestitutionError | None]:
+    """The motions of a statement, or why there are none."""
+    try:
+        solution = solved(path.read_text(encoding="utf-8"))
+    except RestitutionError as error:
+        return None, (), error
+    try:
+        return solution, motions(solution), None
+    except RestitutionError as error:
+        return solution, (), error
+
+
+def told(path: Path) -> tuple[Told, ...]:
+    return shown(path)[1]
+
+
+def size(v: Vector) -> float:
+    return math.hypot(v.x, v.y)
+
+
+def extent(motion: Motion) -> float:
+    places = [p for t in motion.tracks for x in t.pieces for p in (x.place, x.at(x.end))]
+    for wall in motion.walls:
+        if isinstance(wall, Line):
+            places += wall.points
+        else:
+            places += [wall.centre + d * wall.radius for d in (Vector(1, 1), Vector(-1, -1))]
+    xs, ys = zip(*places, strict=True)
+    return math.hypot(max(xs) - min(xs), max(ys) - min(ys))
+
+
+def track(motion: Motion, name: str) -> Track:
+    return next(each for each in motion.tracks if each.name == name)
+
+
+# --- all statements -----------------------------------------------------------------------------
+
+
+@every
+def test_there_is_a_motion_or_a_reason(path):
+    solution, found, error = shown(path)
+    if found:
+        return
+    assert error is not None
+    if solution is not None and any(part.branches for part in solution.parts.values()):
+        assert isinstance(error, UnsupportedError)
+        assert error.message.startswith("no motion can be shown: e would be ")
+
+
+@every
+def test_pieces_join_and_fill_the_time(path):
+    for each in told(path):
+        motion = each.motion
+        far = extent(motion)
+        assert motion.end > motion.start
+        assert motion.tracks
+        for one in motion.tracks:
+            assert one.pieces[0].start == pytest.approx(motion.start, abs=1e-9)
+            assert one.pieces[-1].end == pytest.approx(motion.end, abs=1e-9)
+            for before, after in itertools.pairwise(one.pieces):
+                assert before.end == after.start
+                assert size(before.at(before.end) - after.place) < 1e-9 * far
+            for piece in one.pieces:
+                assert all(map(math.isfinite, (*piece.place, *piece.velocity)))
+
+
+@every
+def test_velocities_change_as_the_events_say_and_only_then(path):
+    for each in told(path):
+        motion = each.motion
+        changes: dict[str, list[tuple[float, Vector, Vector]]] = {t.name: [] for t in motion.tracks}
+        for hit in motion.impacts:
+            for name, before, after in zip((hit.first, hit.second), hit.before, hit.after):
+                if name in changes:
+                    changes[name].append((hit.time, before, after))
+        for blow in motion.blows:
+            changes[blow.body].append((blow.time, blow.before, blow.after))
+        for one in motion.tracks:
+            quick = max(size(p.velocity) for p in one.pieces) or 1.0
+            span = motion.end - motion.start
+            for before, after in itertools.pairwise(one.pieces):
+                if size(before.velocity - after.velocity) < 1e-12 * quick:
+                    continue
+                assert any(
+                    abs(time - after.start) < 1e-9 * span
+                    and size(u - before.velocity) < 1e-9 * quick
+                    and size(v - after.velocity) < 1e-9 * quick
+                    for time, u, v in changes[one.name]
+                )
+
+
+@every
+def test_impacts_keep_the_principles(path):
+    for each in told(path):
+        for hit in each.motion.impacts:
+            (u1, u2), (v1, v2), c = hit.before, hit.after, hit.line_of_centres
+            quick = max(map(size, (u1, u2, v1, v2)))
+            assert size(c) == pytest.approx(1)
+            assert (u1 - u2).dot(c) > 0, "they approach"
+            assert (v2 - v1).dot(c) == pytest.approx(hit.e * (u1 - u2).dot(c), abs=1e-9 * quick)
+            assert v1.cross(c) == pytest.approx(u1.cross(c), abs=1e-9 * quick)
+            assert v2.cross(c) == pytest.approx(u2.cross(c), abs=1e-9 * quick)
+            spheres = [name for name in (hit.first, hit.second) if name in each.bodies]
+            if len(spheres) == 2 and set(spheres) <= set(each.masses):
+                m1, m2 = (each.masses[name] for name in spheres)
+                change = (v1 - u1) * m1 + (v2 - u2) * m2
+                assert size(change) < 1e-9 * quick * (m1 + m2)
+                assert size(hit.impulse - (v2 - u2) * m2) < 1e-9 * quick * m2
+
+
+@every
+def test_bodies_touch_at_their_impacts(path):
+    for each in told(path):
+        motion = each.motion
+        near = 1e-6 * extent(motion)
+        for hit in motion.impacts:
+            first = track(motion, hit.first)
+            centre = first.at(hit.time)
+            assert size(hit.place - centre - hit.line_of_centres * first.radius) < near
+            walls = [wall for wall in motion.walls if wall.name == hit.second]
+            if not walls:
+                second = track(motion, hit.second)
+                apart = second.at(hit.time) - centre
+                reach = first.radius + second.radius
+                assert size(apart - hit.line_of_centres * reach) < near
+            elif isinstance(walls[0], Circle):
+                gap = abs(size(hit.place - walls[0].centre) - walls[0].radius)
+                assert gap < near
+            else:
+                a, b = walls[0].points
+                assert to_segment(hit.place, a, b) < near
+                assert abs((b - a).dot(hit.line_of_centres)) < 1e-9 * size(b - a)
+
+
+def to_segment(p: Vector, a: Vector, b: Vector) -> float:
+    way = b - a
+    share = min(1.0, max(0.0, (p - a).dot(way) / way.dot(way)))
+    return size(p - a - way * share)
+
+
+@every
+def test_spheres_meet_no_other_sphere(path):
+    for each in told(path):
+        motion = each.motion
+        slack, span = 1e-6 * extent(motion), motion.end - motion.start
+        for one, other in itertools.combinations(motion.tracks, 2):
+            hits = [h.time for h in motion.impacts if {h.first, h.second} == {one.name, other.name}]
+            for a, b in itertools.product(one.pieces, other.pieces):
+                start, end = max(a.start, b.start), min(a.end, b.end)
+                if end <= start:
+                    continue
+                gap, way = a.at(start) - b.at(start), a.velocity - b.velocity
+                nearest = start
+                if way.dot(way):
+                    nearest = min(end, max(start, start - gap.dot(way) / way.dot(way)))
+                least = size(gap + way * (nearest - start))
+                if one.radius + other.radius > 0:
+                    assert least > one.radius + other.radius - slack
+                elif least < slack / 10:
+                    assert any(abs(nearest - t) < 1e-5 * span for t in [*hits, motion.start])
+
+
+@every
+def test_spheres_stay_on_one_side_of_walls(path):
+    for each in told(path):
+        motion = each.motion
+        slack = 1e-6 * extent(motion)
+        for one, wall in itertools.product(motion.tracks, motion.walls):
+            for piece in one.pieces:
+                times = [piece.start + k / 40 * (piece.end - piece.start) for k in range(41)]
+                places = [piece.at(t) for t in times]
+                if isinstance(wall, Circle):
+                    offs = [size(p - wall.centre) - wall.radius for p in places]
+                    assert all(abs(x) > one.radius - slack for x in offs)
+                    assert min(offs) > -slack or max(offs) < slack
+                    continue
+                a, b = wall.points
+                assert all(to_segment(p, a, b) > one.radius - slack for p in places)
+                beside = [p for p in places if 0 < (p - a).dot(b - a) < (b - a).dot(b - a)]
+                sides = [(b - a).cross(p - a) / size(b - a) for p in beside]
+                assert not sides or min(sides) > -slack or max(sides) < slack
+
+
+@every
+def test_answers_about_the_end_are_those_of_the_motion(path):
+    """Velocities, places and times that are asked, in numbers, are seen."""
+    solution, found, _ = shown(path)
+    for each in found:
+        if solution is None or solution.parts[each.labels[-1]] is not each.part:
+            continue
+        numbers = dict(each.events)
+        for item in each.part.items:
+            answer = next((a for a in item.answers if a.solution == each.branch.number), None)
+            if answer is None or answer.decimal is None or not isinstance(item.item, Value):
+                continue
+            asked = item.item.expression
+            if not isinstance(asked, Quantity) or not asked.arguments:
+                continue
+            name = asked.arguments[0]
+            if asked.kind == "velocity" and asked.stage is None and is_last(each, item):
+                body = name.name if isinstance(name, Name) else ""
+                if body in each.bodies:
+                    last = track(each.motion, body).pieces[-1].velocity
+                    assert tuple(last) == pytest.approx(answer.decimal, abs=1e-6)
+            elif asked.kind == "time":
+                number = next((n for n in numbers if item.text.strip() == f"time({n})"), None)
+                if number is not None:
+                    assert numbers[number].time == pytest.approx(answer.decimal, abs=1e-6)
+
+
+def is_last(each: Told, item: object) -> bool:
+    """Whether an item is asked after all events of its part."""
+    items = [x for step in each.part.part.steps[-1:] for x in getattr(step, "items", ())]
+    return any(x is item.item for x in items)  # type: ignore[attr-defined]
+
+
+# --- single ones --------------------------------------------------------------------------------
+
+
+def only(text: str) -> Told:
+    (found,) = motions(solved(text))
+    return found
+
+
+def test_a_distance_at_a_time_is_seen():
+    """Two seconds after: by hand, A has −2i + 3j and B i + j, so they are √13 · 2 apart."""
+    text = (
+        "sphere A: mass 1, velocity 4i + 3j\nsphere B: mass 2, velocity -2i + j\n"
+        "A hits B: along i, e = 1/2\nfind distance(A, B, at 2)\n"
+    )
+    motion = only(text).motion
+    assert motion.end > 2
+    assert motion.impacts[0].time == pytest.approx(0, abs=1e-12)
+    (a, _), (b, _) = motion.at(2.0).values()
+    assert size(a - b) == pytest.approx(2 * math.sqrt(13))
+
+
+def test_given_places_and_times_are_kept():
+    motion = only((ROOT / "src/restitution/examples/meeting-again.impact").read_text()).motion
+    assert [hit.time for hit in motion.impacts] == pytest.approx([1, 7 / 3, 19 / 3])
+    assert motion.at(3.0)["B"][0] == pytest.approx((10 - 2 / 3, 0))
+
+
+def test_the_radius_that_is_given_is_kept():
+    text = (
+        "sphere A, B: mass m, radius 1\nsphere A: at (0, 0), velocity 5i\n"
+        "sphere B: at (6.6, 1.2), at rest\nA hits B: e = 1/2\nfind time(1)\n"
+    )
+    motion = only(text).motion
+    assert {one.radius for one in motion.tracks} == {1.0}
+    # The centres are 2 apart, 1.2 across the path and so 1.6 along it: 5 m at 5 m/s.
+    assert motion.impacts[0].time == pytest.approx(1)
+
+
+def test_it_ends_before_an_impact_that_is_not_told():
+    text = (
+        "sphere A, B: mass 1\nsphere A: velocity 3i\nsphere B: at rest\nwall W: along j\n"
+        "A hits B: along i, e = 1/2\nB hits W: e = 1\nfind velocity(B)\n"
+    )
+    motion = only(text).motion
+    assert any("A" in note and "next" in note for note in motion.notes)
+    assert overlaps(motion, extent(motion)) == []
+
+
+def test_a_blow_from_outside_has_its_impulse():
+    text = "sphere P: mass 2, at rest\nP receives 4i - 6j\nfind velocity(P)\n"
+    (blow,) = only(text).motion.blows
+    assert (blow.before, blow.after, blow.impulse) == ((0, 0), (2, -3), (4, -6))
+
+
+def test_spheres_that_have_nothing_to_do_with_one_another_are_shown_apart():
+    text = (
+        "wall V: along i\nwall W: along j\nsphere P: velocity i - j\nsphere Q: velocity i + j\n"
+        "P hits V: e = 1\nQ hits W: e = 1\nfind velocity(P), velocity(Q)\n"
+    )
+    assert [each.bodies for each in motions(solved(text))] == [("P",), ("Q",)]
+
+
+def test_solutions_and_parts_have_motions_of_their_own():
+    text = (
+        "wall W: along i\nsphere P: mass 1, velocity 4i - 3j\npart a\nP hits W: e = 1/3\n"
+        "find speed(P)\npart b\nsphere Q: mass 1, at rest\nP hits Q: along i, e = 1\n"
+        "find velocity(P)\n"
+    )
+    first, second = motions(solved(text))
+    assert (first.labels, len(first.motion.impacts)) == (("a",), 1)
+    assert (second.labels, len(second.motion.impacts)) == (("b",), 2)
+    assert motions(solved(text), "a")[0].labels == ("a",)
+    with pytest.raises(KeyError):
+        motions(solved(text), "c")
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("sphere A: mass 1, velocity 2i\nfind energy(A)\n", "no event is told"),
+        (
+            (
+                "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\n"
+                "given velocity(P) = 3i + 8j\nfind e\n"
+            ),
+            "e would be 2",
+        ),
+    ],
+)
+def test_why_there_is_none(text, reason):
+    with pytest.raises(UnsupportedError, match=f"no motion can be shown: {reason}"):
+        motions(solved(text))
+
+
+# --- overlaps -----------------------------------------------------------------------------------
+
+
+def straight(name: str, place: Vector, velocity: Vector, radius: float = 0.5) -> Track:
+    return Track(name, radius, 1.0, (Piece(0.0, 10.0, place, velocity),))
+
+
+def test_an_overlap_of_spheres_has_its_times():
+    """Centres 6 apart close at 2 m/s: 1 m apart after 2.5 s, and again after 3.5 s."""
+    tracks = (
+        straight("A", Vector(0.0, 0.0), Vector(1.0, 0.0)),
+        straight("B", Vector(6.0, 0.0), Vector(-1.0, 0.0)),
+    )
+    (found,) = overlaps(Motion(tracks, (), (), 0.0, 10.0), 10.0)
+    assert (found.first, found.second) == ("A", "B")
+    assert (found.start, found.end) == pytest.approx((2.5, 3.5), abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("place", "expected"),
+    [
+        ((0.0, -3.0), (2.5, 3.5)),  # through the middle of the wall
+        ((1.0, -3.0), (2.5, 3.5)),  # past its very end
+        ((1.3, -3.0), (2.6, 3.4)),  # its end is 0.3 from the path
+        ((1.6, -3.0), None),
+    ],
+)
+def test_an_overlap_with_a_wall_knows_its_ends(place, expected):
+    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    sphere = straight("P", Vector(*place), Vector(0.0, 1.0))
+    found = overlaps(Motion((sphere,), (), (wall,), 0.0, 10.0), 10.0)
+    times = [(each.start, each.end) for each in found]
+    assert times == ([] if expected is None else [pytest.approx(expected, abs=1e-5)])
+
+
+def test_points_overlap_where_they_pass_through_a_wall():
+    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    sphere = straight("P", Vector(0.0, -3.0), Vector(0.0, 1.0), 0.0)
+    (found,) = overlaps(Motion((sphere,), (), (wall,), 0.0, 10.0), 10.0)
+    assert found.start <= 3 <= found.end
+
+
+def test_an_impact_that_is_told_is_no_overlap():
+    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    pieces = (
+        Piece(0.0, 3.0, Vector(0.0, -3.0), Vector(0.0, 1.0)),
+        Piece(3.0, 10.0, Vector(0.0, 0.0), Vector(0.0, -0.5)),
+    )
+    up, still = Vector(0.0, 1.0), Vector(0.0, 0.0)
+    hit = Struck(3.0, "P", "W", still, up, 0.5, up * 1.5, (up, still), (up * -0.5, still))
+    motion = Motion((Track("P", 0.0, 1.0, pieces),), (hit,), (wall,), 0.0, 10.0)
+    assert overlaps(motion, 10.0) == []
