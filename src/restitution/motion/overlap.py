@@ -148,7 +148,8 @@ def _between(x: float, rate: float, low: float, high: float) -> _Interval | None
 def _round(
     track: Track, piece: Piece, wall: Circle, tolerance: float
 ) -> Iterator[_Interval | None]:
-    middle = piece.at((piece.start + piece.end) / 2)
+    first = track.pieces[0]
+    middle = first.at((first.start + first.end) / 2)  # on the rim at either end, perhaps
     if math.hypot(*(middle - wall.centre)) > wall.radius:
         reach = _reach(wall.radius + track.radius, tolerance)
         yield _in_disc(piece.place, piece.velocity, wall.centre, reach)

@@ -27,7 +27,15 @@ from restitution.staging import flights, values
 from restitution.staging.flights import Given, Move
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.staging.plan import Leg
-from restitution.staging.planning import box, connected, free_way, raise_walls, stop_of, wall_lines
+from restitution.staging.planning import (
+    box,
+    connected,
+    ends_at_wall,
+    free_way,
+    raise_walls,
+    stop_of,
+    wall_lines,
+)
 from restitution.staging.walls import Line as Wall
 from restitution.vector import Vector
 
@@ -460,8 +468,8 @@ def _performed(stage: _Stage, short: bool) -> Motion:
             start = max(
                 start, stage.times[own[0].number] - _free_time(stage, own[0], body, lines, -1)
             )
-        if own[-1].kind == "arrival" and own[-1].wall is not None:
-            end = min(end, max(stage.times.values()))  # what happens there is not told
+        if ends_at_wall(own[-1], given, on_paper, body, scale):
+            end = min(end, max(stage.times.values()))
         elif not given.placed:
             end = min(end, stage.times[own[-1].number] + _free_time(stage, own[-1], body, lines, 1))
     start = min(start, *stage.times.values())

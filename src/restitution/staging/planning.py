@@ -410,7 +410,7 @@ def _loose_ends(
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - far)
             legs.append(Leg(body, 0, "approach", end + way * far, end))
         last = own[-1].after[body] if own else first
-        if not still(last) and not (own and _ends_at_wall(own[-1], given, where, body, scale)):
+        if not still(last) and not (own and ends_at_wall(own[-1], given, where, body, scale)):
             start = where[body, own[-1].number] if own else given.starts[body] * scale
             way, skip = unit(last), own[-1].wall if own else None
             onward = _onward(start, way, lines, skip) if given.placed else None
@@ -444,7 +444,7 @@ def _approach(
     return usual
 
 
-def _ends_at_wall(
+def ends_at_wall(
     move: Move,
     given: Given,
     where: Mapping[tuple[str, int], Vector],
