@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from restitution.motion import Table, simulate
     from restitution.motion.batch import impacts
     from restitution.motion.ensemble import ensemble
+    from restitution.motion.gas import Gas
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 __all__ = [
     "CollapseError",
     "ContradictionError",
+    "Gas",
     "ImpossibleError",
     "MissingError",
     "Point",
@@ -89,6 +91,7 @@ _NAMES_OF_MODULES = {
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
+    "motion.gas": ("Gas",),
     "motion.batch": ("impacts",),
     "motion.ensemble": ("ensemble",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
