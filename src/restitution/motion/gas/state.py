@@ -13,7 +13,7 @@ from restitution.motion.contact import TOLERANCE
 from restitution.motion.gas import kernel as k
 
 # Cells hold this many discs on average where the gas is so thin that they may be larger than discs.
-PER_CELL = 0.8
+PER_CELL = 0.7
 
 # A periodic box has at least so many cells, that a disc meets only one image of each other.
 FEWEST_CELLS = 4
