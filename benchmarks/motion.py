@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import argparse
 import math
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -169,8 +171,8 @@ def start(discs: int, packing: float = PACKING) -> Start:
     return Start(side, (lattice + 0.5) * room + shaken, rng.normal(0, SPEED, (discs, 2)))
 
 
-def gas_rate(begin: Start) -> Rate | None:
-    """The package's own; None as long as it has none."""
+def gas_rate(begin: Start, threads: int = 1) -> Rate | None:
+    """The package's own, a slice at a turn; None as long as it has none."""
     return None
 
 
@@ -257,7 +259,6 @@ def gas(turns: int) -> Iterator[Row]:
     for discs, goal in (100, 1000), (1000, 8000):
         yield from rates(f"`billiards`, {discs} discs", billiards_rate, start(discs), goal, turns)
     yield from rates("`pymunk` at dt = 0.01, 1000 discs", pymunk_rate, start(1000), 8, turns)
-    yield from errors_of_throws()
 
 
 def rates(
@@ -272,10 +273,57 @@ def rates(
     yield Row(f"{peer}: impacts a second", measured["peer"], None)
 
 
+def scale(turns: int) -> Iterator[Row]:
+    """The package's own at 10³ and 10⁶ discs, with one thread and two."""
+    small, large = start(1000), start(10**6)
+    made = {
+        "10³": gas_rate(small),
+        "10⁶": gas_rate(large),
+        "10⁶ by two": gas_rate(large, threads=2),
+        "10³, dense": gas_rate(start(1000, 0.6)),
+        "10⁶, dense": gas_rate(start(10**6, 0.6)),
+    }
+    contenders = {name: rate for name, rate in made.items() if rate}
+    if len(contenders) < len(made):
+        return
+    measured = taking_turns(contenders, turns)
+    one = measured["10⁶"]
+    yield Row("gas of 10⁶ discs over one of 10³", quotients(one, measured["10³"]), 0.4)
+    yield Row("gas of 10⁶ discs, two threads over one", quotients(measured["10⁶ by two"], one), 1.4)
+    yield Row("gas of 10³, packing 0.6: impacts a second", measured["10³, dense"], 3e6)
+    yield Row("gas of 10⁶, packing 0.6: impacts a second", measured["10⁶, dense"], 1.4e6)
+
+
+# --- a second process ----------------------------------------------------------------------------
+
+FIRST_RESULTS = {
+    "batch of 10⁶": """
+import numpy as np
+from restitution import impacts
+impacts(np.ones((10**6, 2)), (0, 0), (1, 0), 1, 0, 0.5)
+""",
+}
+"""What a process is to do, by what it is called; none of it compiles when the cache is filled."""
+
+
+def cold(turns: int) -> Iterator[Row]:
+    """Seconds from the start of an interpreter to the end of its first result."""
+    runs = {
+        name: lambda code=code: seconds(
+            lambda: subprocess.run([sys.executable, "-c", code], check=True)
+        )
+        for name, code in FIRST_RESULTS.items()
+    }
+    for name, took in taking_turns(runs, max(3, turns // 3)).items():
+        yield Row(f"second process, {name}: seconds", took, 3, at_most=True)
+
+
+# --- how exact -----------------------------------------------------------------------------------
+
 THROWS = 200
 
 
-def errors_of_throws() -> Iterator[Row]:
+def exact(_: int) -> Iterator[Row]:
     """Velocities after an impact of two discs, against exact ones: difference over speed before."""
     rng = np.random.default_rng(7)
     theirs, ours = [], []
@@ -324,7 +372,13 @@ def throw(rng: np.random.Generator) -> tuple[Start, float, np.ndarray]:
     return begin, math.ceil(float(moment) / STEP + 10) * STEP, velocities
 
 
-SECTIONS: dict[str, Callable[[int], Iterator[Row]]] = {"batch": batch, "gas": gas}
+SECTIONS: dict[str, Callable[[int], Iterator[Row]]] = {
+    "batch": batch,
+    "gas": gas,
+    "scale": scale,
+    "exact": exact,
+    "cold": cold,
+}
 
 if __name__ == "__main__":
     main()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import pickle
 import random
@@ -10,8 +11,11 @@ import subprocess
 import sys
 import time
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from itertools import count, islice
+from importlib.util import module_from_spec, spec_from_file_location
+from itertools import count, islice, pairwise
 from multiprocessing import get_context
+from pathlib import Path
+from statistics import median
 from textwrap import dedent
 
 import numpy as np
@@ -19,6 +23,8 @@ import pytest
 
 from restitution import RestitutionError, StatementError, ensemble
 from restitution.motion.ensemble import EnsembleInterrupt, Failure
+
+EXAMPLE = Path(__file__).parents[1] / "docs" / "examples" / "break_shot.py"
 
 
 class Inline(Executor):
@@ -173,7 +179,7 @@ def test_summary():
     assert lines[1].startswith("  case 0, 'xxx") and len(lines[1]) < 190
     assert lines[-1] == "  and 5 more in .failures"
     assert len(lines) == 7
-    assert str(ensemble(square, [1], Inline())) == "1 cases: 1 worked out, 0 failed"
+    assert str(ensemble(square, [1], Inline())) == "1 case: 1 worked out, 0 failed"
 
 
 def test_a_value_that_cannot_be_sent_costs_its_own_case_only():
@@ -328,3 +334,51 @@ def test_progress(capfd):
 
 def test_failure_shows_itself_shortly():
     assert repr(Failure(1, 2, "E: x", "long" * 100)) == "Failure(index=1, case=2, error='E: x')"
+
+
+# --- the worked example --------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def example():
+    spec = spec_from_file_location("break_shot", EXAMPLE)
+    module = module_from_spec(spec)
+    sys.modules[spec.name] = module  # where its dataclasses look for their types
+    spec.loader.exec_module(module)
+    yield module
+    del sys.modules[spec.name]
+
+
+def test_first_hit_of_a_break_shot(example):
+    """By the triangle of the foremost ball, the place of the hit and the start of the cue ball."""
+    way = example.LENGTH / 2
+    for aim in (-0.02, -0.004, 0.0, 0.013, 0.03):
+
+        def after(aim):
+            between = math.asin(way * math.sin(aim) / (2 * example.RADIUS))
+            along = example.SPEED * math.cos(between) * (1 - example.E) / 2
+            across = example.SPEED * math.sin(between)
+            return aim - between + math.atan2(across, along)
+
+        first = example.shot(aim)[0]
+        assert first.angle == pytest.approx(after(aim), abs=1e-12)
+        slope = abs(after(aim + 1e-6) - after(aim - 1e-6)) / 2e-6
+        assert first.slope == pytest.approx(slope, rel=1e-2)
+        assert first.number == 1
+
+
+def test_break_shots_drift_apart(example):
+    """Every hit makes a small difference several times as large, and the mirror image is one."""
+    shots = [
+        ensemble(example.shot, [side * k / 700 for k in range(1, 12)]).all_values()
+        for side in (1, -1)
+    ]
+    for left, right in zip(*shots):
+        for one, other in zip(left[:3], right[:3]):
+            assert math.remainder(one.angle + other.angle, math.tau) == pytest.approx(
+                0, abs=1e-13 * one.slope
+            )
+    medians = [
+        median(hits[n].slope for hits in shots[0] if len(hits) > n) for n in range(example.HITS)
+    ]
+    assert all(later > 3 * sooner for sooner, later in pairwise(medians))

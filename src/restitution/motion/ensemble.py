@@ -33,6 +33,7 @@ from typing import Any, Generic, TypeVar
 
 from restitution.errors import RestitutionError, StatementError
 from restitution.motion.progress import progress as progress_bar
+from restitution.motion.table import counted
 
 T = TypeVar("T")
 
@@ -87,7 +88,7 @@ class Ensemble(Generic[T]):
         counts = [f"{done} worked out", f"{len(self.failures)} failed"]
         if self.missing:
             counts.append(f"{len(self.missing)} not begun or not finished")
-        lines = [f"{len(self.values)} cases: {', '.join(counts)}"]
+        lines = [f"{counted(len(self.values), 'case')}: {', '.join(counts)}"]
         if self.stopped:
             lines.append(f"  stopped: {self.stopped}")
         for each in self.failures[:_SHOWN]:
