@@ -612,6 +612,19 @@ def test_where_two_walls_continue_each_other(exact):
     assert run.at(2)["P"].velocity == (1, 1)
 
 
+@pytest.mark.parametrize("slope", [0.0, 1e-15, 1e-12, 1e-9, 3e-8, 1e-7, 1e-4])
+def test_a_gap_as_wide_as_the_sphere(slope):
+    """Whether it meets the end of a wall or only grazes it, the sphere does not sink in."""
+    walls = [
+        Wall("W", start=(-9, 1), end=(9, 1)),
+        Wall("V", start=(0, -1), end=(4, -1)),
+    ]
+    table = Table([sphere("P", (-2.0, 0.0), (1.0, -slope), radius=1)], walls)
+    run = simulate(table, until=9.0, impacts=200)
+    for n in range(101):
+        assert overlap(run, run.end * n / 100) < 1e-12
+
+
 @KINDS
 def test_simultaneous_impacts_of_separate_pairs(exact):
     balls = [

@@ -101,9 +101,16 @@ class Face(NamedTuple):
         if speed <= 0:
             return None
         gap = side * self.height(place) - radius
-        after = gap / speed if gap > 0 else gap - gap
-        if self.bounded:
-            foot = self.along.dot(place + velocity * after - self.start) / self.length
-            if foot < -rounding or foot > self.length + rounding:
-                return None
-        return Contact(after, gap if gap > 0 else after)
+        apart = gap if gap > 0 else gap - gap
+        after = apart / speed
+        if not self.bounded:
+            return Contact(after, apart)
+        foot = self.along.dot(place + velocity * after - self.start) / self.length
+        beyond = max(-foot, foot - self.length)
+        if beyond <= rounding:
+            return Contact(after, apart)
+        # So low it meets the end of the wall, unless that is only grazed: then it comes over it.
+        back = self.along.dot(velocity) / self.length * (1 if foot < 0 else -1)
+        if back <= 0 or apart - gap + speed * beyond / back > 2 * rounding:
+            return None
+        return Contact(after + beyond / back, apart - apart)

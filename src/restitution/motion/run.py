@@ -121,7 +121,8 @@ class _Course:
         # The speeds that a velocity was made from: it is exact to TOLERANCE times these.
         self.speeds = [_size(ball.velocity) for ball in self.balls]
         self.in_a_row = [0] * len(self.balls)
-        self.quiet = 0
+        # Pairs in contact whose approach is rounding; until one of them has a true impact.
+        self.at_rest: set[tuple[int, int]] = set()
         self.struck: list[Struck] = []
         self.due: list[_Due] = []
         for i in range(len(self.balls)):
@@ -163,6 +164,9 @@ class _Course:
         """Foresee the impacts of a sphere with others, from now."""
         place, velocity = self.place(ball), self.velocity(ball)
         for other in others:
+            first, second = sorted((ball, other))
+            if (first, second) in self.at_rest:
+                continue
             ahead = (
                 self.with_sphere(ball, other, place, velocity)
                 if other < len(self.balls)
@@ -171,7 +175,6 @@ class _Course:
             if ahead is None:
                 continue
             contact, rounding, speed = ahead
-            first, second = sorted((ball, other))
             moment = self.kind.later(self.now, contact.after)
             leeway = rounding / speed if rounding else 0
             changes = self.changes_of(first, second)
@@ -282,10 +285,17 @@ class _Course:
             self.refuse_collapse(due, e, faint=faint, slides=slides)
         if approach <= 0:
             return
+        faint = faint and not self.kind.exact
+        if faint:  # take away what rounding left of it
+            e = 0
+            self.at_rest.add((first, second))
+        elif self.at_rest:
+            balls = {first, second} if w2 else {first}
+            self.at_rest = {pair for pair in self.at_rest if balls.isdisjoint(pair)}
         on_second = law.impulse(u1, u2, w1, w2, c, e)
         v1, v2 = law.after_impulse(u1, u2, w1, w2, on_second)
         unit = c / length
-        if self.kind.exact or not faint:
+        if not faint:
             self.struck.append(
                 Struck(
                     self.kind.time(self.now),
@@ -300,13 +310,14 @@ class _Course:
             )
         struck = [(first, u1, v1, w1), (second, u2, v2, w2)][: 2 if w2 else 1]
         for ball, u, v, w in struck:
+            made = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
+            if _size(v) <= TOLERANCE * made and not self.kind.exact:
+                v = Vector(0.0, 0.0)  # at rest, but for rounding
             self.stretches[ball].append(_Stretch(self.now, self.place(ball), v))
             self.changes[ball] += 1
-            made = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
             self.speeds[ball] = max(made, self.speeds[ball] if faint else 0)
             if not faint:
                 self.in_a_row[ball] = self.in_a_row[ball] + 1 if touching else 0
-        self.quiet = self.quiet + 1 if faint else 0
         for ball, *_ in struck:
             others = set(range(self.bodies)) - {ball}
             if (first, second) not in self.inside:  # they part now, or stay together
@@ -331,7 +342,7 @@ class _Course:
         if slides and (due.first, due.second) in self.inside:
             what = f"{names[0]} comes to slide along {names[1]}, in impacts without end"
         elif (
-            max(row, self.quiet) >= MOST_IN_A_ROW
+            row >= MOST_IN_A_ROW
             or (e < 1 and row >= MOST_WITH_LOSS)
             or (e < 1 and row >= SURE_AT_REST and faint)
         ):
