@@ -26,7 +26,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import heapify, heappop, heappush
 from math import hypot
-from numbers import Integral
+from operator import index
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from restitution import law
@@ -66,7 +66,11 @@ def simulate(table: Table, *, until: Any = None, impacts: int | None = None) -> 
 def _checked(table: Table, until: Any, impacts: int | None) -> tuple[Any, int | None]:
     if until is None and impacts is None:
         raise StatementError("a motion has an end: say until=… (s), or impacts=… (how many)")
-    if impacts is not None and not (isinstance(impacts, Integral) and impacts >= 0):
+    try:
+        negative = impacts is not None and index(impacts) < 0
+    except TypeError:
+        negative = True
+    if negative:
         raise StatementError(f"the number of impacts is a whole number from 0, not {impacts!r}")
     if until is None:
         return None, impacts
