@@ -17,26 +17,16 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.expression.tree import AtTime, Name, Quantity, walk
-from restitution.motion.overlap import Overlap, overlaps
-from restitution.motion.pieces import Blow, Circle, Line, Motion, Piece, Reached, Struck, Track
+from restitution.expression.tree import AtTime, Quantity, walk
+from restitution.motion.performance import WIDTH, Attempt, Event, Stage, cleared, numbered
+from restitution.motion.pieces import Motion
 from restitution.problem import Arrival, Impact, Kick, Problem, trees
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.staging import flights, values
 from restitution.staging.flights import Given, Move
-from restitution.staging.geometry import floats, length, still, unit
-from restitution.staging.plan import Leg
-from restitution.staging.planning import (
-    box,
-    connected,
-    ends_at_wall,
-    free_way,
-    raise_walls,
-    stop_of,
-    wall_lines,
-)
-from restitution.staging.walls import Line as Wall
+from restitution.staging.geometry import floats, length, still
+from restitution.staging.planning import box, connected
 from restitution.vector import Vector
 
 # Where nothing is said of lengths they are chosen in units that a plan on paper has: the radius of
@@ -44,7 +34,8 @@ from restitution.vector import Vector
 _RADIUS, _AMONG_WALLS = 4.5, 3.0
 _APPROACH, _FLIGHT, _EXIT = 30.0, 30.0, 34.0
 _SHORTEST = 8.0
-_WIDTH, _HEIGHT = 80.0, 60.0
+# For this share of the rest of it, a motion stays where everything is at rest at first or at last.
+_REST = 0.4
 # The time before the first event and that after the last are no more than so many times each other.
 _SLOWER = 2.5
 # Seconds that the fastest sphere takes for its approach, where nothing is said of lengths.
@@ -52,12 +43,9 @@ _SECONDS = 1.0
 # Places are known: how far the fastest sphere is seen to go on, as a share of all that is given.
 _ONWARD = 0.3
 _TRIES = 80
-# A motion ends, or begins, so much (of its duration) apart from an impact that is not told.
-_APART = 0.02
 _PLACES = frozenset(("position", "distance", "time"))
 
 
-Event: TypeAlias = Struck | Blow | Reached
 Staged: TypeAlias = tuple[Motion, tuple[tuple[int, Event], ...]]
 
 
@@ -195,22 +183,6 @@ def staged(
         raise _no("its places could not be worked out") from error
 
 
-@dataclass(frozen=True)
-class _Stage:
-    """Where and when everything happens, in m and s; ``scale`` is units on paper for a metre."""
-
-    story: Story
-    moves: Sequence[Move]
-    given: Given
-    masses: Mapping[str, float]
-    where: Mapping[tuple[str, int], Vector]
-    times: Mapping[int, float]
-    radius: float
-    scale: float
-    start: float
-    end: float
-
-
 def _placed(
     story: Story,
     moves: Sequence[Move],
@@ -236,16 +208,26 @@ def _placed(
     times = {number: float(row @ x) for number, row in made.times.items()}
     left, bottom, right, top = box([*_known(given), *where.values()])
     extent = max(right - left, top - bottom)
+    goes = max(length(v) for v in _last(moves).values())
+    fastest = max(length(v) for m in moves for v in (*m.before.values(), *m.after.values()))
     last = max(times.values())
-    asked = [time for time in _asked(story) if time > 0]
-    fastest = max(length(v) for m in moves for v in m.after.values()) or 1.0
-    end = max([last + _ONWARD * extent / fastest, *(1.05 * time for time in asked)])
-    scale = _WIDTH / extent
-    stage = _Stage(story, moves, given, masses, where, times, radius, scale, 0.0, end)
-    motion, cost = _cleared(stage)
-    if math.isinf(cost):
-        raise _no(_in_the_way(motion))
-    return motion, tuple(_events(stage))
+    tail = min(_ONWARD * extent / (goes or fastest), max(last / 2, _ONWARD * extent / fastest))
+    end = max([last + tail, *(1.05 * time for time in _asked(story))])
+    scale = WIDTH / extent
+    stage = Stage(story, moves, given, masses, where, times, radius, scale, 0.0, end)
+    return _possible(cleared(stage)), tuple(numbered(stage))
+
+
+def _possible(attempt: Attempt) -> Motion:
+    """The motion of an attempt. Raises UnsupportedError where bodies are in the way."""
+    if attempt.in_the_way is not None:
+        raise _no(f"{attempt.in_the_way}, which the question does not tell")
+    return attempt.motion
+
+
+def _last(moves: Sequence[Move]) -> dict[str, Vector]:
+    """The last velocity of every body."""
+    return {name: velocity for move in moves for name, velocity in move.after.items()}
 
 
 def _known(given: Given) -> list[Vector]:
@@ -284,7 +266,7 @@ def _freely(
     unit_length = (
         given.radius / radius if given.radius and radius else fastest * _SECONDS / _APPROACH
     )
-    best: tuple[float, Motion, _Stage] | None = None
+    best: tuple[float, Attempt, Stage] | None = None
     for factors in _factors(len(made.lengths)):
         x = flights.solve(made, [_FLIGHT * factor for factor in factors], _SHORTEST)
         if x is None:
@@ -292,19 +274,17 @@ def _freely(
         where = {key: floats(p @ x + c) * unit_length for key, (p, c) in made.where.items()}
         times = {number: float(row @ x) * unit_length for number, row in made.times.items()}
         size, scale = radius * unit_length, 1 / unit_length
-        stage = _in_time(_Stage(story, moves, given, masses, where, times, size, scale, 0.0, 0.0))
-        motion, cost = _cleared(stage)
-        cost += 2 * sum(abs(math.log(factor)) for factor in factors)
+        stage = _in_time(Stage(story, moves, given, masses, where, times, size, scale, 0.0, 0.0))
+        attempt = cleared(stage)
+        cost = attempt.cost + 2 * sum(abs(math.log(factor)) for factor in factors)
         if best is None or cost < best[0]:
-            best = cost, motion, stage
+            best = cost, attempt, stage
         if best[0] < 1.0:
             break
     if best is None:
         raise _no("no places fit to all that is told")
-    cost, motion, stage = best
-    if math.isinf(cost):
-        raise _no(_in_the_way(motion))
-    return motion, tuple(_events(stage))
+    _, attempt, stage = best
+    return _possible(attempt), tuple(numbered(stage))
 
 
 def _factors(flights: int) -> Iterator[tuple[float, ...]]:
@@ -319,24 +299,21 @@ def _factors(flights: int) -> Iterator[tuple[float, ...]]:
         yield tuple(rng.choice((0.45, 0.7, 1.0, 1.0, 1.4, 2.2)) for _ in range(flights))
 
 
-def _in_time(stage: _Stage) -> _Stage:
+def _in_time(stage: Stage) -> Stage:
     """With a beginning and an end that show how the spheres come and go.
 
     The clock starts with the motion, or at the first impact where the language says so.
     """
     unit_length = 1 / stage.scale
-    bodies = dict.fromkeys(name for move in stage.moves for name in move.bodies)
-    comes, goes = [], []
-    for body in bodies:
-        own = [move for move in stage.moves if body in move.bodies]
-        comes.append(length(own[0].before[body]))
-        goes.append(length(own[-1].after[body]))
+    initial = {name: v for move in reversed(stage.moves) for name, v in move.before.items()}
+    comes = max(map(length, initial.values()))
+    goes = max(map(length, _last(stage.moves).values()))
     first, last = min(stage.times.values()), max(stage.times.values())
-    usual = _SECONDS if not any((*comes, *goes)) else 0.0
-    lead = _APPROACH * unit_length / max(comes) if any(comes) else usual
-    tail = _EXIT * unit_length / max(goes) if any(goes) else usual
-    lead = lead or 0.4 * tail  # everything is at rest until something is struck
-    tail = tail or 0.4 * lead
+    lead = _APPROACH * unit_length / comes if comes else 0.0
+    tail = _EXIT * unit_length / goes if goes else 0.0
+    if not lead and not tail:  # at rest before, and in the end
+        lead = tail = _REST * ((last - first) or _SECONDS)
+    lead, tail = lead or _REST * tail, tail or _REST * lead
     lead, tail = min(lead, _SLOWER * tail), min(tail, _SLOWER * lead)
     zero = first if stage.story.implied else first - lead
     times = {number: time - zero for number, time in stage.times.items()}
@@ -365,221 +342,3 @@ def _speaks_of_places(problem: Problem) -> bool:
         for tree in trees(problem)
         for node in walk(tree)
     )
-
-
-# --- from places and times to pieces --------------------------------------------------------------
-
-
-def _cleared(stage: _Stage) -> tuple[Motion, float]:
-    """The motion on a stage, without impacts that are not told, and how far from a clear one it is.
-
-    It begins later and ends sooner where that is needed; the cost is infinite where it is not
-    enough. Walls without ends are first drawn as far as the paths go, else only where they are
-    struck.
-    """
-    best: tuple[float, Motion] | None = None
-    for short in (False, True):
-        motion = _performed(stage, short)
-        left, bottom, right, top = box(_seen(motion))
-        extent = max(right - left, top - bottom)
-        fill = max((right - left) / _WIDTH, (top - bottom) / _HEIGHT) * stage.scale
-        motion, cost = _trimmed(motion, stage, extent)
-        if not stage.given.placed:
-            cost += 15 * max(0.0, fill - 1.3) + 5 * short
-        if best is None or cost < best[0]:
-            best = cost, motion
-        if best[0] < 1.0 or (not stage.given.placed and cost < 8):
-            break
-    assert best is not None
-    return best[1], best[0]
-
-
-def _seen(motion: Motion) -> Iterator[Vector]:
-    for track in motion.tracks:
-        for piece in track.pieces:
-            yield from (piece.place, piece.at(piece.end))
-    for wall in motion.walls:
-        if isinstance(wall, Line):
-            yield from wall.points
-        else:
-            yield from (wall.centre + d * wall.radius for d in (Vector(1, 1), Vector(-1, -1)))
-
-
-def _trimmed(motion: Motion, stage: _Stage, extent: float) -> tuple[Motion, float]:
-    """Begun after, and ended before, impacts that are not told."""
-    first, last = min(stage.times.values()), max(stage.times.values())
-    start, end, notes = motion.start, motion.end, list(motion.notes)
-    span = end - start
-    for each in overlaps(motion, extent):
-        if each.start >= last - 1e-9 * span:
-            if each.start < end:
-                end = max(each.start - _APART * span, (last + each.start) / 2)
-                notes = [*motion.notes, _comes_next(each, stage)]
-        elif each.end <= first + 1e-9 * span and not stage.given.placed:
-            start = max(start, min(each.end + _APART * span, (first + each.end) / 2))
-        else:
-            return replace(motion, notes=(*motion.notes, _comes_next(each, stage))), math.inf
-    lost = (start - motion.start) / span + (motion.end - end) / span
-    cut = _cut(motion, start, end)
-    return replace(cut, notes=tuple(notes)), 30 * lost
-
-
-def _comes_next(each: Overlap, stage: _Stage) -> str:
-    """What would happen that the story does not tell."""
-    walls = stage.story.walls
-    second = f"the wall {each.second}" if each.second in walls else each.second
-    return f"{each.first} comes to {second} next, which the question does not tell."
-
-
-def _in_the_way(motion: Motion) -> str:
-    return f"{motion.notes[-1].removesuffix('.')}" if motion.notes else "bodies are in the way"
-
-
-def _cut(motion: Motion, start: float, end: float) -> Motion:
-    """The same for a part of its time."""
-    return replace(
-        motion,
-        start=start,
-        end=end,
-        tracks=tuple(
-            replace(track, pieces=tuple(_between(track.pieces, start, end)))
-            for track in motion.tracks
-        ),
-    )
-
-
-def _between(pieces: Sequence[Piece], start: float, end: float) -> Iterator[Piece]:
-    for piece in pieces:
-        low, high = max(piece.start, start), min(piece.end, end)
-        if high > low or (high == low and piece.start == piece.end):
-            yield Piece(low, high, piece.at(low), piece.velocity)
-
-
-def _performed(stage: _Stage, short: bool) -> Motion:
-    """Every body's pieces and every event, between walls that are as short as wanted."""
-    moves, given, where, scale = stage.moves, stage.given, stage.where, stage.scale
-    on_paper = {key: place * scale for key, place in where.items()}
-    stops = [stop_of(move, on_paper, stage.radius * scale) for move in moves]
-    lines = wall_lines(stage.story, moves, given, stops, scale)
-    start, end = stage.start, stage.end
-    for body in dict.fromkeys(name for move in moves for name in move.bodies):
-        own = [move for move in moves if body in move.bodies]
-        if not given.placed:
-            start = max(
-                start, stage.times[own[0].number] - _free_time(stage, own[0], body, lines, -1)
-            )
-        if ends_at_wall(own[-1], given, on_paper, body, scale):
-            end = min(end, max(stage.times.values()))
-        elif not given.placed:
-            end = min(end, stage.times[own[-1].number] + _free_time(stage, own[-1], body, lines, 1))
-    start = min(start, *stage.times.values())
-    end = max(end, *stage.times.values())
-    tracks = tuple(_tracks(stage, start, end))
-    legs = [
-        Leg(t.name, k, "flight", p.place * scale, p.at(p.end) * scale)
-        for t in tracks
-        for k, p in enumerate(t.pieces)
-        if length(p.velocity) * (p.end - p.start) * scale > 1e-6
-    ]
-    crossing_ends = [point * scale for point in given.points.values()]
-    raise_walls(lines, moves, given, stops, legs, crossing_ends, 1.0)
-    if short:
-        for line in lines:
-            _shorten(line, 2 * stage.radius * scale + 3)
-    events = [event for _, event in _events(stage)]
-    return Motion(
-        tracks,
-        tuple(each for each in events if isinstance(each, Struck)),
-        (*(_as_wall(line, scale) for line in lines), *_circles(given)),
-        start,
-        end,
-        () if given.placed else ("Lengths and times are free: the question gives none.",),
-        tuple(each for each in events if isinstance(each, Blow)),
-        tuple(each for each in events if isinstance(each, Reached)),
-        dict(given.points),
-    )
-
-
-def _free_time(stage: _Stage, move: Move, body: str, lines: Sequence[Wall], sense: int) -> float:
-    """For how long a sphere comes, or goes, without another wall in its way (s)."""
-    velocity = (move.before if sense < 0 else move.after)[body]
-    if still(velocity):
-        return math.inf
-    place = stage.where[body, move.number] * stage.scale
-    far = 10 * (_WIDTH + _HEIGHT)
-    free = free_way(place, unit(velocity) * sense, far, lines, move.wall)
-    return math.inf if free == far else free / (length(velocity) * stage.scale)
-
-
-def _shorten(line: Wall, beyond: float) -> None:
-    """Leaves of a wall without ends what is near to where it is struck."""
-    if not line.fixed and line.hits:
-        line.low = max(line.low, min(line.hits) - beyond)
-        line.high = min(line.high, max(line.hits) + beyond)
-
-
-def _as_wall(line: Wall, scale: float) -> Line:
-    return Line(line.name, (line.at(line.low) / scale, line.at(line.high) / scale))
-
-
-def _circles(given: Given) -> Iterator[Circle]:
-    for name, (centre, radius) in given.circles.items():
-        yield Circle(name, centre, radius)
-
-
-def _tracks(stage: _Stage, start: float, end: float) -> Iterator[Track]:
-    story, moves = stage.story, stage.moves
-    for name in story.spheres:
-        own = [move for move in moves if name in move.bodies]
-        if not own and (name not in stage.given.starts or story.spheres[name].velocity is None):
-            continue
-        own.sort(key=lambda move: stage.times[move.number])
-        at = start
-        velocity = own[0].before[name] if own else floats(story.velocity(name, 0))
-        if own:
-            first = own[0].number
-            place = stage.where[name, first] + velocity * (start - stage.times[first])
-        else:
-            place = stage.given.starts[name] + velocity * start
-        pieces = []
-        for move in own:
-            time = stage.times[move.number]
-            pieces.append(Piece(at, time, place, velocity))
-            at, place, velocity = time, stage.where[name, move.number], move.after[name]
-        pieces.append(Piece(at, max(end, at), place, velocity))
-        kept = tuple(p for p in pieces if p.end > p.start) or (pieces[-1],)
-        yield Track(name, stage.radius, stage.masses.get(name, 1.0), kept)
-
-
-def _events(stage: _Stage) -> Iterator[tuple[int, Event]]:
-    """Every event with its number in the story, in the order of time."""
-    for move in sorted(stage.moves, key=lambda move: (stage.times[move.number], move.number)):
-        happening = stage.story.happenings[move.number - 1]
-        step, time, name = happening.step, stage.times[move.number], move.bodies[0]
-        place, before, after = stage.where[name, move.number], move.before[name], move.after[name]
-        if isinstance(step, Impact):
-            assert move.normal is not None
-            still_wall = Vector(0.0, 0.0)
-            yield (
-                move.number,
-                Struck(
-                    time,
-                    name,
-                    step.second,
-                    place + move.normal * stage.radius,
-                    move.normal,
-                    float(happening.e),
-                    (before - after) * stage.masses.get(name, 1.0),
-                    (before, move.before.get(step.second, still_wall)),
-                    (after, move.after.get(step.second, still_wall)),
-                ),
-            )
-        elif isinstance(step, Kick):
-            assert happening.impulse is not None
-            yield (
-                move.number,
-                Blow(time, name, place, floats(happening.impulse), before, after),
-            )
-        else:
-            target = step.target.name if isinstance(step.target, Name) else None
-            yield move.number, Reached(time, name, place, target, after)
