@@ -293,8 +293,8 @@ def test_it_ends_before_an_impact_that_is_not_told():
         "A hits B: along i, e = 1/2\nB hits W: e = 1\nfind velocity(B)\n"
     )
     motion = only(text).motion
-    # By hand: A is left at rest, B comes back with 3/2 m/s.
-    assert motion.notes[-1] == "It ends before B comes to A, which the question does not tell."
+    # By hand: A goes on with 3/4 m/s, and B comes back to it with 9/4 m/s.
+    assert motion.notes[-1] == "It ends before A comes to B, which the question does not tell."
     assert overlaps(motion, extent(motion)) == []
 
 

@@ -311,6 +311,34 @@ def test_impacts_are_announced_and_nothing_else(opened):
     assert live.inner_text().startswith("2: P hits BC")
 
 
+def test_steps_glide_for_those_who_mind_no_motion(opened):
+    page = opened(CORNER)
+    page.keyboard.press("ArrowRight")
+    time = clock(page)
+    page.keyboard.press("Home")
+    page.emulate_media(reduced_motion="no-preference")
+    page.keyboard.press("ArrowRight")
+    assert clock(page) < time
+    page.wait_for_function(f"parseFloat(document.querySelector('.clock').textContent) >= {time}")
+    assert clock(page) == time
+
+
+def test_a_crowd_is_played_too(opened):
+    tracks = tuple(
+        Track(f"S{k}", 0.2, 1.0, (Piece(0.0, 4.0, Vector(k % 6, k // 6), Vector(0.1, 0.02 * k)),))
+        for k in range(30)
+    )
+    page = opened("", to_html(of_motion(Motion(tracks, (), (), 0.0, 4.0))))
+    assert page.locator(".stage circle.sphere").count() == 30
+    rows = table(page, "values")
+    assert len(rows) == 31  # and the sum
+    assert float(rows["all"][4]) == pytest.approx(3.0)  # momentum along i
+    # What is scrolled is reached by the keyboard.
+    assert page.locator(".values .scroll").get_attribute("tabindex") == "0"
+    page.keyboard.press("End")
+    assert clock(page) == 4
+
+
 def test_what_a_user_wrote_is_no_markup(opened):
     page = opened(TWO_SPHERES)
     assert page.locator("h1").inner_text() == "Two spheres & a <b>bold</b> claim"
@@ -368,6 +396,16 @@ def test_contrast_is_enough(opened, page, scheme):
             ink = each.evaluate("e => getComputedStyle(e).color")
             light, dark = sorted((luminance(ink), luminance(paper)), reverse=True)
             assert (light + 0.05) / (dark + 0.05) >= 4.5, what
+    colours = page.locator(".restitution-player").evaluate(
+        """e => [0, 1, 2, 3, 4, 5].map((k) => {
+          const probe = e.appendChild(document.createElement("i"));
+          probe.style.color = `var(--body${k})`;
+          return getComputedStyle(probe).color;
+        })"""
+    )
+    for each in colours:
+        light, dark = sorted((luminance(each), luminance(paper)), reverse=True)
+        assert (light + 0.05) / (dark + 0.05) >= 4.5, each
 
 
 # --- without a browser --------------------------------------------------------------------------

@@ -15,6 +15,10 @@ const SVG = "http://www.w3.org/2000/svg";
 const COLOURS = 6;
 const HOLD = 900; // ms that slow motion rests at an impact
 const SLOWEST = 0.07; // of the usual rate, at an impact
+const TRAIL = 30; // pieces that are seen of where a sphere has been
+const MANY = 30; // events, beyond which they are not counted one by one
+const CROWD = 12; // spheres, beyond which those without room for their names have none
+const SELDOM = 120; // ms between the tables of a crowd, while it moves
 const DOT = 5; // px: the radius of a sphere of negligible size
 const LEGEND =
   "Dashed: components along the line of centres, or perpendicular to the wall, and across it. " +
@@ -202,7 +206,7 @@ const across = (event, v) => cross(event.line, v);
 
 // --- the picture ---------------------------------------------------------------------------------
 
-class Picture {
+export class Picture {
   constructor() {
     this.node = svg("svg", { class: "stage", role: "img" });
   }
@@ -210,7 +214,8 @@ class Picture {
   // Makes all shapes anew: for another motion, or another size of the picture.
   lay(motion, width, height) {
     this.motion = motion;
-    this.arrow = Math.min(0.2 * width, 0.34 * height, 150) / fastest(motion);
+    const longest = Math.min(0.2 * width, 0.34 * height, 150);
+    this.arrow = longest / Math.sqrt(Math.max(1, motion.spheres.length / 4)) / fastest(motion);
     this.blowLength = Math.min(0.16 * width, 0.25 * height, 110);
     const margin = Math.min(40, 0.08 * width + 6);
     const fit = ([left, bottom, right, top]) => {
@@ -250,7 +255,11 @@ class Picture {
     }));
     this.blow = this.arrowhead("blow");
     this.names = motion.spheres.map((sphere) => this.add("text", "name"));
-    motion.spheres.forEach((sphere, i) => this.names[i].append(sphere.name));
+    this.crowded = motion.spheres.length > CROWD;
+    motion.spheres.forEach(({ name, radius }, i) => {
+      const fits = radius * k > 4 * name.length + 4;
+      if (fits || !this.crowded) this.names[i].append(name);
+    });
   }
 
   // Where arrows begin and end, in m, with so many metres for a pixel.
@@ -374,6 +383,11 @@ class Picture {
   // The name of a sphere stands where it is furthest from paths, arrows and neighbours: within the
   // circle if there is room, else beside it.
   nameAt(i, place, ways) {
+    if (this.crowded) {
+      this.names[i].setAttribute("x", place[0]);
+      this.names[i].setAttribute("y", place[1]);
+      return;
+    }
     const used = ways.filter((way) => size(way) > 1e-9);
     const turns = [3, 1, 5, 7, 2, 6, 4, 0].map((eighth) => (eighth * Math.PI) / 4);
     const angle = (way, out) => Math.acos(Math.max(-1, Math.min(1, dot(way, out) / size(way))));
@@ -383,13 +397,13 @@ class Picture {
     };
     const best = turns.reduce((a, b) => (room(b) > room(a) + 1e-9 ? b : a));
     const { r } = this.discs[i];
-    const far = r >= 22 ? 0.62 * r : r + 11;
+    const far = r >= 22 && room(best) > 0.6 ? 0.62 * r : r + 11;
     this.names[i].setAttribute("x", place[0] + far * Math.cos(best));
     this.names[i].setAttribute("y", place[1] - far * Math.sin(best));
   }
 
   // Directions in which something is drawn at a sphere, y up.
-  ways(sphere, index, focus, moment, components) {
+  ways(sphere, index, focus, moment, coming, components) {
     const piece = sphere.pieces[index];
     const past = index ? sphere.pieces[index - 1] : null;
     const v = [piece[4], piece[5]];
@@ -405,8 +419,8 @@ class Picture {
     found.push(n, [-n[0], -n[1]], plus(towards, t, 1), plus(towards, t, -1));
     if (components) {
       const share = (w, sign) => [t[0] * sign * across(focus, w), t[1] * sign * across(focus, w)];
-      found.push(share(moment ? focus.after[sphere.name] : v, 1));
-      if (moment) found.push(share(focus.before[sphere.name], -1));
+      if (!coming) found.push(share(focus.after[sphere.name], 1));
+      if (moment || coming) found.push(share(focus.before[sphere.name], -1));
     }
     return found;
   }
@@ -442,12 +456,15 @@ class Picture {
     arrow.node.setAttribute("visibility", "hidden");
   }
 
-  // The picture at a time. `focus` is the event that is looked at closely, or null; at the very
-  // moment of an event both velocities are seen, the earlier one as it arrives.
+  // The picture at a time. `focus` is the event that is looked at closely, or null. Before it the
+  // velocities of its bodies are drawn as they arrive at the centres, out of the way of what is
+  // struck; at its very moment both are seen, the earlier one faint.
   show(t, focus, moment, { velocities, components, trails }) {
     const { spheres } = this.motion;
     const places = spheres.map((sphere) => this.at(placeAt(sphere, t)));
-    if (focus && focus.kind === "impact" && !focus.wall) this.apart(places, focus, t);
+    if (focus?.kind === "impact" && !focus.wall) this.apart(places, focus, t);
+    const coming = focus !== null && !moment && t < focus.time;
+    this.node.classList.toggle("coming", coming);
     spheres.forEach((sphere, i) => {
       const index = pieceAt(sphere, t);
       const piece = sphere.pieces[index];
@@ -455,20 +472,21 @@ class Picture {
       this.discs[i].node.setAttribute("cx", place[0]);
       this.discs[i].node.setAttribute("cy", place[1]);
       this.trails[i].setAttribute("d", trails ? this.trail(sphere, index, place) : "M0 0");
-      const takesPart = focus?.bodies.includes(sphere.name);
-      this.nameAt(i, place, this.ways(sphere, index, focus, moment, components));
+      const takesPart = focus?.kind !== "arrival" && focus?.bodies.includes(sphere.name);
+      this.nameAt(i, place, this.ways(sphere, index, focus, moment, coming, components));
       const { velocity, came } = this.arrows[i];
-      if (velocities) this.pointTo(velocity, place, this.tip(place, [piece[4], piece[5]]));
+      const leaves = velocities && !(coming && takesPart);
+      if (leaves) this.pointTo(velocity, place, this.tip(place, [piece[4], piece[5]]));
       else this.hide(velocity);
-      if (velocities && moment && takesPart && focus.kind !== "arrival") {
+      if (velocities && takesPart && (moment || coming)) {
         const [u, v] = [focus.before[sphere.name], focus.after[sphere.name]];
         // Thrown back along its path: beside what leaves.
-        const back = Math.abs(cross(u, v)) < 0.02 * size(u) * size(v) && dot(u, v) < 0;
+        const back = moment && Math.abs(cross(u, v)) < 0.02 * size(u) * size(v) && dot(u, v) < 0;
         const by = back ? [(-7 * u[1]) / size(u), (-7 * u[0]) / size(u)] : [0, 0];
         this.pointTo(came, plus(this.tip(place, u, -1), by), plus(place, by));
       } else this.hide(came);
     });
-    this.closely(places, components ? focus : null, moment, t);
+    this.closely(places, components ? focus : null, moment, coming);
   }
 
   tip(place, v, k = 1) {
@@ -477,9 +495,9 @@ class Picture {
 
   trail(sphere, index, place) {
     let path = "";
-    for (let i = 0; i <= index; i += 1) {
+    for (let i = Math.max(0, index - TRAIL); i <= index; i += 1) {
       const [x, y] = this.at([sphere.pieces[i][2], sphere.pieces[i][3]]);
-      path += `${i ? "L" : "M"}${x} ${y}`;
+      path += `${path ? "L" : "M"}${x} ${y}`;
     }
     return `${path}L${place[0]} ${place[1]}`;
   }
@@ -502,7 +520,7 @@ class Picture {
   }
 
   // Line of centres, components and their numbers, of the event that is looked at closely.
-  closely(places, event, moment, t) {
+  closely(places, event, moment, coming) {
     const impact = event?.kind === "impact";
     this.guide.setAttribute("d", impact ? this.lineOfCentres(places, event) : "M0 0");
     if (event?.kind === "blow") {
@@ -526,13 +544,8 @@ class Picture {
       }
       part.box.setAttribute("d", "M0 0");
       if (i < 0) return;
-      const after = t >= event.time;
-      const place = places[i];
-      if (moment) {
-        this.resolve(part, "came", event, name, event.before[name], place, -1);
-      }
-      const v = after ? event.after[name] : event.before[name];
-      this.resolve(part, "", event, name, v, place, 1);
+      if (moment || coming) this.resolve(part, "came", event, event.before[name], places[i], -1);
+      if (!coming) this.resolve(part, "", event, event.after[name], places[i], 1);
     });
   }
 
@@ -549,7 +562,7 @@ class Picture {
   }
 
   // The two components of a velocity, leaving a centre (k = 1) or arriving there (k = −1).
-  resolve(part, when, event, name, v, place, k) {
+  resolve(part, when, event, v, place, k) {
     const n = event.line;
     const across_ = [-n[1], n[0]];
     const [x, y] = [along(event, v), across(event, v)];
@@ -573,7 +586,9 @@ class Picture {
       const box = `M${first[0]} ${first[1]}L${corner[0]} ${corner[1]}L${second[0]} ${second[1]}`;
       part.box.setAttribute("d", `${part.box.getAttribute("d")}${box}`);
     }
-    const beside = size(side) > 3 ? plus([0, 0], side, 12 / size(side)) : [0, 0];
+    // Where there is no rectangle, what was is on one side of the line and what is on the other.
+    const free = size(side) > 3 ? side : [k * n[1], k * n[0]];
+    const beside = plus([0, 0], free, 12 / size(free));
     this.numbers(part, when ? 2 : 0, [
       [first, x, place, beside],
       [second, y, place, [0, 0]],
@@ -600,13 +615,20 @@ function row(label, cells, kind = {}) {
   return html("tr", kind, html("th", { scope: "row" }, ...label), ...cells);
 }
 
+// What has to be scrolled can be reached by the keyboard.
+function reachable(scroll) {
+  const over = scroll.scrollWidth > scroll.clientWidth || scroll.scrollHeight > scroll.clientHeight;
+  if (over) scroll.setAttribute("tabindex", "0");
+  else scroll.removeAttribute("tabindex");
+}
+
 const unitOf = (...text) => html("span", { class: "unit" }, " ", ...text);
 
 // What an event does to the components of the velocities.
 class Card {
   constructor() {
     this.heading = html("h2");
-    this.body = html("div", { class: "scroll" });
+    this.body = html("div", { class: "scroll", role: "group", "aria-label": "The impact" });
     this.node = html("section", { class: "card" }, this.heading, this.body);
   }
 
@@ -628,6 +650,7 @@ class Card {
       this.body.append(this.table(this.axes(event, done), "Velocity"));
       this.body.append(html("p", {}, `Impulse ${figures(size(event.impulse))}`, unitOf("N s")));
     }
+    reachable(this.body);
   }
 
   // Rows of the components along the line of centres (or towards a wall) and across it.
@@ -694,7 +717,7 @@ class Card {
 class Values {
   constructor() {
     this.heading = html("h2");
-    this.scroll = html("div", { class: "scroll" });
+    this.scroll = html("div", { class: "scroll", role: "group", "aria-label": "Values" });
     this.node = html("section", { class: "values" }, this.heading, this.scroll);
   }
 
@@ -703,9 +726,12 @@ class Values {
     this.key = null;
   }
 
-  show(t) {
-    this.heading.textContent = `At ${seconds(t)}`;
+  show(t, playing) {
     const { spheres } = this.motion;
+    const since = performance.now() - (this.shown ?? -SELDOM);
+    if (playing && spheres.length > CROWD && since < SELDOM) return;
+    this.shown = performance.now();
+    this.heading.textContent = `At ${seconds(t)}`;
     const indices = spheres.map((sphere) => pieceAt(sphere, t));
     const key = indices.join();
     if (key === this.key) return;
@@ -715,6 +741,7 @@ class Values {
       return { ...sphere, v: [piece[4], piece[5]], exact: sphere.said?.[indices[i]] };
     });
     this.scroll.replaceChildren(this.table(now));
+    reachable(this.scroll);
   }
 
   table(now) {
@@ -799,7 +826,7 @@ export class Player {
     this.choice = html("select", { "aria-label": "Which motion" });
     this.time = html("input", { type: "range", step: "any", "aria-label": "Time" });
     this.marks = html("div", { class: "marks", "aria-hidden": "true" });
-    this.clock = html("output", { class: "clock" });
+    this.clock = html("span", { class: "clock" });
     this.buttons = {
       rewind: button("rewind", "Back to the start", "Home"),
       previous: button("previous", "Previous impact", "←"),
@@ -953,14 +980,17 @@ export class Player {
     this.time.max = motion.end;
     this.marks.replaceChildren(
       ...motion.events.map((event, i) => {
-        const mark = html("span", { title: names(event) }, String(i + 1));
+        const said = motion.events.length > MANY ? "" : String(i + 1);
+        const mark = html("span", { title: names(event) }, said);
         mark.style.setProperty("--share", (event.time - motion.start) / this.span);
         return mark;
       }),
     );
     const moving = motion.spheres.map(({ name }) => name).join(", ");
-    const told = motion.events.map((event, i) => `${i + 1}: ${names(event)}`).join("; ");
-    this.picture.node.setAttribute("aria-label", `Motion of ${moving} seen from above. ${told}.`);
+    const told = motion.events.slice(0, MANY).map((event, i) => `${i + 1}: ${names(event)}`);
+    const label = `Motion of ${moving} seen from above. ${told.join("; ")}.`;
+    this.picture.node.setAttribute("aria-label", label);
+    this.reaches = motion.events.map((event) => this.reach(event));
     this.values.lay(motion);
     this.card.key = null;
     this.live.textContent = "";
@@ -983,6 +1013,8 @@ export class Player {
     const height = Math.max(190, Math.min(width / shape, 0.62 * innerHeight));
     this.picture.lay(this.motion, width, Math.round(height));
     this.draw();
+    reachable(this.card.body);
+    reachable(this.values.scroll);
   }
 
   // --- time --------------------------------------------------------------------------------------
@@ -1049,15 +1081,33 @@ export class Player {
   // How much slower time goes near an impact.
   ease(t) {
     if (!this.slow.box.checked) return 1;
-    const distance = Math.min(1, ...this.motion.events.map((e) => Math.abs(e.time - t) / this.reach(e)));
+    const near = this.beside(t).map((i) => Math.abs(this.motion.events[i].time - t) / this.reaches[i]);
+    const distance = Math.min(1, ...near);
     return SLOWEST + (1 - SLOWEST) * distance * distance * (3 - 2 * distance);
+  }
+
+  // The last event before a time and the first one after it, by their places in the list.
+  beside(t) {
+    const { events } = this.motion;
+    let after = 0;
+    let high = events.length;
+    while (after < high) {
+      const middle = (after + high) >> 1;
+      if (events[middle].time <= t) after = middle + 1;
+      else high = middle;
+    }
+    return [after - 1, after].filter((i) => i >= 0 && i < events.length);
   }
 
   // For how long before and after an event it is looked at closely.
   reach(event) {
-    const others = this.motion.events.filter((each) => each.time !== event.time);
-    const gaps = others.map((each) => Math.abs(each.time - event.time) / 2.2);
-    return Math.max(Math.min(0.12 * this.span, ...gaps), 1e-12 * this.span);
+    const { events } = this.motion;
+    const others = [
+      events.findLast(({ time }) => time < event.time),
+      events.find(({ time }) => time > event.time),
+    ].filter((other) => other !== undefined);
+    const gaps = others.map((other) => Math.abs(other.time - event.time) / 2.2);
+    return Math.min(0.12 * this.span, ...gaps);
   }
 
   seek(t) {
@@ -1132,10 +1182,11 @@ export class Player {
   draw() {
     if (!this.width) return;
     const { motion, now } = this;
-    const at = motion.events.find(({ time }) => Math.abs(time - now) < 1e-9 * this.span);
-    const near = motion.events.find((e) => Math.abs(e.time - now) <= this.reach(e));
+    const beside = this.beside(now).map((i) => [motion.events[i], this.reaches[i]]);
+    const at = beside.find(([{ time }]) => Math.abs(time - now) < 1e-9 * this.span)?.[0];
+    const near = beside.find(([{ time }, reach]) => Math.abs(time - now) <= reach)?.[0];
     const focus = at ?? near ?? null;
-    const passed = motion.events.findLast(({ time }) => time <= now);
+    const passed = beside.findLast(([{ time }]) => time <= now)?.[0];
     const shown = focus ?? passed ?? motion.events[0] ?? null;
     this.picture.show(now, focus, at !== undefined, {
       velocities: this.velocities.box.checked,
@@ -1143,7 +1194,7 @@ export class Player {
       trails: this.trails.box.checked,
     });
     this.card.show(shown, motion.events.indexOf(shown) + 1, at ? shown.time : now);
-    this.values.show(now);
+    this.values.show(now, this.playing);
     this.time.value = String(now);
     this.time.setAttribute("aria-valuetext", seconds(now));
     this.clock.textContent = seconds(now);
