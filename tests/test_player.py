@@ -441,6 +441,20 @@ def test_the_data_are_plain():
     assert (a["mass"], b["mass"]) == (1.0, 1.0)
 
 
+def test_a_simulation_is_played_too():
+    spheres = [
+        r.Sphere("A", mass=1, radius=0.1, position=(1, 1), velocity=(2, 1)),
+        r.Sphere("B", mass=1, radius=0.1, position=(2, 1.5), velocity=(0, 0)),
+    ]
+    run = r.simulate(r.Table.box(3, 2, spheres, e="9/10"), impacts=8)
+    (motion,) = play(run).data["motions"]
+    assert [wall["name"] for wall in motion["walls"]] == ["Left", "Right", "Bottom", "Top"]
+    assert [event["time"] for event in motion["events"]] == pytest.approx(run.events["time"])
+    walls = {event["wall"] for event in motion["events"]}
+    assert walls - {None} <= {"Left", "Right", "Bottom", "Top"}
+    assert play(run).data == play(run.motion()).data
+
+
 def test_the_command_writes_the_page(tmp_path):
     from test_cli import run
 

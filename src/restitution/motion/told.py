@@ -18,8 +18,8 @@ import numpy as np
 
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.expression.tree import AtTime, Quantity, walk
-from restitution.motion.performance import WIDTH, Attempt, Event, Stage, cleared, numbered
 from restitution.motion.pieces import Motion
+from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered
 from restitution.problem import Arrival, Impact, Kick, Problem, trees
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from restitution.render.page import page
 
 if TYPE_CHECKING:
+    from restitution.motion import Run
     from restitution.motion.pieces import Motion
     from restitution.solve.solution import Solution
 
@@ -55,17 +56,22 @@ class Playable:
         )
 
 
-def play(motion: Solution | Motion, part: str | None = None) -> Playable:
-    """The motion of a solved problem (of all its parts, or the one with that label), or any other.
+def play(motion: Solution | Motion | Run, part: str | None = None) -> Playable:
+    """The motion of a solved problem (of all its parts, or the one with that label), or another.
 
-    Letters are at representative values, which the page tells. Raises KeyError for a part that is
-    not there, what kept the problem from being solved, and UnsupportedError with the reason where
-    no motion can be shown.
+    Letters of a problem are at representative values, which the page tells. Raises KeyError for a
+    part that is not there, what kept the problem from being solved, and UnsupportedError with the
+    reason where no motion can be shown.
     """
     from restitution.export.player.data import of_motion, of_solution
+    from restitution.motion import Run
     from restitution.motion.pieces import Motion
 
-    return Playable(of_motion(motion) if isinstance(motion, Motion) else of_solution(motion, part))
+    if isinstance(motion, Run):
+        return Playable(of_motion(motion.motion()))
+    if isinstance(motion, Motion):
+        return Playable(of_motion(motion))
+    return Playable(of_solution(motion, part))
 
 
 def to_html(data: dict[str, Any]) -> str:

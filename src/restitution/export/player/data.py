@@ -28,7 +28,7 @@ from restitution.motion.pieces import Blow, Circle, Line, Motion, Reached, Struc
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
-    from restitution.motion.performance import Event
+    from restitution.motion.stage import Event
     from restitution.motion.told import Told
     from restitution.solve.solution import Solution
     from restitution.staging.values import Chosen

@@ -641,7 +641,7 @@ class Card {
     this.heading.replaceChildren();
     if (event === null) return;
     const e = event.kind === "impact" ? [", ", html("var", {}, "e"), " = "] : [];
-    if (e.length) e.push(...mathematics(event.said?.e ?? figures(event.e)));
+    if (e.length) e.push(...mathematics(event.said?.e ?? String(Number(event.e.toPrecision(3)))));
     this.heading.append(`${number}: ${names(event)}`, ...e);
     if (event.kind === "impact") {
       this.body.append(this.table(this.components(event, done), "Components of velocity"));
