@@ -284,12 +284,11 @@ class Gas:
             engine.pool = pool
             pause = stack.enter_context(_pauses(self, end, impacts, progress))
             stack.callback(engine.store)
-            wanted = None if impacts is None else self._impacts + impacts
-            while self.time < end if wanted is None else self._impacts < wanted:
+            wanted = None if impacts is None else self.impacts + impacts
+            while self.time < end if wanted is None else self.impacts < wanted:
                 discs, epoch = self._discs, self.rules.epoch
-                # for impacts, steps that depend neither on tiles nor on windows
-                step = (math.floor(discs.now / epoch * 64) + 1) / 64 * epoch
-                target = min(step if wanted else math.inf, end - discs.epoch, epoch)
+                step = math.inf if wanted is None else self._step(wanted - self.impacts)
+                target = min(step, end - discs.epoch, epoch)
                 if target <= discs.now:
                     break
                 engine.run(target, pause)
@@ -308,6 +307,18 @@ class Gas:
         if not record_impacts:
             return None
         return record.impacts_from(logs, self.masses, self.radii, self.box.width, self.box.height)
+
+    def _step(self, impacts: int) -> float:
+        """A time in this epoch when there will not have been so many more impacts, most likely.
+
+        A whole 64th, that depends neither on tiles nor on windows.
+        """
+        epoch, now = self.rules.epoch, self._discs.now
+        rate = self.impacts / self.time if self.time > 0 else math.inf
+        ahead = 0.9 * impacts / rate if rate > 0 else epoch
+        return max(math.floor(now / epoch * 64) + 1, math.floor((now + ahead) / epoch * 64)) * (
+            epoch / 64
+        )
 
     def _engine_for(
         self, end: float, impacts: int | None, threads: int, tiles: int | None, logging: bool
@@ -350,7 +361,8 @@ class Gas:
         return end
 
     @property
-    def _impacts(self) -> int:
+    def impacts(self) -> int:
+        """How many impacts there have been, those with walls among them."""
         return self.counts.pairs + self.counts.walls
 
     def _collapse(self, disc: int, time: float) -> CollapseError:
@@ -432,7 +444,7 @@ class Gas:
     def elastic_fraction(self) -> float:
         """The share of all impacts since ``begin`` that ``contact_time`` made elastic."""
         pairs, walls, elastic = self._counts_then
-        all_of_them = self._impacts - pairs - walls
+        all_of_them = self.impacts - pairs - walls
         return (self.counts.elastic - elastic) / all_of_them if all_of_them else 0.0
 
     @property
@@ -650,7 +662,7 @@ def _bar(
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
-    start, before = gas.time, gas.counts.pairs + gas.counts.walls
+    start, before = gas.time, gas.impacts
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
@@ -662,7 +674,7 @@ def _bar(
         task = bar.add_task("impacts", total=impacts or end - start, rate="")
 
         def advance() -> None:
-            struck = gas.counts.pairs + gas.counts.walls - before
+            struck = gas.impacts - before
             elapsed = bar.tasks[0].elapsed or math.inf
             bar.update(
                 task,

@@ -89,7 +89,9 @@ def box_for(
 
     The sides are rounded to twice the resolution, a relative change below the machine epsilon.
     """
-    resolution = 2.0 ** (math.ceil(math.log2(2 * max(width, height))) - 53)
+    # a periodic side is seen shifted by its length
+    spans = [side * (2 if wraps else 1) for side, wraps in zip((width, height), periodic)]
+    resolution = 2.0 ** (math.ceil(math.log2(max(spans))) - 53)
     width, height = (2 * resolution * round(side / (2 * resolution)) for side in (width, height))
     side = max(2 * radius * (1 + TOLERANCE) + 4 * resolution, _side(width, height, discs))
     counts = []

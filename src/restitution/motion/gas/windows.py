@@ -24,6 +24,8 @@ from restitution.motion.gas.state import Box, Discs, Rules, aligned
 # Changes of a disc's velocity in one window, on average. In a tile alone only the calendar has
 # to be made anew; a halo has to last for the whole window.
 ALONE, TILED = 8.0, 2.0
+# Changes of velocity of all discs in a window alone, at least: it takes some time to begin one.
+WORTHWHILE = 4000
 # Events of one day of the calendar, on average.
 PER_DAY = 1.5
 # Ids of a day's page and of a cell's block: 64 bytes, with their number.
@@ -236,7 +238,7 @@ class Engine:
         discs = self.discs
         while discs.now < until:
             tiled = len(self.plans()) > 1
-            changes = TILED if tiled else ALONE
+            changes = TILED if tiled else max(ALONE, WORTHWHILE / self._n)
             length = changes / self.rate if self.rate > 0 else math.inf
             length = min(length, 2 * self._longest or 0.25 * length)
             while True:
