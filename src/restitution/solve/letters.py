@@ -46,7 +46,6 @@ from restitution.problem import (
     Show,
     Step,
     Unknown,
-    Wall,
     trees,
 )
 
@@ -54,7 +53,6 @@ Kind = Literal["positive", "real", "angle", "restitution"]
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 VECTOR_QUANTITIES = frozenset({"velocity", "momentum", "line_of_centres", "position"})
 ANGLE_QUANTITIES = frozenset({"angle", "deflection"})
-SIGNED_QUANTITIES = frozenset({"along", "across", "dot", "energy_lost", "total_energy_lost"})
 
 
 @dataclass(frozen=True)
@@ -421,8 +419,3 @@ def _bounded(role: Role, bound: sp.Expr, op: str) -> Role:
 def parts_until(problem: Problem, part: Part) -> tuple[Part, ...]:
     """The parts told up to and with a given one."""
     return problem.parts[: problem.parts.index(part) + 1]
-
-
-def wall_named(problem: Problem, name: str) -> Wall | None:
-    """The wall of that name."""
-    return next((wall for wall in problem.walls if wall.name == name), None)

@@ -31,7 +31,6 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
-    has_quantity,
     letters,
     line_and_column,
     walk,
@@ -673,13 +672,3 @@ def lets_of(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
             elif isinstance(step, Let) and (each.label is None or each is part):
                 found[step.letter] = (step, now)
     return found
-
-
-def letters_at_start(problem: Problem) -> frozenset[str]:
-    """The letters in the data of the bodies."""
-    found: set[str] = set()
-    for body in (*problem.spheres, *problem.walls):
-        for value in vars(body).values():
-            if isinstance(value, Expression) and not has_quantity(value):
-                found |= letters(value)
-    return frozenset(found)
