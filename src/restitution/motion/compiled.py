@@ -5,8 +5,9 @@ that the functions of ``restitution.law`` may be called in compiled code; their 
 as it stands, for whatever kind of number the components are. Nothing is contracted or reordered
 (no ``fastmath``), so that compiled code rounds as NumPy does.
 
-Numba notices by itself when the file of a kernel has changed, and compiles it again; not so when
-``law.py`` has, which it calls. Then empty ``motion/__pycache__``.
+Numba notices by itself when the file of a kernel has changed, and compiles it again; not so when a
+file has from which the kernel calls something, such as ``law.py``. Then empty
+``motion/__pycache__``.
 """
 
 from __future__ import annotations
