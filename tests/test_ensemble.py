@@ -217,6 +217,27 @@ def test_an_executor_that_breaks():
     assert result.values[0] == 0 and 299 in result.missing
 
 
+class Cancelling(Inline):
+    """Cancels what it is given, at first, as a cluster does that loses its workers."""
+
+    def __init__(self, times: int) -> None:
+        super().__init__()
+        self.left = times
+
+    def submit(self, function, /, *args, **kwargs):
+        future = super().submit(function, *args, **kwargs) if self.left <= 0 else Future()
+        self.left -= 1
+        if future.cancel():
+            future.set_running_or_notify_cancel()
+        return future
+
+
+def test_what_is_cancelled_is_tried_once_more():
+    assert ensemble(square, range(9), Cancelling(2), workers=1).all_values()[8] == 64
+    result = ensemble(square, range(9), Cancelling(10**6), workers=1)
+    assert len(result.failures) == 9 and "Cancelled" in result.failures[0].error
+
+
 def test_function_that_cannot_be_sent():
     with pytest.raises(StatementError, match="define it at the top of a module"):
         ensemble(lambda case: case, range(3))

@@ -22,6 +22,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence, Sized
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
+    CancelledError,
     Executor,
     Future,
     ProcessPoolExecutor,
@@ -303,12 +304,12 @@ class _Run:
     def _finish(self, future: Future[Any]) -> None:
         """Take what came of a chunk."""
         sent = self._under_way.pop(future)
-        error = future.exception()
+        error = CancelledError() if future.cancelled() else future.exception()
         if isinstance(error, BrokenExecutor):
             self._broken(sent, error)
         elif error is None:
             self._keep(sent.chunk, *future.result())
-        else:  # the function did not raise it: something could not be sent, or not sent back
+        else:  # the function did not raise it: something could not be sent, or not be sent back
             self._try_again(sent, error, last=sent.again)
 
     def _keep(self, chunk: _Chunk, seconds: float, results: list[Any]) -> None:
