@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 # that touch, or in a narrow corner, may need many; without loss there are always finitely many.
 MOST_IN_A_ROW = 4096
 # With e < 1 so many are a collapse; fewer, where the bodies have all but come to rest together.
-MOST_WITH_LOSS = 64
+MOST_WITH_LOSS = 256
 SURE_AT_REST = 8
 
 
