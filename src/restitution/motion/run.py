@@ -13,6 +13,8 @@
   is struck once.
 - *e = 0*: after the impact the bodies stay in contact, without further impacts, until another
   body changes the velocity of one of them.
+- *Rounding*: an approach that is no more than rounding of the speeds from which it was made is no
+  impact; it is taken away in silence, and so is such a speed of a single sphere.
 - *Collapse*: infinitely many impacts in a finite time cannot be told one by one. When bodies that
   were apart by less than rounding go on striking each other, the run is given up with a
   `CollapseError`, which carries the motion so far.
@@ -111,7 +113,7 @@ class _Course:
         kind = layout.kind
         self.kind: Arithmetic = kind.copy() if isinstance(kind, ExactNumbers) else kind
         self.balls, self.obstacles = layout.balls, layout.obstacles
-        self.masses = [1 / ball.mass for ball in self.balls]  # inverse ones
+        self.inverse_masses = [1 / ball.mass for ball in self.balls]
         self.inside = {
             (i, k)
             for i, ball in enumerate(self.balls)
@@ -268,23 +270,27 @@ class _Course:
     # -- an impact ----------------------------------------------------------------------------
 
     def strike(self, due: _Due) -> None:
-        first, second = due.first, due.second
-        names = self.name(first), self.name(second)
+        """The impact that is due: by the law, and from there on."""
         self.now = self.kind.reached(due.moment)
-        place, u1, w1 = self.place(first), self.velocity(first), self.masses[first]
+        first, second = due.first, due.second
+        place, u1, w1 = self.place(first), self.velocity(first), self.inverse_masses[first]
         if second < len(self.balls):
-            u2, w2 = self.velocity(second), self.masses[second]
+            struck: tuple[int, ...] = (first, second)
+            u2, w2 = self.velocity(second), self.inverse_masses[second]
             c = self.place(second) - place
         else:
-            u2, w2 = Vector(w1 * 0, w1 * 0), 0
+            struck = (first,)
+            u2, w2 = Vector(w1 * 0, w1 * 0), w1 * 0
             c = self.into_wall(first, second, place)
-        length = self.kind.root(c.dot(c))
-        approach, e = (u1 - u2).dot(c) / length, self.table.layout.e(*names)
-        speeds = self.speeds[first] + (self.speeds[second] if w2 else 0)
-        faint = float(approach) <= TOLERANCE * speeds
-        shallow = float(approach) ** 2 <= 8 * TOLERANCE * speeds**2  # a chord within rounding
+        unit = c / self.kind.root(c.dot(c))
+        approach = (u1 - u2).dot(unit)
+        e = self.table.layout.e(self.name(first), self.name(second))
         touching = float(due.apart) <= TOLERANCE * (_size(place) + _size(c))
+        speed = sum(self.speeds[ball] for ball in struck)
+        faint = float(approach) <= TOLERANCE * speed
         if touching:
+            # a chord of a circle that rounding cannot tell from its tangent
+            shallow = float(approach) ** 2 <= 8 * TOLERANCE * speed**2
             slides = shallow and (e < 1 or not self.kind.exact or approach == 0)
             self.refuse_collapse(due, e, faint=faint, slides=slides)
         if approach <= 0:
@@ -294,40 +300,33 @@ class _Course:
             e = 0
             self.at_rest.add((first, second))
         elif self.at_rest:
-            balls = {first, second} if w2 else {first}
-            self.at_rest = {pair for pair in self.at_rest if balls.isdisjoint(pair)}
+            self.at_rest = {pair for pair in self.at_rest if not {*pair} & {*struck}}
         on_second = law.impulse(u1, u2, w1, w2, c, e)
         v1, v2 = law.after_impulse(u1, u2, w1, w2, on_second)
-        unit = c / length
         if not faint:
-            self.struck.append(
-                Struck(
-                    self.kind.time(self.now),
-                    *names,
-                    place + unit * self.balls[first].radius,
-                    unit,
-                    e,
-                    on_second,
-                    (u1, u2),
-                    (v1, v2),
-                )
-            )
-        struck = [(first, u1, v1, w1), (second, u2, v2, w2)][: 2 if w2 else 1]
-        for ball, u, v, w in struck:
-            made = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
-            if _size(v) <= TOLERANCE * made and not self.kind.exact:
-                v = Vector(0.0, 0.0)  # at rest, but for rounding
-            self.stretches[ball].append(_Stretch(self.now, self.place(ball), v))
-            self.changes[ball] += 1
-            self.speeds[ball] = max(made, self.speeds[ball] if faint else 0)
-            if not faint:
+            time, names = self.kind.time(self.now), (self.name(first), self.name(second))
+            contact = place + unit * self.balls[first].radius
+            hit = Struck(time, *names, contact, unit, e, on_second, (u1, u2), (v1, v2))
+            self.struck.append(hit)
+            for ball in struck:
                 self.in_a_row[ball] = self.in_a_row[ball] + 1 if touching else 0
-        for ball, *_ in struck:
+        for ball, u, v, w in zip(struck, (u1, u2), (v1, v2), (w1, w2)):
+            made = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
+            self.send(ball, v, max(made, self.speeds[ball] if faint else 0))
+        for ball in struck:
             others = set(range(self.bodies)) - {ball}
             if (first, second) not in self.inside:  # they part now, or stay together
                 others -= {first, second}
             self.look(ball, sorted(others))
         self.forget()
+
+    def send(self, ball: int, velocity: Vector, speed: float) -> None:
+        """Let a sphere go on from where it is, with a velocity made from speeds so large."""
+        if _size(velocity) <= TOLERANCE * speed and not self.kind.exact:
+            velocity, speed = Vector(0.0, 0.0), 0.0  # at rest, but for rounding
+        self.stretches[ball].append(_Stretch(self.now, self.place(ball), velocity))
+        self.speeds[ball] = speed
+        self.changes[ball] += 1
 
     def into_wall(self, ball: int, other: int, place: Vector) -> Vector:
         """The line of centres from a sphere into what it strikes, of any length."""
