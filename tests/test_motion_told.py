@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +12,8 @@ import pytest
 
 import restitution as r
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.export.player.data import of_told
+from restitution.expression import read_expression
 from restitution.expression.tree import Name, Quantity
 from restitution.motion.overlap import overlaps
 from restitution.motion.pieces import Circle, Line, Motion, Piece, Struck, Track
@@ -241,6 +244,33 @@ def test_answers_about_the_end_are_those_of_the_motion(path):
                 number = next((n for n in numbers if item.text.strip() == f"time({n})"), None)
                 if number is not None:
                     assert numbers[number].time == pytest.approx(answer.decimal, abs=1e-6)
+
+
+@every
+def test_exact_texts_are_the_numbers_beside_them(path):
+    """What the player shows as exact, read again with the letters at their values."""
+    for each in told(path):
+        evaluator = each.numbers.story.evaluator(0)
+        (motion,) = of_told([each], None)["motions"]
+        pairs = []
+        for sphere in motion["spheres"]:
+            for (*_, vx, vy), said in zip(sphere["pieces"], sphere["said"], strict=True):
+                sizes = {"x": vx, "y": vy, "speed": math.hypot(vx, vy)}
+                pairs += [(text, sizes[key]) for key, text in (said or {}).items()]
+        for event in motion["events"]:
+            if event["kind"] != "impact" or event["said"] is None:
+                continue
+            pairs.append((event["said"]["e"], event["e"]))
+            line = Vector(*event["line"])
+            for when in ("before", "after"):
+                for name, said in event["said"][when].items():
+                    v = Vector(*event[when][name])
+                    pairs += [(said["along"], v.dot(line)), (said["across"], line.cross(v))]
+        for text, number in pairs:
+            if text is not None:
+                readable = re.sub(r"\|([^|]*)\|", r"abs(\1)", text)
+                again = float(evaluator.scalar(read_expression(readable)))
+                assert again == pytest.approx(number, rel=1e-6, abs=1e-9), text
 
 
 def is_last(each: Told, item: object) -> bool:

@@ -142,7 +142,8 @@ def serve(job: Job) -> Reply:
         case Playing(part):
             from restitution.export.player import play
 
-            made = play(solution, part).html
+            time = None if job.limit is None else job.limit * _WRITING
+            made = play(solution, part, seconds=time).html
             return Reply(made, answered, errors, tuple(found["warnings"]))
         case Setting(form, options):
             from restitution.export.sheet import entry

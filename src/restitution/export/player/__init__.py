@@ -56,12 +56,15 @@ class Playable:
         )
 
 
-def play(motion: Solution | Motion | Run, part: str | None = None) -> Playable:
+def play(
+    motion: Solution | Motion | Run, part: str | None = None, *, seconds: float | None = None
+) -> Playable:
     """The motion of a solved problem (of all its parts, or the one with that label), or another.
 
-    Letters of a problem are at representative values, which the page tells. Raises KeyError for a
-    part that is not there, what kept the problem from being solved, and UnsupportedError with the
-    reason where no motion can be shown.
+    After so many ``seconds`` spent on exact values of a problem, what is left of them is given as
+    decimals only; that needs the main thread. Letters of a problem are at representative values,
+    which the page tells. Raises KeyError for a part that is not there, what kept the problem from
+    being solved, and UnsupportedError with the reason where no motion can be shown.
     """
     from restitution.export.player.data import of_motion, of_solution
     from restitution.motion import Run
@@ -71,7 +74,7 @@ def play(motion: Solution | Motion | Run, part: str | None = None) -> Playable:
         return Playable(of_motion(motion.motion()))
     if isinstance(motion, Motion):
         return Playable(of_motion(motion))
-    return Playable(of_solution(motion, part))
+    return Playable(of_solution(motion, part, seconds))
 
 
 def to_html(data: dict[str, Any]) -> str:

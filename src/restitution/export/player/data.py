@@ -23,7 +23,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from restitution.errors import TimeLimitError
 from restitution.expression.tree import Expression, letters
+from restitution.killable import soft_limit
 from restitution.motion.pieces import Blow, Circle, Line, Motion, Reached, Struck
 from restitution.vector import Vector
 
@@ -41,20 +43,32 @@ _SHORT = 22
 _LONG = 30
 
 
-def of_solution(solution: Solution, part: str | None = None) -> Object:
-    """The motions of a solved problem, or of one part of it.
+def of_solution(
+    solution: Solution, part: str | None = None, seconds: float | None = None
+) -> Object:
+    """The motions of a solved problem, or of one part of it; ``seconds`` as for `of_told`.
 
     Raises KeyError for a part that is not there, what kept the problem from being solved, and
     UnsupportedError with the reason where no motion can be shown.
     """
     from restitution.motion.told import motions
 
-    told = motions(solution, part)
-    labels = _labels(told)
-    return {
-        "title": solution.problem.title,
-        "motions": [_of_told(each, label) for each, label in zip(told, labels, strict=True)],
-    }
+    return of_told(motions(solution, part), solution.problem.title, seconds)
+
+
+def of_told(told: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
+    """Motions of one problem, with exact values as far as they are short.
+
+    Those that are not known after so many ``seconds`` are left out.
+    """
+    made = [_of_told(each, label) for each, label in zip(told, _labels(told), strict=True)]
+    try:
+        with soft_limit(seconds, (seconds or 0) / 4, TimeLimitError("no exact values in time")):
+            for shown, each in zip(made, told, strict=True):
+                _add_exact(shown, each)
+    except TimeLimitError:
+        pass  # numbers are there for all of it
+    return {"title": title, "motions": made}
 
 
 def of_motion(motion: Motion, title: str | None = None) -> Object:
@@ -83,6 +97,7 @@ def _motion(motion: Motion, events: Sequence[Event], masses: Mapping[str, float]
                 "pieces": [
                     [*map(_number, (p.start, p.end, *p.place, *p.velocity))] for p in track.pieces
                 ],
+                "said": [None for _ in track.pieces],
             }
             for track in motion.tracks
         ],
@@ -132,6 +147,7 @@ def _event(event: Event, names: frozenset[str], masses: Mapping[str, float]) -> 
                 "before": {name: _pair(v) for name, v in before.items()},
                 "after": {name: _pair(v) for name, v in after.items()},
                 "lost": None if lost is None else _number(lost),
+                "said": None,
             }
         case Blow():
             return {
@@ -178,13 +194,17 @@ def _of_told(told: Told, label: str) -> Object:
     made["label"] = label
     words = values_of(_chosen(told))
     made["drawn"] = to_text(Phrase(words)) if words else ""
+    return made
+
+
+def _add_exact(made: Object, told: Told) -> None:
+    """Puts exact values into the data of a motion, as far as they are short."""
     exact = _Exact(told)
     for sphere, track in zip(made["spheres"], told.motion.tracks, strict=True):
         sphere["said"] = [exact.velocity(track.name, stage) for stage in _stages(told, track.name)]
     for shown, (number, event) in zip(made["events"], told.events, strict=True):
         if isinstance(event, Struck):
             shown["said"] = exact.impact(number, event)
-    return made
 
 
 def _chosen(told: Told) -> list[Chosen]:
@@ -210,10 +230,13 @@ def _chosen(told: Told) -> list[Chosen]:
 
 def _stages(told: Told, body: str) -> list[int]:
     """After which event of the story each piece of a body's motion is."""
-    times = [0, *(number for number, event in told.events if body in _bodies(event))]
-    pieces = next(track.pieces for track in told.motion.tracks if track.name == body)
-    # A piece that takes no time is left out: those that are there end the list.
-    return times[-len(pieces) :]
+    own = [(event.time, number) for number, event in told.events if body in _bodies(event)]
+    slack = 1e-9 * (told.motion.end - told.motion.start)
+    track = next(each for each in told.motion.tracks if each.name == body)
+    return [
+        next((n for time, n in reversed(own) if time <= piece.start + slack), 0)
+        for piece in track.pieces
+    ]
 
 
 def _bodies(event: Event) -> tuple[str, ...]:
@@ -286,7 +309,8 @@ class _Exact:
             told = value()
             if told.count_ops() > _LONG:
                 return None
-            found = plain(told, [self.told.branch.sample])
+            # Of either sign in general, perhaps; at the values that are shown it has to be right.
+            found = plain(told, [self.told.branch.sample, self.told.numbers.numbers])
         except (RestitutionError, ArithmeticError):
             return None
         if any(symbol.name.startswith("_") for symbol in found.free_symbols):
