@@ -1,15 +1,15 @@
 // Plays motion in straight pieces: spheres seen from above, walls, impacts.
 //
 // Between impacts every sphere moves uniformly, so all there is to know are pieces
-// [start, end, x, y, velocity x, velocity y] and the events between them (the format is described in
-// data.py). Nothing is simulated here; a time is looked up. Usage:
+// [start, end, x, y, velocity x, velocity y] and the events between them (data.py describes the
+// format). Nothing is simulated here; a time is looked up. Usage:
 //
 //     import { mount } from "./player.js";
 //     const player = mount(element, data, { page: true });
 //     player.play(); player.pause(); player.seek(1.5); player.next(); player.load(otherData);
 //
-// `page: true` listens to keys anywhere on the page, else only within the element. No markup is ever
-// made of text: every text of the data becomes a text node.
+// `page: true` listens to keys anywhere on the page, else only within the element. No markup is
+// ever made of text: every text of the data becomes a text node.
 
 const SVG = "http://www.w3.org/2000/svg";
 const COLOURS = 6;
@@ -111,6 +111,7 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1];
 const cross = (a, b) => a[0] * b[1] - a[1] * b[0];
 const plus = (a, b, k = 1) => [a[0] + k * b[0], a[1] + k * b[1]];
 const size = (a) => Math.hypot(a[0], a[1]);
+const smooth = (x) => x * x * (3 - 2 * x); // from 0 to 1 without a jerk at either end
 
 // --- a motion, looked up -------------------------------------------------------------------------
 
@@ -345,7 +346,8 @@ export class Picture {
   roundWall(wall) {
     const [x, y] = this.at(wall.centre);
     const r = wall.radius * this.scale;
-    const place = this.motion.spheres.length ? placeAt(this.motion.spheres[0], this.motion.start) : wall.centre;
+    const [first] = this.motion.spheres;
+    const place = first ? placeAt(first, this.motion.start) : wall.centre;
     const inside = size(plus(place, wall.centre, -1)) <= wall.radius * (1 + 1e-9);
     let hatching = "";
     const count = Math.max(24, Math.round((2 * Math.PI * r) / 9));
@@ -574,7 +576,7 @@ export class Picture {
       [part[`${when}across`], second],
     ];
     const side = plus(corner, first, -1);
-    const aside = size(side) > 3 ? [(5 * side[0]) / size(side), (5 * side[1]) / size(side)] : [0, 0];
+    const aside = size(side) > 3 ? plus([0, 0], side, 5 / size(side)) : [0, 0];
     pairs.forEach(([arrow, tip], index) => {
       const by = index ? [0, 0] : aside; // what returns on the same line is drawn beside it
       if (k > 0) this.pointTo(arrow, place, tip);
@@ -784,7 +786,7 @@ class Values {
       );
     }
     const columns = lines.map((line) =>
-      html("th", { scope: "col" }, ...line[0].map((x) => x.cloneNode?.(true) ?? x), unitOf(line[1])),
+      html("th", { scope: "col" }, ...line[0], unitOf(line[1])),
     );
     const table = lines.map(cells);
     return html(
@@ -958,9 +960,8 @@ export class Player {
     this.data = data;
     this.title.textContent = data.title ?? "";
     this.title.hidden = !data.title;
-    this.choice.replaceChildren(
-      ...data.motions.map(({ label }, i) => html("option", { value: i }, label || `Motion ${i + 1}`)),
-    );
+    const labels = data.motions.map(({ label }, i) => label || `Motion ${i + 1}`);
+    this.choice.replaceChildren(...labels.map((label, i) => html("option", { value: i }, label)));
     this.choice.hidden = data.motions.length < 2;
     this.choose(data.motions.length - 1);
   }
@@ -1081,9 +1082,9 @@ export class Player {
   // How much slower time goes near an impact.
   ease(t) {
     if (!this.slow.box.checked) return 1;
-    const near = this.beside(t).map((i) => Math.abs(this.motion.events[i].time - t) / this.reaches[i]);
-    const distance = Math.min(1, ...near);
-    return SLOWEST + (1 - SLOWEST) * distance * distance * (3 - 2 * distance);
+    const { events } = this.motion;
+    const near = this.beside(t).map((i) => Math.abs(events[i].time - t) / this.reaches[i]);
+    return SLOWEST + (1 - SLOWEST) * smooth(Math.min(1, ...near));
   }
 
   // The last event before a time and the first one after it, by their places in the list.
@@ -1150,7 +1151,7 @@ export class Player {
       if (this.glide !== glide) return;
       const share = Math.min(1, Math.max(0, (now - glide.since) / glide.lasts));
       if (share === 1) this.glide = null;
-      this.seek(share === 1 ? to : glide.from + (to - glide.from) * share * share * (3 - 2 * share));
+      this.seek(share === 1 ? to : glide.from + (to - glide.from) * smooth(share));
       if (share < 1) requestAnimationFrame(step);
     };
     requestAnimationFrame(step);
@@ -1158,8 +1159,7 @@ export class Player {
 
   setSpeed(speed) {
     this.speed = speed;
-    const said = speed >= 1 ? figures(Math.round(speed * 100) / 100) : `1/${Math.round(1 / speed)}`;
-    this.rateSaid.textContent = `${speed >= 1 ? Math.round(speed * 10) / 10 : said}×`;
+    this.rateSaid.textContent = `${Number(speed.toPrecision(2))}×`;
     this.rate.setAttribute("aria-valuetext", `${this.rateSaid.textContent} the usual speed`);
   }
 
@@ -1174,7 +1174,8 @@ export class Player {
       const [before, after] = [size(event.before[name]), size(event.after[name])];
       return `speed of ${name} ${figures(before)}, then ${figures(after)}`;
     });
-    this.live.textContent = `${number}: ${names(event)} at ${seconds(event.time)}; ${speeds.join("; ")}`;
+    const what = `${number}: ${names(event)} at ${seconds(event.time)}`;
+    this.live.textContent = [what, ...speeds].join("; ");
   }
 
   // --- what is seen ------------------------------------------------------------------------------
