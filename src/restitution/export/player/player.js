@@ -14,7 +14,7 @@
 const SVG = "http://www.w3.org/2000/svg";
 const COLOURS = 6;
 const HOLD = 900; // ms that slow motion rests at an impact
-const SLOWEST = 0.07; // of the usual rate, at an impact
+const SLOWEST = 0.1; // of the usual rate, at an impact
 const TRAIL = 30; // pieces that are seen of where a sphere has been
 const MANY = 30; // events, beyond which they are not counted one by one
 const CROWD = 12; // spheres, beyond which those without room for their names have none
