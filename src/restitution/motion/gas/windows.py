@@ -321,16 +321,16 @@ class Engine:
         """Add up what was done; how many changes of velocity it was."""
         counts, changed = self.counts, 0
         for each in done:
-            twice_pairs, walls, elastic, predictions, events, crossings = each.totals[:6]
+            twice_pairs, walls, _, predictions, events, crossings = each.totals[:6]
             changed += twice_pairs + walls
             counts.walls += walls
-            counts.elastic += elastic
             counts.predictions += predictions
             counts.events += events
             counts.crossings += crossings
             if len(each.log):
                 self.logs.append(each.log)
         counts.pairs += sum(each.totals[k.TWICE_PAIRS] for each in done) // 2
+        counts.elastic += sum(each.totals[k.TWICE_ELASTIC] for each in done) // 2
         counts.windows += 1
         counts.tiles += len(done)
         return changed
