@@ -191,7 +191,6 @@ class Engine:
         self.logs: list[np.ndarray] = []
         self.collapsed: Collapsed | None = None
         self._n = len(discs.row)
-        self._diameter = 2 * float(discs.row[:, k.RADIUS].max())
         self._cell_side = min(float(np.diff(edges).min()) for edges in (box.edges_x, box.edges_y))
         self._width, self._margin, self._calm = PAGE, MARGIN, 0
         self._log_rows = 1024 if logging else 0
@@ -269,8 +268,7 @@ class Engine:
         done: dict[int, Done] = {}
         redone = 0
         while True:
-            reach = 2 * self._fastest * (end - start) + self._diameter
-            near = math.ceil(reach / self._cell_side) if len(plans) > 1 else 0
+            near = self._near(end - start) if len(plans) > 1 else 0
             todo = [number for number in range(len(plans)) if number not in done]
             jobs = [(plans[number], near, margins[number], start, end) for number in todo]
             done.update(zip(todo, self._map(jobs)))
@@ -279,10 +277,9 @@ class Engine:
             )
             if len(plans) == 1 or self.collapsed:
                 break
-            fastest = max(each.fastest for each in done.values())
-            if 2 * fastest * (end - start) + self._diameter > near * self._cell_side:
-                self._fastest = fastest  # discs came from farther than was thought
-                done.clear()
+            self._fastest = max(self._fastest, *(each.fastest for each in done.values()))
+            if self._near(end - start) > near:
+                done.clear()  # discs came from farther than was thought
                 continue
             for number in [number for number, each in done.items() if self._differs(each)]:
                 del done[number]
@@ -295,6 +292,15 @@ class Engine:
             self._now, self._next = self._next, self._now
             self._fastest = max(self._fastest, *(each.fastest for each in done.values()))
         return [done[number] for number in range(len(plans))]
+
+    def _near(self, length: float) -> int:
+        """How many cells away from a tile discs matter to it, in a window of so long (s).
+
+        A disc of the tile may leave it by v·Δt; it is in the next cell then, and predicts events
+        with discs one cell farther, which may come from v·Δt beyond. Those within a diameter would
+        do for impacts in this window, but not for what is predicted of later ones.
+        """
+        return math.ceil(2 * self._fastest * length / self._cell_side) + 2
 
     def _differs(self, done: Done) -> bool:
         """Whether a disc of the halo moved otherwise than in the tile that owns it."""
