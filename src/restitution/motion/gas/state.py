@@ -105,7 +105,7 @@ def box_for(
                     f"{FEWEST_CELLS} diameters, {2 * radius * FEWEST_CELLS:g}, that a disc meets "
                     "only one image of each other"
                 )
-            cells = max(FEWEST_CELLS, min(cells, FEWEST_CELLS))
+            cells = FEWEST_CELLS
         counts.append(cells)
     edges_x, edges_y = (
         np.round((np.arange(cells + 1) / cells - 0.5) * length / resolution) * resolution
