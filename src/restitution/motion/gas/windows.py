@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from restitution.errors import UnsupportedError
 from restitution.motion.contact import TOLERANCE
 from restitution.motion.gas import kernel as k
 from restitution.motion.gas import tiles as t
@@ -193,6 +194,7 @@ class Engine:
         self._n = len(discs.row)
         self._cell_side = min(float(np.diff(edges).min()) for edges in (box.edges_x, box.edges_y))
         self._width, self._margin, self._calm = PAGE, MARGIN, 0
+        self._fewest = 1  # tiles, where discs are crowded
         self._log_rows = 1024 if logging else 0
         self._use: Callable[[Any], Any] = (lambda function: function) if plain else compiled
         self._starts = self._make(box.columns * box.lines + 1, np.int32)
@@ -247,6 +249,12 @@ class Engine:
                     done = self._window(discs.now, end)
                     break
                 except TooWideError:
+                    # more tiles, and a narrower halo
+                    self._fewest = 2 * len(self.plans())
+                    if self._fewest > 2 * self.box.columns * self.box.lines:
+                        raise UnsupportedError(
+                            f"more than {MOST} discs are too close together in so large a box"
+                        ) from None
                     length = (end - discs.now) / 2
             if self.collapsed:
                 return
@@ -347,7 +355,7 @@ class Engine:
         """The tiles: few enough, small enough, and as nearly square as may be."""
         box = self.box
         threads = self.threads if self._n > FEW * self.threads else 1
-        wanted = self.tiles or max(math.ceil(self._n / TILE), threads)
+        wanted = max(self.tiles or max(math.ceil(self._n / TILE), threads), self._fewest)
         if self.plain or wanted == 1:
             return [Plan((0, box.columns), (0, box.lines))]
         # the same number for each thread, so that none waits
