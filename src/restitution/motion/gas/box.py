@@ -8,6 +8,7 @@ import operator
 import signal
 import sys
 import threading
+import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -277,6 +278,8 @@ class Gas:
         """
         end = self._end(duration, until, impacts)
         threads = _whole(threads, "the number of threads")
+        if tiles is not None:
+            tiles = _whole(tiles, "the number of tiles")
         logs: list[np.ndarray] = []
         with contextlib.ExitStack() as stack:
             pool = stack.enter_context(ThreadPoolExecutor(threads)) if threads > 1 else None
@@ -306,7 +309,7 @@ class Gas:
             self._rate = engine.rate
         if not record_impacts:
             return None
-        return record.impacts_from(logs, self.masses, self.radii, self.box.width, self.box.height)
+        return record.impacts_from(logs, self.masses, self.radii, self.box)
 
     def _step(self, impacts: int) -> float:
         """A time in this epoch when there will not have been so many more impacts, most likely.
@@ -521,9 +524,9 @@ class Gas:
     def load(cls, path: str | Path) -> Gas:
         """The gas that was saved. Raises StatementError for any other file."""
         try:
-            with np.load(path, allow_pickle=False) as file:
+            with zipfile.ZipFile(path), np.load(path, allow_pickle=False) as file:
                 data = {name: file[name] for name in file.files}
-        except (OSError, ValueError, EOFError) as error:
+        except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
             raise StatementError(f"{Path(path).name} is no saved gas: {error}") from error
         if int(data.get("format", -1)) != FORMAT:
             raise StatementError(f"{Path(path).name} is no saved gas of this version")

@@ -9,6 +9,7 @@ import numpy as np
 
 from restitution.errors import StatementError, UnsupportedError
 from restitution.motion.gas import kernel as k
+from restitution.motion.gas.state import Box
 
 # Walls, as the second body of an impact.
 WEST, EAST, SOUTH, NORTH = -1, -2, -3, -4
@@ -29,12 +30,12 @@ def impacts_from(
     logs: Sequence[np.ndarray],
     masses: np.ndarray,
     radii: np.ndarray,
-    width: float,
-    height: float,
+    box: Box,
 ) -> np.ndarray:
     """The kernel's logs as impacts in the order of time, one row each, with the type ``IMPACT``.
 
-    ``masses`` (kg) and ``radii`` (m) are those of the discs by their numbers.
+    ``masses`` (kg) and ``radii`` (m) are those of the discs by their numbers. Places are within
+    the box, whichever tile saw the impact.
     """
     log = np.concatenate(logs) if logs else np.empty((0, k.LOGGED))
     log = log[np.lexsort((log[:, 1], log[:, 0]))]
@@ -66,7 +67,8 @@ def impacts_from(
     up = np.where(line[:, 1] < 0, SOUTH, NORTH)
     out["second"] = np.where(wall, np.where(log[:, 2] == -1, across, up), second)
     out["e"] = ((v2 - v1) * normal).sum(axis=1) / approach
-    contact = centre + radii[first][:, None] * normal + (width / 2, height / 2)
+    contact = _within(_within(centre, box) + radii[first][:, None] * normal, box)
+    contact += (box.width / 2, box.height / 2)
     for name, vectors in (
         ("", contact),
         ("line_", normal),
@@ -78,6 +80,12 @@ def impacts_from(
     ):
         out[f"{name}x"], out[f"{name}y"] = vectors.T
     return out
+
+
+def _within(places: np.ndarray, box: Box) -> np.ndarray:
+    """Places (m) from the middle of the box, brought into it through its periodic walls."""
+    sides, wraps = np.array((box.width, box.height)), (box.periodic_x, box.periodic_y)
+    return places - np.where(wraps, sides * np.floor(places / sides + 0.5), 0.0)
 
 
 def write(table: np.ndarray, path: str | Path) -> None:
