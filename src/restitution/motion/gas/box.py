@@ -114,6 +114,7 @@ class Gas:
         self._rate = self._expected_rate()
         self._engine: Engine | None = None
         self._plainly = 0.0  # impacts expected of runs in plain Python
+        self._logs: list[np.ndarray] = []  # impacts recorded and not yet returned
         self.begin()
 
     @classmethod
@@ -268,7 +269,8 @@ class Gas:
         the machine). ``record_impacts`` returns every impact, of the type ``gas.IMPACT``: walls
         are -1 (x = 0), -2, -3 (y = 0) and -4. ``progress`` shows a bar; left out, it comes on a
         terminal when a run is long. Ctrl-C stops between two windows of time; the gas is then as
-        it was at ``time``, and can be run on or saved.
+        it was at ``time``, and can be run on or saved. What was recorded until then comes with the
+        impacts of the next run that records.
 
         Raises:
             CollapseError: infinitely many impacts in a finite time; the gas is then as it was
@@ -280,13 +282,13 @@ class Gas:
         threads = _whole(threads, "the number of threads")
         if tiles is not None:
             tiles = _whole(tiles, "the number of tiles")
-        logs: list[np.ndarray] = []
         with contextlib.ExitStack() as stack:
             pool = stack.enter_context(ThreadPoolExecutor(threads)) if threads > 1 else None
             engine = self._engine_for(end, impacts, threads, tiles, record_impacts)
             engine.pool = pool
             pause = stack.enter_context(_pauses(self, end, impacts, progress))
             stack.callback(engine.store)
+            stack.callback(self._read, engine)
             wanted = None if impacts is None else self.impacts + impacts
             while self.time < end if wanted is None else self.impacts < wanted:
                 discs, epoch = self._discs, self.rules.epoch
@@ -295,10 +297,7 @@ class Gas:
                 if target <= discs.now:
                     break
                 engine.run(target, pause)
-                for log in engine.logs:
-                    log[:, 0] += discs.epoch
-                logs += engine.logs
-                engine.logs.clear()
+                self._read(engine)
                 if engine.collapsed:
                     raise self._collapse(engine.collapsed.disc, engine.collapsed.time)
                 if discs.now >= epoch:
@@ -309,6 +308,7 @@ class Gas:
             self._rate = engine.rate
         if not record_impacts:
             return None
+        logs, self._logs = self._logs, []
         return record.impacts_from(logs, self.masses, self.radii, self.box)
 
     def _step(self, impacts: int) -> float:
@@ -322,6 +322,12 @@ class Gas:
         return max(math.floor(now / epoch * 64) + 1, math.floor((now + ahead) / epoch * 64)) * (
             epoch / 64
         )
+
+    def _read(self, engine: Engine) -> None:
+        for log in engine.logs:
+            log[:, 0] += self._discs.epoch
+        self._logs += engine.logs
+        engine.logs.clear()
 
     def _engine_for(
         self, end: float, impacts: int | None, threads: int, tiles: int | None, logging: bool
@@ -544,7 +550,7 @@ class Gas:
         pairs, walls, elastic = (int(x) for x in data["counts_then"])
         gas._counts_then = pairs, walls, elastic
         gas._from, gas._rate = data["start"], float(data["rate"])
-        gas._engine, gas._plainly = None, 0.0
+        gas._engine, gas._plainly, gas._logs = None, 0.0, []
         return gas
 
     def __repr__(self) -> str:

@@ -494,8 +494,8 @@ class Engine:
         constants[k.ROUND_TIME] = 1.5 * 2.0**52 * rules.instant
         constants[k.SAME_TIME] = 2 * rules.instant
         # Nearer to a tangent, what tells a hit from a miss is rounding; a miss overlaps by less
-        # than TOLERANCE diameters. Discs that an impact with e = 0 left touching must not meet again
-        # by rounding, so they separate at a speed that can be told from none.
+        # than TOLERANCE diameters. Discs that an impact with e = 0 left touching must not meet
+        # again by rounding: they separate at a speed that can be told from none.
         constants[k.GRAZING] = TOLERANCE
         constants[k.E_DISCS] = max(rules.e, TOLERANCE)
         constants[k.E_WALLS] = rules.e_walls
