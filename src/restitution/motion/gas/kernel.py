@@ -111,7 +111,6 @@ def advance(
     same_time, grazing = constants[SAME_TIME], constants[GRAZING]
     e_discs, e_walls = constants[E_DISCS], constants[E_WALLS]
     contact_time = constants[CONTACT_TIME]
-    nobody = len(row) // 8 - 1
     infinity = math.inf
     per_time = days / (end - start)
     last_day = days - 1
@@ -409,7 +408,6 @@ def advance(
                                 while blocks[entry] != i:
                                     entry += 1
                                 blocks[entry] = blocks[block + held]
-                                blocks[block + held] = nobody
                                 blocks[block] = held - 1
                             else:
                                 if held == width - 1:
@@ -448,7 +446,6 @@ def advance(
                                 while blocks[entry] != i:
                                     entry += 1
                                 blocks[entry] = blocks[block + held]
-                                blocks[block + held] = nobody
                                 blocks[block] = held - 1
                         small[a + PARTNER] = NOTHING
                         row[a + NEXT] = infinity

@@ -8,8 +8,6 @@ functions over flat sequences, to be compiled for large runs.
 
 from __future__ import annotations
 
-import math
-
 from restitution.motion.gas.kernel import (
     BLOCK_FULL,
     COLUMN,
@@ -143,12 +141,6 @@ def gather(
     if hard_y and first_line + lines == lines_all:
         north[lines - 1] = WALL
 
-    # Rows of blocks are filled up with a disc that is nowhere and meets nobody.
-    nobody = len(row) // 8 - 1
-    for part in range(8):
-        row[8 * nobody + part] = math.nan if part <= Y else 0.0
-    for entry in range(columns * lines * width):
-        blocks[entry] = nobody
     for cell in range(columns * lines):
         blocks[cell * width] = 0
 
@@ -170,7 +162,7 @@ def gather(
                 turn_x = (first_column + column) // columns_all
                 cell = there_line * columns_all + (first_column + column) % columns_all
                 for entry in range(starts[cell], starts[cell + 1]):
-                    if i == nobody:
+                    if 8 * i == len(row):
                         return NO_ROOM
                     slot = members[entry]
                     local_of[slot] = i
@@ -186,27 +178,26 @@ def gather(
                     small[8 * i + COLUMN] = column
                     small[8 * i + LINE] = line
                     for over in range(3):
-                        at_line = line
-                        if over == 1:
-                            at_line = south[line]
-                        elif over == 2:
-                            at_line = north[line]
+                        at_line = line if over == 0 else south[line] if over == 1 else north[line]
                         if at_line < 0:
                             continue
+                        first = at_line * columns
                         for along in range(3):
-                            at_column = column
-                            if along == 1:
-                                at_column = west[column]
-                            elif along == 2:
-                                at_column = east[column]
+                            at_column = (
+                                column
+                                if along == 0
+                                else west[column]
+                                if along == 1
+                                else east[column]
+                            )
                             if at_column < 0:
                                 continue
-                            block = (at_line * columns + at_column) * width
-                            held = blocks[block]
-                            if held == width - 1:
+                            block = (first + at_column) * width
+                            held = blocks[block] + 1
+                            if held == width:
                                 return BLOCK_FULL
-                            blocks[block] = held + 1
-                            blocks[block + held + 1] = i
+                            blocks[block] = held
+                            blocks[block + held] = i
                     i += 1
         found[ring] = i
 

@@ -25,6 +25,8 @@ from restitution.motion.gas.state import Box, Discs, Rules, aligned
 # Changes of a disc's velocity in one window, on average. In a tile alone only the calendar has
 # to be made anew; a halo has to last for the whole window.
 ALONE, TILED = 8.0, 2.0
+# Cells that the fastest disc goes in a window of tiles, at most: the halo is as wide as that.
+FARTHEST = 3.0
 # Changes of velocity of all discs in a window alone, at least: it takes some time to begin one.
 WORTHWHILE = 4000
 # Events of one day of the calendar, on average.
@@ -37,7 +39,7 @@ TILE = 14_000
 MOST = 65_000
 # How many cells a halo is wider, at first, than discs can come from that touch the tile's own:
 # what goes wrong at its outer edge, where neighbours are missing, must not reach these.
-MARGIN = 7
+MARGIN = 6
 # After so many windows without a tile done again, a narrower halo is tried.
 CALM = 40
 # A tile is not worth a thread for fewer discs.
@@ -241,6 +243,8 @@ class Engine:
             tiled = len(self.plans()) > 1
             changes = TILED if tiled else max(ALONE, WORTHWHILE / self._n)
             length = changes / self.rate if self.rate > 0 else math.inf
+            if tiled and self._fastest > 0:
+                length = min(length, FARTHEST * self._cell_side / self._fastest)
             length = min(length, 2 * self._longest or 0.25 * length)
             while True:
                 # one much shorter than the others is as dear as they are
@@ -421,8 +425,7 @@ class Engine:
         layout = self._layout(plan, near, margin)
         cells = layout[t.COLUMNS] * layout[t.LINES]
         density = self._n / (self.box.columns * self.box.lines)
-        # one more, who is nowhere
-        discs = min(self._n, int(1.1 * cells * density) + 100) + 1
+        discs = min(self._n, int(1.1 * cells * density) + 100)
         days = max(8, int(cells * density * self.rate * (end - start) / PER_DAY))
         if not self.plain:
             days = min(days, 40 * discs)
@@ -433,7 +436,7 @@ class Engine:
             space = self._arrays(discs, cells, days)
             code = self._fill_and_advance(space, layout, days, start, end)
             if code in (t.NO_ROOM, k.AGENDA_FULL):
-                discs = 2 * discs if code == k.AGENDA_FULL else min(self._n + 1, 2 * discs)
+                discs = 2 * discs if code == k.AGENDA_FULL else min(self._n, 2 * discs)
             elif code == k.BLOCK_FULL:
                 self._width = max(self._width, 2 * space.width)
             elif code == k.LOG_FULL:
