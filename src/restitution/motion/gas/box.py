@@ -6,7 +6,6 @@ import contextlib
 import math
 import operator
 import signal
-import sys
 import threading
 import zipfile
 from collections.abc import Callable, Iterator
@@ -23,6 +22,7 @@ from restitution.motion.gas import record
 from restitution.motion.gas.start import lattice, random_velocities
 from restitution.motion.gas.state import Discs, Rules, aligned, box_for, check, fresh, overlap
 from restitution.motion.gas.windows import Counts, Engine
+from restitution.motion.progress import progress as progress_bar
 
 # A run of no more than so many impacts, among so many discs, is over in plain Python before a
 # compiler is even loaded.
@@ -643,52 +643,19 @@ def _pauses(
             raise KeyboardInterrupt
         stop.set()
 
-    before = signal.signal(signal.SIGINT, hear) if main else None
+    previous = signal.signal(signal.SIGINT, hear) if main else None
+    start, before = gas.time, gas.impacts
+    total, unit = (end - start, "s") if impacts is None else (impacts, "impacts")
     try:
-        with _bar(gas, end, impacts, progress) as advance:
+        with progress_bar(total, unit, progress, None if impacts else "impacts") as tell:
 
             def pause() -> None:
-                advance()
+                struck = gas.impacts - before
+                tell(struck if impacts else gas.time - start, struck)
                 if stop.is_set():
                     raise KeyboardInterrupt
 
             yield pause
     finally:
         if main:
-            signal.signal(signal.SIGINT, before)
-
-
-@contextlib.contextmanager
-def _bar(
-    gas: Gas, end: float, impacts: int | None, progress: bool | None
-) -> Iterator[Callable[[], None]]:
-    """A progress bar with rate and time left; nothing where it is not wanted."""
-    if progress is None:
-        progress = sys.stderr.isatty()
-    if not progress:
-        yield lambda: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    start, before = gas.time, gas.impacts
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TextColumn("{task.percentage:>3.0f} %"),
-        TextColumn("{task.fields[rate]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("impacts", total=impacts or end - start, rate="")
-
-        def advance() -> None:
-            struck = gas.impacts - before
-            elapsed = bar.tasks[0].elapsed or math.inf
-            bar.update(
-                task,
-                completed=struck if impacts else gas.time - start,
-                rate=f"{struck / elapsed:,.0f} impacts/s",
-            )
-
-        yield advance
+            signal.signal(signal.SIGINT, previous)
