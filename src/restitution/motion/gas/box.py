@@ -289,10 +289,11 @@ class Gas:
             pause = stack.enter_context(_pauses(self, end, impacts, progress))
             stack.callback(engine.store)
             stack.callback(self._read, engine)
+            begun = self.time, self.impacts
             wanted = None if impacts is None else self.impacts + impacts
             while self.time < end if wanted is None else self.impacts < wanted:
                 discs, epoch = self._discs, self.rules.epoch
-                step = math.inf if wanted is None else self._step(wanted - self.impacts)
+                step = math.inf if wanted is None else self._step(begun, wanted - self.impacts)
                 target = min(step, end - discs.epoch, epoch)
                 if target <= discs.now:
                     break
@@ -311,17 +312,17 @@ class Gas:
         logs, self._logs = self._logs, []
         return record.impacts_from(logs, self.masses, self.radii, self.box)
 
-    def _step(self, impacts: int) -> float:
+    def _step(self, begun: tuple[float, int], impacts: int) -> float:
         """A time in this epoch when there will not have been so many more impacts, most likely.
 
-        A whole 64th, that depends neither on tiles nor on windows.
+        It is a whole 64th, goes by what there has been since the run was ``begun`` (at a time,
+        after impacts), and at most doubles that: so it depends neither on tiles nor on windows.
         """
         epoch, now = self.rules.epoch, self._discs.now
-        rate = self.impacts / self.time if self.time > 0 else math.inf
-        ahead = 0.9 * impacts / rate if rate > 0 else epoch
-        return max(math.floor(now / epoch * 64) + 1, math.floor((now + ahead) / epoch * 64)) * (
-            epoch / 64
-        )
+        elapsed, struck = self.time - begun[0], self.impacts - begun[1]
+        ahead = min(elapsed, 0.9 * impacts * elapsed / struck if struck else math.inf)
+        last = math.floor((now + ahead) / epoch * 64)
+        return max(math.floor(now / epoch * 64) + 1, last) * (epoch / 64)
 
     def _read(self, engine: Engine) -> None:
         for log in engine.logs:
