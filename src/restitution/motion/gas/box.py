@@ -16,7 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from restitution.errors import CollapseError, ImpossibleError, StatementError
+from restitution.errors import (
+    CollapseError,
+    ImpossibleError,
+    StatementError,
+    UnsupportedError,
+)
 from restitution.motion.gas import kernel as k
 from restitution.motion.gas import record
 from restitution.motion.gas.start import lattice, random_velocities
@@ -31,6 +36,9 @@ FEW_IMPACTS, FEW_DISCS = 1000, 1000
 # In an epoch a disc of root-mean-square speed goes about so many diameters. Times are counted
 # anew after each, and so remain exact to 1e-14 of the time to go a diameter, however long the run.
 EPOCH = 16
+
+# After so many epochs without an impact one is no longer waited for.
+QUIET = 10_000
 
 # Discs of a large gas are put in the order of their cells, when an epoch ends.
 MANY = 20_000
@@ -291,7 +299,15 @@ class Gas:
             stack.callback(self._read, engine)
             begun = self.time, self.impacts
             wanted = None if impacts is None else self.impacts + impacts
+            quiet = (begun[0], begun[1])
             while self.time < end if wanted is None else self.impacts < wanted:
+                if self.impacts > quiet[1]:
+                    quiet = (self.time, self.impacts)
+                elif wanted and self.time - quiet[0] > QUIET * self.rules.epoch:
+                    raise UnsupportedError(
+                        f"there has been no impact for {self.time - quiet[0]:.3g} s, and perhaps "
+                        "there is none to come: say a duration instead of a number of impacts"
+                    )
                 discs, epoch = self._discs, self.rules.epoch
                 step = math.inf if wanted is None else self._step(begun, wanted - self.impacts)
                 target = min(step, end - discs.epoch, epoch)
