@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 import numbers
+import sys
 from collections.abc import Callable, Iterable
 from decimal import Decimal
 from fractions import Fraction
@@ -54,8 +55,15 @@ class Arithmetic(Protocol):
     def rounding(self, lengths: Iterable[Any]) -> Any:
         """How far a place made from these coordinates may be wrong, in m."""
 
+    def settled(self, velocity: Vector, speed: float) -> Vector:
+        """A velocity made from speeds so large: rest, if it is no more than rounding of them."""
+
     def shown(self, number: Any) -> Any:
         """The number as a user gets it."""
+
+
+# A float whose square still has all its figures; what is slower does not move.
+_SLOWEST = math.sqrt(sys.float_info.min / sys.float_info.epsilon)
 
 
 class Floats:
@@ -104,6 +112,10 @@ class Floats:
 
     def rounding(self, lengths: Iterable[float]) -> float:
         return TOLERANCE * sum(map(abs, lengths))
+
+    def settled(self, velocity: Vector, speed: float) -> Vector:
+        still = abs(velocity.x) + abs(velocity.y) <= max(TOLERANCE * speed, _SLOWEST)
+        return Vector(0.0, 0.0) if still else velocity
 
     def shown(self, number: float) -> float:
         return number
@@ -177,6 +189,9 @@ class ExactNumbers:
 
     def rounding(self, lengths: Iterable[Any]) -> Any:
         return 0
+
+    def settled(self, velocity: Vector, speed: float) -> Vector:
+        return velocity
 
     def shown(self, number: Any) -> Any:
         from restitution.exact import tidy

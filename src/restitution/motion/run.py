@@ -123,7 +123,10 @@ class _Course:
         self.sides: dict[tuple[int, int], int] = {}
         self.now = self.kind.start
         self.changes = [0] * len(self.balls)
-        self.stretches = [[_Stretch(self.now, ball.place, ball.velocity)] for ball in self.balls]
+        self.stretches = [
+            [_Stretch(self.now, ball.place, self.kind.settled(ball.velocity, 0.0))]
+            for ball in self.balls
+        ]
         # The speeds that a velocity was made from: it is exact to TOLERANCE times these.
         self.speeds = [_size(ball.velocity) for ball in self.balls]
         self.in_a_row = [0] * len(self.balls)
@@ -181,6 +184,8 @@ class _Course:
             if ahead is None:
                 continue
             contact, rounding, speed = ahead
+            if contact.after - contact.after != 0:
+                continue  # infinite: later than any float
             moment = self.kind.later(self.now, contact.after)
             leeway = rounding / speed if rounding else 0
             changes = self.changes_of(first, second)
@@ -322,10 +327,9 @@ class _Course:
 
     def send(self, ball: int, velocity: Vector, speed: float) -> None:
         """Let a sphere go on from where it is, with a velocity made from speeds so large."""
-        if _size(velocity) <= TOLERANCE * speed and not self.kind.exact:
-            velocity, speed = Vector(0.0, 0.0), 0.0  # at rest, but for rounding
-        self.stretches[ball].append(_Stretch(self.now, self.place(ball), velocity))
-        self.speeds[ball] = speed
+        settled = self.kind.settled(velocity, speed)
+        self.stretches[ball].append(_Stretch(self.now, self.place(ball), settled))
+        self.speeds[ball] = speed if settled is velocity else 0.0  # rest is exact
         self.changes[ball] += 1
 
     def into_wall(self, ball: int, other: int, place: Vector) -> Vector:
