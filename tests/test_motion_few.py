@@ -1157,3 +1157,26 @@ def test_they_show_themselves():
     assert repr(two()).startswith(
         "Table with 2 spheres and 4 walls, e = 1\n  P: mass 1, radius 0.25"
     )
+
+
+@KINDS
+def test_they_go_to_other_processes(exact):
+    """As an ensemble of motions needs it."""
+    table = pickle.loads(pickle.dumps(replace(two(), exact=exact)))
+    run = pickle.loads(pickle.dumps(simulate(table, impacts=6)))
+    assert (run.events == simulate(replace(two(), exact=exact), impacts=6).events).all()
+    assert run.at("1/2") == simulate(table, until=1).at("1/2")
+
+
+@pytest.mark.parametrize("tiny", [1e-309, 1e-200, 1e-150, 1e-100])
+@pytest.mark.parametrize("e", [0, 0.5, 1])
+def test_speeds_at_the_end_of_floats(tiny, e):
+    balls = [
+        sphere("P", (2.0, 2.0), (tiny, -tiny)),
+        sphere("Q", (5.0, 2.1), (0.0, tiny)),
+        sphere("R", (7.0, 7.0), (1.0, tiny)),
+    ]
+    run = played(Table.box(9, 9, balls, e=e), impacts=40)
+    assert math.isfinite(run.end)
+    for column in set(run.events.dtype.names) - {"first", "second"}:
+        assert np.isfinite(run.events[column]).all()
