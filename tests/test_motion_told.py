@@ -9,6 +9,9 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+import strategies
+from hypothesis import HealthCheck, assume, given, settings
+from test_properties import tell
 
 import restitution as r
 from restitution.errors import RestitutionError, UnsupportedError
@@ -85,89 +88,81 @@ def test_there_is_a_motion_or_a_reason(path):
         assert error.message.startswith("no motion can be shown: e would be ")
 
 
-@every
-def test_pieces_join_and_fill_the_time(path):
-    for each in told(path):
-        motion = each.motion
-        far = extent(motion)
-        assert motion.end > motion.start
-        assert motion.tracks
-        for one in motion.tracks:
-            assert one.pieces[0].start == pytest.approx(motion.start, abs=1e-9)
-            assert one.pieces[-1].end == pytest.approx(motion.end, abs=1e-9)
-            for before, after in itertools.pairwise(one.pieces):
-                assert before.end == after.start
-                assert size(before.at(before.end) - after.place) < 1e-9 * far
-            for piece in one.pieces:
-                assert all(map(math.isfinite, (*piece.place, *piece.velocity)))
+def pieces_join_and_fill_the_time(each: Told) -> None:
+    motion = each.motion
+    far = extent(motion)
+    assert motion.end > motion.start
+    assert motion.tracks
+    for one in motion.tracks:
+        assert one.pieces[0].start == pytest.approx(motion.start, abs=1e-9)
+        assert one.pieces[-1].end == pytest.approx(motion.end, abs=1e-9)
+        for before, after in itertools.pairwise(one.pieces):
+            assert before.end == after.start
+            assert size(before.at(before.end) - after.place) < 1e-9 * far
+        for piece in one.pieces:
+            assert all(map(math.isfinite, (*piece.place, *piece.velocity)))
 
 
-@every
-def test_velocities_change_as_the_events_say_and_only_then(path):
-    for each in told(path):
-        motion = each.motion
-        changes: dict[str, list[tuple[float, Vector, Vector]]] = {t.name: [] for t in motion.tracks}
-        for hit in motion.impacts:
-            for name, before, after in zip((hit.first, hit.second), hit.before, hit.after):
-                if name in changes:
-                    changes[name].append((hit.time, before, after))
-        for blow in motion.blows:
-            changes[blow.body].append((blow.time, blow.before, blow.after))
-        for one in motion.tracks:
-            quick = max(size(p.velocity) for p in one.pieces) or 1.0
-            span = motion.end - motion.start
-            for before, after in itertools.pairwise(one.pieces):
-                if size(before.velocity - after.velocity) < 1e-12 * quick:
-                    continue
-                assert any(
-                    abs(time - after.start) < 1e-9 * span
-                    and size(u - before.velocity) < 1e-9 * quick
-                    and size(v - after.velocity) < 1e-9 * quick
-                    for time, u, v in changes[one.name]
-                )
+def velocities_change_as_the_events_say_and_only_then(each: Told) -> None:
+    motion = each.motion
+    changes: dict[str, list[tuple[float, Vector, Vector]]] = {t.name: [] for t in motion.tracks}
+    for hit in motion.impacts:
+        for name, before, after in zip((hit.first, hit.second), hit.before, hit.after):
+            if name in changes:
+                changes[name].append((hit.time, before, after))
+    for blow in motion.blows:
+        changes[blow.body].append((blow.time, blow.before, blow.after))
+    for one in motion.tracks:
+        quick = max(size(p.velocity) for p in one.pieces) or 1.0
+        span = motion.end - motion.start
+        for before, after in itertools.pairwise(one.pieces):
+            if size(before.velocity - after.velocity) < 1e-12 * quick:
+                continue
+            assert any(
+                abs(time - after.start) < 1e-9 * span
+                and size(u - before.velocity) < 1e-9 * quick
+                and size(v - after.velocity) < 1e-9 * quick
+                for time, u, v in changes[one.name]
+            )
 
 
-@every
-def test_impacts_keep_the_principles(path):
-    for each in told(path):
-        for hit in each.motion.impacts:
-            (u1, u2), (v1, v2), c = hit.before, hit.after, hit.line_of_centres
-            quick = max(map(size, (u1, u2, v1, v2)))
-            assert size(c) == pytest.approx(1)
-            assert (u1 - u2).dot(c) > 0, "they approach"
-            assert (v2 - v1).dot(c) == pytest.approx(hit.e * (u1 - u2).dot(c), abs=1e-9 * quick)
-            assert v1.cross(c) == pytest.approx(u1.cross(c), abs=1e-9 * quick)
-            assert v2.cross(c) == pytest.approx(u2.cross(c), abs=1e-9 * quick)
-            spheres = [name for name in (hit.first, hit.second) if name in each.bodies]
-            if len(spheres) == 2 and set(spheres) <= set(each.masses):
-                m1, m2 = (each.masses[name] for name in spheres)
-                change = (v1 - u1) * m1 + (v2 - u2) * m2
-                assert size(change) < 1e-9 * quick * (m1 + m2)
-                assert size(hit.impulse - (v2 - u2) * m2) < 1e-9 * quick * m2
+def impacts_keep_the_principles(each: Told) -> None:
+    for hit in each.motion.impacts:
+        (u1, u2), (v1, v2), c = hit.before, hit.after, hit.line_of_centres
+        quick = max(map(size, (u1, u2, v1, v2)))
+        assert size(c) == pytest.approx(1)
+        assert (u1 - u2).dot(c) > 0, "they approach"
+        assert (v2 - v1).dot(c) == pytest.approx(hit.e * (u1 - u2).dot(c), abs=1e-9 * quick)
+        assert v1.cross(c) == pytest.approx(u1.cross(c), abs=1e-9 * quick)
+        assert v2.cross(c) == pytest.approx(u2.cross(c), abs=1e-9 * quick)
+        spheres = [name for name in (hit.first, hit.second) if name in each.bodies]
+        if len(spheres) == 2 and set(spheres) <= set(each.masses):
+            m1, m2 = (each.masses[name] for name in spheres)
+            change = (v1 - u1) * m1 + (v2 - u2) * m2
+            assert size(change) < 1e-9 * quick * (m1 + m2)
+            assert size(hit.impulse - (v2 - u2) * m2) < 1e-9 * quick * m2
 
 
-@every
-def test_bodies_touch_at_their_impacts(path):
-    for each in told(path):
-        motion = each.motion
-        near = 1e-6 * extent(motion)
-        for hit in motion.impacts:
-            first = track(motion, hit.first)
-            centre = first.at(hit.time)
-            assert size(hit.place - centre - hit.line_of_centres * first.radius) < near
-            walls = [wall for wall in motion.walls if wall.name == hit.second]
-            if not walls:
-                second = track(motion, hit.second)
-                apart = second.at(hit.time) - centre
-                reach = first.radius + second.radius
-                assert size(apart - hit.line_of_centres * reach) < near
-            elif isinstance(walls[0], Circle):
-                gap = abs(size(hit.place - walls[0].centre) - walls[0].radius)
-                assert gap < near
-            else:
-                a, b = walls[0].points
-                assert to_segment(hit.place, a, b) < near
-                assert abs((b - a).dot(hit.line_of_centres)) < 1e-9 * size(b - a)
+def bodies_touch_at_their_impacts(each: Told) -> None:
+    motion = each.motion
+    near = 1e-6 * extent(motion)
+    for hit in motion.impacts:
+        first = track(motion, hit.first)
+        centre = first.at(hit.time)
+        assert size(hit.place - centre - hit.line_of_centres * first.radius) < near
+        walls = [wall for wall in motion.walls if wall.name == hit.second]
+        if not walls:
+            second = track(motion, hit.second)
+            apart = second.at(hit.time) - centre
+            reach = first.radius + second.radius
+            assert size(apart - hit.line_of_centres * reach) < near
+        elif isinstance(walls[0], Circle):
+            gap = abs(size(hit.place - walls[0].centre) - walls[0].radius)
+            assert gap < near
+        else:
+            a, b = walls[0].points
+            assert to_segment(hit.place, a, b) < near
+            assert abs((b - a).dot(hit.line_of_centres)) < 1e-9 * size(b - a)
 
 
 def to_segment(p: Vector, a: Vector, b: Vector) -> float:
@@ -176,47 +171,43 @@ def to_segment(p: Vector, a: Vector, b: Vector) -> float:
     return size(p - a - way * share)
 
 
-@every
-def test_spheres_meet_no_other_sphere(path):
-    for each in told(path):
-        motion = each.motion
-        slack, span = 1e-6 * extent(motion), motion.end - motion.start
-        for one, other in itertools.combinations(motion.tracks, 2):
-            hits = [h.time for h in motion.impacts if {h.first, h.second} == {one.name, other.name}]
-            for a, b in itertools.product(one.pieces, other.pieces):
-                start, end = max(a.start, b.start), min(a.end, b.end)
-                if end <= start:
-                    continue
-                gap, way = a.at(start) - b.at(start), a.velocity - b.velocity
-                nearest = start
-                if way.dot(way):
-                    nearest = min(end, max(start, start - gap.dot(way) / way.dot(way)))
-                least = size(gap + way * (nearest - start))
-                if one.radius + other.radius > 0:
-                    assert least > one.radius + other.radius - slack
-                elif least < slack / 10:
-                    assert any(abs(nearest - t) < 1e-5 * span for t in [*hits, motion.start])
+def spheres_meet_no_other_sphere(each: Told) -> None:
+    motion = each.motion
+    slack, span = 1e-6 * extent(motion), motion.end - motion.start
+    for one, other in itertools.combinations(motion.tracks, 2):
+        hits = [h.time for h in motion.impacts if {h.first, h.second} == {one.name, other.name}]
+        for a, b in itertools.product(one.pieces, other.pieces):
+            start, end = max(a.start, b.start), min(a.end, b.end)
+            if end <= start:
+                continue
+            gap, way = a.at(start) - b.at(start), a.velocity - b.velocity
+            nearest = start
+            if way.dot(way):
+                nearest = min(end, max(start, start - gap.dot(way) / way.dot(way)))
+            least = size(gap + way * (nearest - start))
+            if one.radius + other.radius > 0:
+                assert least > one.radius + other.radius - slack
+            elif least < slack / 10:
+                assert any(abs(nearest - t) < 1e-5 * span for t in [*hits, motion.start])
 
 
-@every
-def test_spheres_stay_on_one_side_of_walls(path):
-    for each in told(path):
-        motion = each.motion
-        slack = 1e-6 * extent(motion)
-        for one, wall in itertools.product(motion.tracks, motion.walls):
-            for piece in one.pieces:
-                times = [piece.start + k / 40 * (piece.end - piece.start) for k in range(41)]
-                places = [piece.at(t) for t in times]
-                if isinstance(wall, Circle):
-                    offs = [size(p - wall.centre) - wall.radius for p in places]
-                    assert all(abs(x) > one.radius - slack for x in offs)
-                    assert min(offs) > -slack or max(offs) < slack
-                    continue
-                a, b = wall.points
-                assert all(to_segment(p, a, b) > one.radius - slack for p in places)
-                beside = [p for p in places if 0 < (p - a).dot(b - a) < (b - a).dot(b - a)]
-                sides = [(b - a).cross(p - a) / size(b - a) for p in beside]
-                assert not sides or min(sides) > -slack or max(sides) < slack
+def spheres_stay_on_one_side_of_walls(each: Told) -> None:
+    motion = each.motion
+    slack = 1e-6 * extent(motion)
+    for one, wall in itertools.product(motion.tracks, motion.walls):
+        for piece in one.pieces:
+            times = [piece.start + k / 40 * (piece.end - piece.start) for k in range(41)]
+            places = [piece.at(t) for t in times]
+            if isinstance(wall, Circle):
+                offs = [size(p - wall.centre) - wall.radius for p in places]
+                assert all(abs(x) > one.radius - slack for x in offs)
+                assert min(offs) > -slack or max(offs) < slack
+                continue
+            a, b = wall.points
+            assert all(to_segment(p, a, b) > one.radius - slack for p in places)
+            beside = [p for p in places if 0 < (p - a).dot(b - a) < (b - a).dot(b - a)]
+            sides = [(b - a).cross(p - a) / size(b - a) for p in beside]
+            assert not sides or min(sides) > -slack or max(sides) < slack
 
 
 @every
@@ -278,6 +269,39 @@ def is_last(each: Told, item: object) -> bool:
     """Whether an item is asked after all events of its part."""
     items = [x for step in each.part.part.steps[-1:] for x in getattr(step, "items", ())]
     return any(x is item.item for x in items)  # type: ignore[attr-defined]
+
+
+CHECKS = (
+    pieces_join_and_fill_the_time,
+    velocities_change_as_the_events_say_and_only_then,
+    impacts_keep_the_principles,
+    bodies_touch_at_their_impacts,
+    spheres_meet_no_other_sphere,
+    spheres_stay_on_one_side_of_walls,
+)
+
+
+@every
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
+def test_every_motion_is_right(path, check):
+    for each in told(path):
+        check(each)
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
+@given(strategies.tales())
+def test_chains_of_impacts_have_motions(tale):
+    """Or there are no places for them: they may be told to meet where they cannot."""
+    happens = tell(tale)
+    assume(happens is not None)
+    try:
+        found = motions(solved(happens.tale.statement("find speed(A)")))
+    except UnsupportedError as error:
+        assert re.match("no motion can be shown: (no places fit|. comes to )", error.message)
+        return
+    for each in found:
+        for check in CHECKS:
+            check(each)
 
 
 # --- single ones --------------------------------------------------------------------------------

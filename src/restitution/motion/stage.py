@@ -34,6 +34,8 @@ from restitution.vector import Vector
 WIDTH, HEIGHT = 80.0, 60.0
 # A motion ends, or begins, so much (of its duration) apart from an impact that is not told.
 _APART = 0.02
+# This share of the time before the first event, and after the last, is to be seen if possible.
+_SEEN = 0.3
 # Before a wall, a sphere stops at this share of its way there.
 _SHORT_OF = 0.95
 
@@ -152,21 +154,23 @@ def _performed(stage: Stage, *, short: bool) -> tuple[Motion, str | None]:
     stops = [stop_of(move, on_paper, stage.radius * scale) for move in moves]
     lines = wall_lines(stage.story, moves, given, stops, scale)
     start, end = stage.start, stage.end
+    first, last = min(stage.times.values()), max(stage.times.values())
     stopped = None
     for body in dict.fromkeys(name for move in moves for name in move.bodies):
         own = [move for move in moves if body in move.bodies]
         if ends_at_wall(own[-1], given, on_paper, body, scale):
-            end = min(end, max(stage.times.values()))
+            end = min(end, last)
         if given.placed:
             continue
+        # Stopping for a wall that may as well end elsewhere must leave enough to be seen.
         comes, _ = _free_time(stage, own[0], body, lines, -1)
+        since = stage.times[own[0].number] - comes
+        if start < since < first - _SEEN * (first - stage.start):
+            start = since
         goes, wall = _free_time(stage, own[-1], body, lines, 1)
-        start = max(start, stage.times[own[0].number] - comes)
-        if stage.times[own[-1].number] + goes < end:
-            end = stage.times[own[-1].number] + goes
-            stopped = _meeting(body, wall, stage)
-    start = min(start, *stage.times.values())
-    end = max(end, *stage.times.values())
+        until = stage.times[own[-1].number] + goes
+        if last + _SEEN * (stage.end - last) < until < end:
+            end, stopped = until, _meeting(body, wall, stage)
     tracks = tuple(_tracks(stage, start, end))
     legs = [
         Leg(t.name, k, "flight", p.place * scale, p.at(p.end) * scale)

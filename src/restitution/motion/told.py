@@ -32,6 +32,8 @@ from restitution.vector import Vector
 # Where nothing is said of lengths they are chosen in units that a plan on paper has: the radius of
 # a sphere, how far the fastest one comes and goes, the flights between events.
 _RADIUS, _AMONG_WALLS = 4.5, 3.0
+# Smaller spheres, as shares of that radius, are tried where these are in one another's way.
+_SIZES = (1.0, 0.6, 0.35)
 _APPROACH, _FLIGHT, _EXIT = 30.0, 30.0, 34.0
 _SHORTEST = 8.0
 # For this share of the rest of it, a motion stays where everything is at rest at first or at last.
@@ -260,7 +262,26 @@ def _freely(
     moves = _without_doubles(moves)
     points = given.radius is None and _speaks_of_places(story.problem)
     walled = any(move.wall is not None for move in moves)
-    radius = 0.0 if points else _AMONG_WALLS if walled else _RADIUS
+    usual = 0.0 if points else _AMONG_WALLS if walled else _RADIUS
+    found: tuple[Attempt, Stage] | None = None
+    for share in _SIZES:
+        found = _clearest(story, moves, given, masses, usual * share) or found
+        if found is None or found[0].in_the_way is None or points:
+            break
+    if found is None:
+        raise _no("no places fit to all that is told")
+    attempt, stage = found
+    return _possible(attempt), tuple(numbered(stage))
+
+
+def _clearest(
+    story: Story,
+    moves: Sequence[Move],
+    given: Given,
+    masses: Mapping[str, float],
+    radius: float,
+) -> tuple[Attempt, Stage] | None:
+    """The best of several choices of lengths, for spheres of one size in the units on paper."""
     made = flights.unknowns(story, moves, {}, {}, radius)
     fastest = max(length(v) for m in moves for v in (*m.before.values(), *m.after.values()))
     unit_length = (
@@ -281,10 +302,7 @@ def _freely(
             best = cost, attempt, stage
         if best[0] < 1.0:
             break
-    if best is None:
-        raise _no("no places fit to all that is told")
-    _, attempt, stage = best
-    return _possible(attempt), tuple(numbered(stage))
+    return None if best is None else best[1:]
 
 
 def _factors(flights: int) -> Iterator[tuple[float, ...]]:
