@@ -51,8 +51,13 @@ DONE, BLOCK_FULL, AGENDA_FULL, LOG_FULL, COLLAPSE = range(5)
     E_DISCS,
     E_WALLS,
     CONTACT_TIME,
+    FLIGHT,
     CONSTANTS,
-) = range(12)
+) = range(13)
+
+# So many times the resolution a disc may go before its place is taken anew: what it goes is rounded
+# to whole multiples of the resolution only up to twice as far.
+FARTHEST = 2.0**50
 
 # Columns of the log of impacts, one row an impact.
 LOGGED = 12
@@ -111,6 +116,7 @@ def advance(
     same_time, grazing = constants[SAME_TIME], constants[GRAZING]
     e_discs, e_walls = constants[E_DISCS], constants[E_WALLS]
     contact_time = constants[CONTACT_TIME]
+    flight = constants[FLIGHT]
     infinity = math.inf
     per_time = days / (end - start)
     last_day = days - 1
@@ -354,10 +360,12 @@ def advance(
                         seam = seams_x[column + 1 if onward else column] != 0
                     else:
                         seam = seams_y[line + 1 if onward else line] != 0
-                    if seam:  # through a periodic wall: the place counts from here, in the box
+                    long = max(abs(row[a + VX]), abs(row[a + VY])) * since_i > flight
+                    if seam or long:  # the place counts from here
                         row[a + X] += (row[a + VX] * since_i + round_place) - round_place
                         row[a + Y] += (row[a + VY] * since_i + round_place) - round_place
                         row[a + T] = now
+                    if seam:  # through a periodic wall: into the box
                         step = 1 if onward else -1
                         if across_x:
                             small[a + TURNS_X] += step

@@ -92,6 +92,9 @@ def box_for(
     # a periodic side is seen shifted by its length
     spans = [side * (2 if wraps else 1) for side, wraps in zip((width, height), periodic)]
     resolution = 2.0 ** (math.ceil(math.log2(max(spans))) - 53)
+    side = max(2 * radius, _side(width, height, discs))
+    if 3 * side > k.FARTHEST * resolution:
+        resolution *= 4  # few cells: a disc may cross most of the box between two of their edges
     width, height = (2 * resolution * round(side / (2 * resolution)) for side in (width, height))
     side = max(2 * radius * (1 + TOLERANCE) + 4 * resolution, _side(width, height, discs))
     counts = []

@@ -495,6 +495,7 @@ class Engine:
         # added and taken away again, these leave whole multiples of the finest length and time
         constants[k.ROUND_PLACE] = 1.5 * 2.0**52 * box.resolution
         constants[k.ROUND_TIME] = 1.5 * 2.0**52 * rules.instant
+        constants[k.FLIGHT] = k.FARTHEST * box.resolution
         constants[k.SAME_TIME] = 2 * rules.instant
         # Nearer to a tangent, what tells a hit from a miss is rounding; a miss overlaps by less
         # than TOLERANCE diameters. Discs that an impact with e = 0 left touching must not meet
