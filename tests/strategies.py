@@ -673,6 +673,33 @@ def tables(
     return Table(thrown, (*around, *among), draw(e), special)
 
 
+@st.composite
+def gases(draw: st.DrawFn) -> dict[str, Any]:
+    """What a small `Gas` is made of: discs of any radii and masses, each in a cell of its own.
+
+    Some at rest, some touching; walls hard or periodic on either side.
+    """
+    columns, lines = draw(st.integers(4, 7)), draw(st.integers(4, 7))
+    cells = [(x, y) for x in range(columns) for y in range(lines)]
+    cells = draw(st.permutations(cells))[: draw(st.integers(1, 20))]
+    part = st.floats(-3, 3).map(lambda x: round(x, 3))
+    radii = st.one_of(st.just(0.5), st.floats(0.05, 0.5))
+    each = st.lists(st.tuples(part, part), min_size=len(cells), max_size=len(cells))
+    count = {"min_size": len(cells), "max_size": len(cells)}
+    return {
+        "positions": [(x + 0.5, y + 0.5) for x, y in cells],
+        "velocities": draw(each),
+        "width": columns,
+        "height": lines,
+        "radius": draw(st.lists(radii, **count)),
+        "mass": draw(st.lists(st.floats(0.01, 100), **count)),
+        "periodic": draw(st.tuples(st.booleans(), st.booleans())),
+        "e": draw(st.sampled_from([1.0, 1.0, 0.9, 0.5, 0.0])),
+        "e_walls": draw(st.sampled_from([1.0, 0.8, 0.0])),
+        "contact_time": draw(st.sampled_from([0.0, 0.01])),
+    }
+
+
 # --- pictures ---------------------------------------------------------------------------------
 
 _ALPHA, _U, _E = layout.Letter("alpha"), layout.Letter("u"), layout.Letter("e")

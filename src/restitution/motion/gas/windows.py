@@ -255,7 +255,7 @@ class Engine:
                 except TooWideError:
                     # more tiles, and a narrower halo
                     self._fewest = 2 * len(self.plans())
-                    if self._fewest > 2 * self.box.columns * self.box.lines:
+                    if self._fewest >= 2 * self.box.columns * self.box.lines:
                         raise UnsupportedError(
                             f"more than {MOST} discs are too close together in so large a box"
                         ) from None
