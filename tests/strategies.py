@@ -679,7 +679,7 @@ def gases(draw: st.DrawFn) -> dict[str, Any]:
 
     Some at rest, some touching; walls hard or periodic on either side.
     """
-    columns, lines = draw(st.integers(4, 7)), draw(st.integers(4, 7))
+    columns, lines = draw(st.integers(5, 7)), draw(st.integers(5, 7))
     cells = [(x, y) for x in range(columns) for y in range(lines)]
     cells = draw(st.permutations(cells))[: draw(st.integers(1, 20))]
     part = st.floats(-3, 3).map(lambda x: round(x, 3))

@@ -132,7 +132,7 @@ def test_no_collapse_of_two_discs_with_e_0():
         assert gas.deepest_overlap() < 1e-12
 
 
-@pytest.mark.parametrize("discs, impacts", [(2, 40), (3, 30)])
+@pytest.mark.parametrize(("discs", "impacts"), [(2, 40), (3, 30)])
 @pytest.mark.parametrize("tiles", [None, 1], ids=["plain", "compiled"])
 @pytest.mark.parametrize("e", [1.0, 0.9])
 def test_as_few_discs_go_by_the_other_engine(discs, impacts, tiles, e):
@@ -177,7 +177,7 @@ GASES = {
     "hard": lambda: Gas.fluid(2000, 0.5, seed=2),
     "periodic": lambda: Gas.fluid(2000, 0.5, seed=2, periodic=True),
     "channel": lambda: Gas.fluid(2000, 0.3, seed=2, periodic=CHANNEL, aspect=3),
-    "thin": lambda: Gas.fluid(900, 0.01, seed=2, periodic=True),
+    "thin": lambda: Gas.fluid(1500, 0.1, seed=2, periodic=True),
     "dense": lambda: Gas.fluid(1500, 0.75, seed=2, periodic=True),
     "unequal": lambda: mixture(1500, 0.6),
     "unequal, periodic": lambda: mixture(1500, 0.6, periodic=True),
@@ -189,12 +189,12 @@ GASES = {
 @pytest.mark.parametrize("make", GASES.values(), ids=GASES)
 def test_tiles_and_threads_are_the_same(make, narrow):
     alone = make()
-    impacts = alone.run(1.5, tiles=1, record_impacts=True)
+    impacts = alone.run(2.5, tiles=1, record_impacts=True)
     assert len(impacts) == alone.impacts > 100
     for tiles, threads in ((2, 1), (4, 2), (9, 2), (30, 1)):
         tiled = make()
-        seen = tiled.run(1.5, tiles=tiles, threads=threads, record_impacts=True)
-        assert len(tiled._engine.plans()) > 1
+        seen = tiled.run(2.5, tiles=tiles, threads=threads, record_impacts=True)
+        assert tiled.counts.tiles > tiled.counts.windows
         assert_same(alone, tiled)
         np.testing.assert_array_equal(impacts, seen)
         assert tiled.pressure == alone.pressure
@@ -218,7 +218,7 @@ def test_ties_are_the_same(periodic, velocities, narrow):
     assert alone.impacts > 1000
     for gas, tiles in zip(others, (4, 12)):
         gas.run(7, tiles=tiles)
-        assert len(gas._engine.plans()) > 1
+        assert gas.counts.tiles > gas.counts.windows
         assert_same(alone, gas)
 
 
@@ -366,14 +366,14 @@ def test_long_flights_are_rounded_as_short_ones():
 
 def test_crowds_are_cut_into_more_tiles(monkeypatch, narrow):
     """More discs than a tile's ids can count: more tiles, without end where nothing helps."""
-    crowd = Gas.fluid(700, 0.5, seed=1)
+    crowd = Gas.fluid(3000, 0.5, seed=1)
     apart, whole = (
         Gas(crowd.positions, crowd.velocities, width=3 * crowd.box.width) for _ in range(2)
     )
     whole.run(0.5, tiles=1)
-    monkeypatch.setattr(windows, "MOST", 400)
+    monkeypatch.setattr(windows, "MOST", 1600)
     apart.run(0.5, tiles=1)
-    assert len(apart._engine.plans()) > 1
+    assert apart.counts.tiles > apart.counts.windows
     assert_same(apart, whole)
     monkeypatch.setattr(windows, "MOST", 3)
     with pytest.raises(UnsupportedError, match="too close together"):
@@ -433,7 +433,7 @@ def test_no_overlap_ever(periodic, packing):
                 assert (inside.min(axis=1) - gas.radii).min() > -1e-12
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(strategies.gases())
 def test_any_small_gas(case):
     gas, again = (Gas(**case) for _ in range(2))
@@ -468,7 +468,9 @@ def test_collapse_is_told(tiles, periodic):
     assert gas.deepest_overlap() < 1e-12
     again = Gas.fluid(1200, 0.4, e=0.5, seed=1, periodic=periodic)
     again.run(until=gas.time, tiles=1)
-    assert_same(gas, again)
+    np.testing.assert_array_equal(gas.velocities, again.velocities)
+    # the time, as one number, is rounded
+    np.testing.assert_allclose(gas.unwrapped, again.unwrapped, rtol=0, atol=1e-12)
     with pytest.raises(CollapseError):
         gas.run(1000, tiles=tiles)
 
@@ -499,21 +501,27 @@ def compressibility(gas):
     return gas.pressure * gas.box.width * gas.box.height / gas.kinetic_energy
 
 
-@pytest.mark.parametrize(
-    "packing, within",
-    # Henderson's own error is below 0.1 % up to 0.3, 0.2 % at 0.5 and 0.5 % at 0.6; what the run
-    # adds, of 400 impacts a disc, is some 0.1 % as seen from one seed to another.
-    [(0.1, 0.003), (0.2, 0.003), (0.3, 0.004), (0.4, 0.005), (0.5, 0.006), (0.6, 0.009)],
-)
-def test_pressure_is_hendersons(packing, within):
-    gas = melted(1024, packing)
-    gas.run(impacts=200 * 1024, tiles=1)
-    assert compressibility(gas) == pytest.approx(henderson(packing), rel=within)
-    # the virial of each impact is the better known part: by Enskog the rate has the same factor
+def luding(packing):
+    """What was fitted to simulations: S. Luding, Physical Review E 63 (2001), 042201."""
     dense = (1 - 7 * packing / 16) / (1 - packing) ** 2
-    speed = math.sqrt(gas.kinetic_energy / len(gas))
-    enskog = 8 * packing / math.sqrt(math.pi) / 1.0 * speed * dense / 2
-    assert gas.rate / len(gas) == pytest.approx(enskog, rel=2 * within + 0.002)
+    return dense - packing**3 / 16 / (8 * (1 - packing) ** 4)
+
+
+@pytest.mark.parametrize(
+    ("packing", "known"),
+    # Henderson's own error, towards too high a pressure. What the run adds is within 0.4 %.
+    [(0.1, 0.001), (0.2, 0.001), (0.3, 0.001), (0.4, 0.002), (0.5, 0.004), (0.6, 0.012)],
+)
+def test_pressure_is_hendersons_and_rate_is_enskogs(packing, known):
+    n = 1024
+    gas = melted(n, packing, impacts=100)
+    gas.run(impacts=500 * n, tiles=1)
+    found = compressibility(gas) / henderson(packing) - 1
+    assert -known - 0.004 < found < 0.004
+    assert compressibility(gas) == pytest.approx(1 + 2 * packing * luding(packing), rel=0.005)
+    # by Enskog the rate has the factor of the pressure
+    enskog = 4 * packing * luding(packing) * math.sqrt(gas.kinetic_energy / n / math.pi)
+    assert gas.rate / n == pytest.approx(enskog, rel=0.01)
 
 
 @pytest.mark.parametrize("packing", [0.1, 0.4])
@@ -645,7 +653,7 @@ TWO = {"positions": [[2, 2], [5, 5]], "velocities": [[1, 0], [0, 1]], "width": 9
 
 
 @pytest.mark.parametrize(
-    "case, error, message",
+    ("case", "error", "message"),
     [
         ({"positions": []}, StatementError, "at least one disc"),
         ({"positions": 3}, StatementError, "at least one disc"),
@@ -666,7 +674,7 @@ TWO = {"positions": [[2, 2], [5, 5]], "velocities": [[1, 0], [0, 1]], "width": 9
         ({"e": math.nan}, ImpossibleError, "e is nan"),
         ({"e_walls": -0.5}, ImpossibleError, "e_walls is -0.5"),
         ({"contact_time": -1}, ImpossibleError, "contact_time is -1"),
-        ({"width": 7, "radius": 1, "periodic": True}, ImpossibleError, "at least 4 diameters, 8"),
+        ({"width": 7, "radius": 1, "periodic": True}, ImpossibleError, "more than 4 diameters, 8"),
     ],
 )
 def test_what_cannot_be_is_refused(case, error, message):
@@ -675,12 +683,12 @@ def test_what_cannot_be_is_refused(case, error, message):
 
 
 def test_through_a_periodic_wall_discs_overlap_too():
-    with pytest.raises(ImpossibleError, match="overlap by 0.5"):
+    with pytest.raises(ImpossibleError, match=r"overlap by 0\.5"):
         Gas([[0.25, 2], [8.75, 2]], np.zeros((2, 2)), width=9, periodic=(True, False), radius=0.5)
 
 
 @pytest.mark.parametrize(
-    "case, message",
+    ("case", "message"),
     [
         ({"packing": 0.95}, "packing of 0.95"),
         ({"packing": 0}, "packing is 0; it has to be positive"),
@@ -691,12 +699,12 @@ def test_through_a_periodic_wall_discs_overlap_too():
 def test_fluids_that_cannot_be(case, message):
     with pytest.raises(ImpossibleError, match=message):
         Gas.fluid(100, **case)
-    with pytest.raises(StatementError, match="the number of discs is a whole number, not 2.5"):
+    with pytest.raises(StatementError, match=r"whole number, not 2\.5"):
         Gas.fluid(2.5, 0.1)
 
 
 @pytest.mark.parametrize(
-    "case, message",
+    ("case", "message"),
     [
         ({}, "say one of duration"),
         ({"duration": 1, "impacts": 3}, "say one of duration"),
@@ -756,6 +764,7 @@ def test_nothing_that_moves_and_one_that_does():
     assert len(alone) == 1 and alone.packing == pytest.approx(math.pi / 4 / 81)
 
 
-def test_progress_is_shown(capsys):
+def test_progress_is_shown(capsys, monkeypatch):
+    monkeypatch.setenv("FORCE_COLOR", "1")  # as on a terminal
     Gas.fluid(50, 0.2, seed=1).run(impacts=100, progress=True)
     assert "impacts" in capsys.readouterr().err

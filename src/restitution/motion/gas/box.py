@@ -350,8 +350,10 @@ class Gas:
         self, end: float, impacts: int | None, threads: int, tiles: int | None, logging: bool
     ) -> Engine:
         expected = impacts or self._rate * len(self) * (end - self.time) / 2
-        self._plainly += expected
-        plain = self._plainly <= FEW_IMPACTS and len(self) <= FEW_DISCS and tiles is None
+        few = self._plainly + expected <= FEW_IMPACTS and len(self) <= FEW_DISCS
+        plain = few and tiles is None
+        if plain:
+            self._plainly += expected
         engine = self._engine
         if (
             engine is None

@@ -104,7 +104,7 @@ def box_for(
             cells = int(length / (2 * radius * (1 + TOLERANCE) + 4 * resolution))
             if cells < FEWEST_CELLS:
                 raise ImpossibleError(
-                    f"the {name} of a periodic box is {length:g}, but it has to be at least "
+                    f"the {name} of a periodic box is {length:g}, but it has to be more than "
                     f"{FEWEST_CELLS} diameters, {2 * radius * FEWEST_CELLS:g}, that a disc meets "
                     "only one image of each other"
                 )
