@@ -308,7 +308,10 @@ def scale(turns: int) -> Iterator[Row]:
     by_two.run(impacts=10**6, threads=2, progress=False)
     different = int((by_one.velocities != by_two.velocities).sum())
     one = measured["10⁶"]
-    yield Row("gas of 10⁶ discs over one of 10³", quotients(one, measured["10³"]), 0.4)
+    dense = quotients(measured["10⁶, dense"], measured["10³, dense"])
+    yield Row("gas of 10⁶ discs over one of 10³, packing 0.6", dense, 0.4)
+    thin = quotients(one, measured["10³"])
+    yield Row("gas of 10⁶ discs over one of 10³, packing 0.3", thin, 0.4)
     yield Row("gas of 10⁶ discs, two threads over one", quotients(measured["10⁶ by two"], one), 1.4)
     yield Row("gas of 10⁶ discs, two threads: velocities that differ", [different], 0, at_most=True)
     yield Row("gas of 10³, packing 0.6: impacts a second", measured["10³, dense"], 3e6)
