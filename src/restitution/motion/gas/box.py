@@ -35,7 +35,7 @@ FEW_IMPACTS, FEW_DISCS = 1000, 1000
 
 # In an epoch a disc of root-mean-square speed goes about so many diameters. Times are counted
 # anew after each, and so remain exact to 1e-14 of the time to go a diameter, however long the run.
-EPOCH = 16
+EPOCH = 32
 
 # After so many epochs without an impact one is no longer waited for.
 QUIET = 10_000
@@ -396,7 +396,7 @@ class Gas:
     def _collapse(self, disc: int, time: float) -> CollapseError:
         each = (self.counts.pairs * 2 + self.counts.walls) / len(self)
         error = CollapseError(
-            f"disc {disc} is struck more than {k.TOO_MANY_AT_ONCE} times at what is one time, "
+            f"disc {disc} is struck more than {self.rules.at_once} times at what is one time, "
             f"{self._discs.epoch + time:.6g} s: with e = {self.rules.e:g} the gas collapses (after "
             f"{each:.3g} impacts a disc), with infinitely many impacts in a finite time. "
             "contact_time=… takes impacts as elastic that follow one another within that time (s), "
@@ -420,7 +420,8 @@ class Gas:
             gone = np.round(row[old, speed] * -row[old, k.T] / self.box.resolution)
             row[old, place] += gone * self.box.resolution
         row[old, k.T] = 0.0
-        self.rules = replace(self.rules, epoch=max(epoch, self._epoch()))
+        if self.rules.e < 1 or self.rules.e_walls < 1:
+            self.rules = replace(self.rules, epoch=max(epoch, self._epoch()))
         if len(row) >= MANY:
             order = np.lexsort((small[:, k.COLUMN], small[:, k.LINE]))
             place_of = np.empty_like(order)

@@ -52,8 +52,9 @@ DONE, BLOCK_FULL, AGENDA_FULL, LOG_FULL, COLLAPSE = range(5)
     E_WALLS,
     CONTACT_TIME,
     FLIGHT,
+    AT_ONCE,
     CONSTANTS,
-) = range(13)
+) = range(14)
 
 # So many times the resolution a disc may go before its place is taken anew: what it goes is rounded
 # to whole multiples of the resolution only up to twice as far.
@@ -65,9 +66,6 @@ LOGGED = 12
 # In ``totals``: twice the impacts of discs, impacts with walls, twice those made elastic,
 # predictions, events taken from the calendar, crossings; the fastest speed squared is a float.
 TWICE_PAIRS, WALLS, TWICE_ELASTIC, SCANS, POPS, CROSSINGS, LOGS, CULPRIT = range(8)
-
-# Impacts of one disc one after another at what is to the machine one time: a collapse.
-TOO_MANY_AT_ONCE = 100
 
 
 def advance(
@@ -117,6 +115,7 @@ def advance(
     e_discs, e_walls = constants[E_DISCS], constants[E_WALLS]
     contact_time = constants[CONTACT_TIME]
     flight = constants[FLIGHT]
+    at_once = constants[AT_ONCE]
     infinity = math.inf
     per_time = days / (end - start)
     last_day = days - 1
@@ -285,7 +284,7 @@ def advance(
                     if min(since_i, since_j) <= same_time:
                         small[a + QUICK] += 1
                         small[b + QUICK] += 1
-                        if max(small[a + QUICK], small[b + QUICK]) > TOO_MANY_AT_ONCE:
+                        if max(small[a + QUICK], small[b + QUICK]) > at_once:
                             totals[CULPRIT] = i if i < owned else j
                             fastest[1] = now
                             return COLLAPSE
@@ -348,7 +347,7 @@ def advance(
                     walls += i < owned
                     if since_i <= same_time:
                         small[a + QUICK] += 1
-                        if small[a + QUICK] > TOO_MANY_AT_ONCE:
+                        if small[a + QUICK] > at_once:
                             totals[CULPRIT] = i
                             fastest[1] = now
                             return COLLAPSE

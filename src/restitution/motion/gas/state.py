@@ -49,6 +49,15 @@ class Rules:
     epoch: float
 
     @property
+    def at_once(self) -> int:
+        """Impacts of one disc, one after another at what is one time, that are a collapse.
+
+        Without loss there is none: among discs that touch, and of very different masses, there
+        may be very many impacts, but there are finitely many.
+        """
+        return 10**6 if self.e == self.e_walls == 1 else 100
+
+    @property
     def instant(self) -> float:
         """The finest time, in s."""
         return self.epoch * 2.0**-50

@@ -202,6 +202,7 @@ class Engine:
         self._starts = self._make(box.columns * box.lines + 1, np.int32)
         self._members = self._make(self._n, np.int32)
         self._spare: list[Arrays] = []
+        self._others: list[Any] = []  # where the next state goes, by turns
         self._longest = 0.0  # s; windows grow no faster than twofold, until the rate is known
         self.load()
 
@@ -218,8 +219,9 @@ class Engine:
             self._names = discs.names.tolist()
             self._edges = (box.edges_x.tolist(), box.edges_y.tolist())
         else:
-            self._now = flat
-            self._next = [aligned(array.shape, array.dtype) for array in flat]
+            if not self._others:
+                self._others = [aligned(array.shape, array.dtype) for array in flat]
+            self._now, self._next = flat, self._others
             self._names = discs.names
             self._edges = (box.edges_x, box.edges_y)
         self._fastest = float(np.hypot(discs.row[:, k.VX], discs.row[:, k.VY]).max())
@@ -495,6 +497,7 @@ class Engine:
         # added and taken away again, these leave whole multiples of the finest length and time
         constants[k.ROUND_PLACE] = 1.5 * 2.0**52 * box.resolution
         constants[k.ROUND_TIME] = 1.5 * 2.0**52 * rules.instant
+        constants[k.AT_ONCE] = rules.at_once
         constants[k.FLIGHT] = k.FARTHEST * box.resolution
         constants[k.SAME_TIME] = 2 * rules.instant
         # Nearer to a tangent, what tells a hit from a miss is rounding; a miss overlaps by less
