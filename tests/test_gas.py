@@ -433,6 +433,17 @@ def test_no_overlap_ever(periodic, packing):
                 assert (inside.min(axis=1) - gas.radii).min() > -1e-12
 
 
+@pytest.mark.parametrize("periodic", [HARD, PERIODIC])
+@pytest.mark.parametrize("make", [lambda **how: Gas.fluid(300, 0.6, seed=1, **how), mixture])
+def test_at_impacts_discs_just_touch(periodic, make):
+    """At any other time the least gap says little."""
+    gas, again = (make(periodic=periodic) for _ in range(2))
+    hits = gas.run(impacts=3000, tiles=1, record_impacts=True)
+    for time in hits["time"][hits["second"] >= 0][-1000::10]:
+        again.run(until=float(time), tiles=1)
+        assert abs(again.deepest_overlap()) < 1e-12
+
+
 @settings(max_examples=100, deadline=None)
 @given(strategies.gases())
 def test_any_small_gas(case):
