@@ -222,6 +222,18 @@ def test_ties_are_the_same(periodic, velocities, narrow):
         assert_same(alone, gas)
 
 
+@pytest.mark.parametrize("per_day", [1.5, 40.0])
+def test_full_pages_of_the_calendar_are_the_same(monkeypatch, per_day):
+    """What is spilt from a full page waits for its own day."""
+    one, other = (mixture(1000, 0.6, periodic=True) for _ in range(2))
+    one.run(3, tiles=1)
+    monkeypatch.setattr(windows, "PAGE", 4)
+    monkeypatch.setattr(windows, "PER_DAY", per_day)
+    other.run(3, tiles=1)
+    assert one.impacts > 1000
+    assert_same(one, other)
+
+
 def test_cuts_into_runs_are_the_same(narrow):
     whole, cut, seldom = (Gas.fluid(800, 0.4, seed=3, periodic=CHANNEL) for _ in range(3))
     whole.run(10.0)
