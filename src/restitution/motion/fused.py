@@ -16,7 +16,7 @@ from numba import njit, types
 
 from restitution import law
 from restitution.motion.batch import possible
-from restitution.motion.compiled import as_it_stands
+from restitution.motion.compiled_law import as_it_stands
 from restitution.motion.lanes import (
     BYTES,
     COUNT,

@@ -12,16 +12,12 @@ from typing import Any
 from restitution.errors import UnsupportedError
 
 
-def available() -> bool:
-    """Whether Numba is installed."""
-    from importlib.util import find_spec
-
-    return find_spec("numba") is not None
-
-
 @functools.cache
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
-    """A function as Numba compiles it; what is compiled is kept beside the package."""
+    """A function as Numba compiles it; what is compiled is kept beside the package.
+
+    Raises UnsupportedError where Numba is not installed.
+    """
     try:
         import numba
     except ImportError as error:
