@@ -15,8 +15,11 @@ from dataclasses import dataclass
 from restitution.motion.pieces import Circle, Line, Motion, Piece, Track
 from restitution.vector import Vector
 
-#: How much nearer than in contact is too near, as a share of the extent of a motion.
-TOLERANCE = 1e-7
+#: How much nearer than in contact is too near, as a share of the extent of a motion; far more than
+#: rounding, as places come from a system of equations, and less than anybody sees.
+TOO_NEAR = 1e-7
+#: Times that differ by less than this share of the whole are those of one contact.
+AT_ONCE = 1e-6
 
 _Interval = tuple[float, float]
 
@@ -37,21 +40,20 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
     ``extent`` is the size of the whole, in m. Spheres of no size overlap while they pass through
     one point or through a wall.
     """
-    tolerance = TOLERANCE * extent
+    tolerance = TOO_NEAR * extent
     found = [
         *_of_spheres(motion.tracks, tolerance),
         *_with_walls(motion.tracks, motion.walls, tolerance),
     ]
     contacts = [(hit.time, {hit.first, hit.second}) for hit in motion.impacts]
     contacts += [(at.time, {at.body, at.target}) for at in motion.reached if at.target]
-    span = max(motion.end - motion.start, 1e-30)
+    moment = AT_ONCE * (motion.end - motion.start)
     told = [
         each
         for each in found
-        if each.end > motion.start + 1e-6 * span  # what begins in contact may part
+        if each.end > motion.start + moment  # what begins in contact may part
         and not any(
-            names == {each.first, each.second}
-            and each.start - 1e-6 * span <= time <= each.end + 1e-6 * span
+            names == {each.first, each.second} and each.start - moment <= time <= each.end + moment
             for time, names in contacts
         )
     ]
