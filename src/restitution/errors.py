@@ -76,7 +76,7 @@ class UnsupportedError(RestitutionError):
 class CollapseError(RestitutionError):
     """A motion in which infinitely many impacts happen before some moment.
 
-    ``run`` is the motion up to where it was given up.
+    ``run`` is the motion up to where it was given up; of a gas, the gas itself, as it was then.
     """
 
     kind = "collapse"
