@@ -343,11 +343,11 @@ def test_ctrl_c_leaves_a_state_to_go_on_from(tmp_path):
     saved = Gas.load(path)
     assert saved.impacts == int(out) > 0
     again = Gas.fluid(2000, 0.5, seed=1)
-    again.run(until=min(saved.time, 5.0), tiles=1)
-    if saved.time > again.time:
-        assert saved.deepest_overlap() < 1e-12
-    else:
-        assert_same(saved, again)
+    again.run(until=saved.time, tiles=1)
+    assert again.impacts == saved.impacts
+    np.testing.assert_array_equal(saved.velocities, again.velocities)
+    # the time, as one number, is rounded
+    np.testing.assert_allclose(saved.unwrapped, again.unwrapped, rtol=0, atol=1e-12)
 
 
 def test_long_flights_are_rounded_as_short_ones():
@@ -399,8 +399,8 @@ def test_crowds_are_cut_into_more_tiles(monkeypatch, narrow):
 def test_energy_and_momentum_after_ten_thousand_impacts_a_disc(periodic):
     gas = mixture(60, 0.6, periodic=periodic)
     energy, momentum = gas.kinetic_energy, gas.momentum
-    gas.run(impacts=60 * 10_000 // 2, tiles=1)
-    assert 2 * gas.counts.pairs + gas.counts.walls >= 60 * 10_000 * 0.9
+    gas.run(impacts=60 * 6_000, tiles=1)  # those of two discs are impacts of both
+    assert 2 * gas.counts.pairs + gas.counts.walls >= 60 * 10_000
     assert gas.kinetic_energy == pytest.approx(energy, rel=1e-12, abs=0)
     if periodic:
         size = math.sqrt(2 * energy * gas.masses.sum())
@@ -410,7 +410,7 @@ def test_energy_and_momentum_after_ten_thousand_impacts_a_disc(periodic):
 
 @pytest.mark.parametrize("periodic", [HARD, PERIODIC])
 def test_time_can_be_turned_round(periodic):
-    """Rounding of 1e-16 grows some tenfold with each impact of a disc at this packing.
+    """Rounding of 1e-16 grows some fivefold with each impact of a disc at this packing.
 
     So six impacts a disc forth and six back leave some eight figures of the start at the worst.
     """
@@ -419,7 +419,7 @@ def test_time_can_be_turned_round(periodic):
     start, velocities, then = gas.positions, gas.velocities, gas.time
     each = 2 * gas.rate / len(gas)
     errors = []
-    for impacts in (1, 3):
+    for impacts in (1, 6):
         for _ in range(2):
             gas.run(impacts / each)
             gas.reverse()
@@ -427,9 +427,9 @@ def test_time_can_be_turned_round(periodic):
         if periodic:
             apart -= gas.box.width * np.round(apart / gas.box.width)
         errors.append(np.abs(apart).max())
-        assert np.abs(gas.velocities - velocities).max() < 1e4 * errors[-1] + 1e-12
+        assert np.abs(gas.velocities - velocities).max() < 100 * errors[-1]
     assert then < gas.time
-    assert errors[0] < 1e-9 and errors[1] < 1e-4
+    assert errors[0] < 1e-11 and errors[1] < 1e-7
 
 
 @pytest.mark.parametrize("periodic", [HARD, PERIODIC])
