@@ -696,6 +696,10 @@ TWO = {"positions": [[2, 2], [5, 5]], "velocities": [[1, 0], [0, 1]], "width": 9
         ({"e": 1.1}, ImpossibleError, "e is 1.1; it has to be from 0 to 1"),
         ({"e": math.nan}, ImpossibleError, "e is nan"),
         ({"e_walls": -0.5}, ImpossibleError, "e_walls is -0.5"),
+        ({"e": "half"}, StatementError, "e has to be numbers, not 'half'"),
+        ({"width": [9]}, StatementError, r"width is one number, not \[9\]"),
+        ({"periodic": "xy"}, StatementError, "periodic is True, False or a pair of them"),
+        ({"periodic": (True, False, True)}, StatementError, "a pair of them, not"),
         ({"contact_time": -1}, ImpossibleError, "contact_time is -1"),
         ({"width": 7, "radius": 1, "periodic": True}, ImpossibleError, "more than 4 diameters, 8"),
     ],
@@ -724,6 +728,10 @@ def test_fluids_that_cannot_be(case, message):
         Gas.fluid(100, **case)
     with pytest.raises(StatementError, match=r"whole number, not 2\.5"):
         Gas.fluid(2.5, 0.1)
+    with pytest.raises(StatementError, match="packing has to be numbers"):
+        Gas.fluid(3, "thin")
+    with pytest.raises(StatementError, match="seed is -1: "):
+        Gas.fluid(3, 0.1, seed=-1)
 
 
 @pytest.mark.parametrize(
@@ -733,6 +741,7 @@ def test_fluids_that_cannot_be(case, message):
         ({"duration": 1, "impacts": 3}, "say one of duration"),
         ({"duration": -1}, "the end is at -1, but it is 0 s already"),
         ({"until": math.nan}, "the end is at nan"),
+        ({"duration": "long"}, "duration has to be numbers, not 'long'"),
         ({"impacts": 0}, "the number of impacts is 0; it has to be at least 1"),
         ({"impacts": 1.5}, "the number of impacts is a whole number"),
         ({"duration": 1, "threads": 0}, "the number of threads is 0"),

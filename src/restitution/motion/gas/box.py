@@ -84,7 +84,11 @@ class Gas:
         e_walls: float | None = None,
         contact_time: float = 0.0,
     ) -> None:
-        height = width if height is None else height
+        width = _number(width, "width")
+        height = width if height is None else _number(height, "height")
+        e = _number(e, "e")
+        e_walls = e if e_walls is None else _number(e_walls, "e_walls")
+        contact_time = _number(contact_time, "contact_time")
         positions, velocities = (
             _numbers(values, name)
             for values, name in ((positions, "positions"), (velocities, "velocities"))
@@ -97,14 +101,13 @@ class Gas:
             for values in (_numbers(radius, "radius"), _numbers(mass, "mass"))
         )
         check(positions, velocities, radii, masses, width, height)
-        e_walls = e if e_walls is None else e_walls
         for name, value in (("e", e), ("e_walls", e_walls)):
             if not 0 <= value <= 1:
                 raise ImpossibleError(f"{name} is {value:g}; it has to be from 0 to 1")
         if not (math.isfinite(contact_time) and contact_time >= 0):
             raise ImpossibleError(f"contact_time is {contact_time:g}; it is a time from 0")
         wraps = _both(periodic)
-        self.box = box_for(float(width), float(height), wraps, float(radii.max()), n)
+        self.box = box_for(width, height, wraps, float(radii.max()), n)
         centred = self._centred(positions, radii)
         row, small, tally = fresh(centred, velocities, radii, masses, self.box)
         self._discs = Discs(row, small, tally, np.arange(n, dtype=np.int32))
@@ -117,7 +120,7 @@ class Gas:
                 f"are {radii[one] + radii[two] - deep:.6g} apart, which has to be at least "
                 f"{radii[one] + radii[two]:.6g}"
             )
-        self.rules = Rules(float(e), float(e_walls), float(contact_time), self._epoch())
+        self.rules = Rules(e, e_walls, contact_time, self._epoch())
         self.counts = Counts()
         self._rate = self._expected_rate()
         self._engine: Engine | None = None
@@ -146,19 +149,28 @@ class Gas:
         the ratio of the sides; ``rules`` are e, e_walls and contact_time. The same seed gives the
         same gas. Some ten impacts a disc melt the lattice.
 
-        Raises ImpossibleError as for ``Gas``, and where so many discs have no room on a lattice.
+        Raises as ``Gas`` does, and ImpossibleError where so many discs have no room on a lattice.
         """
         n = _whole(n, "the number of discs")
-        for name, value in (
-            *(("packing", packing), ("radius", radius), ("mass", mass), ("aspect", aspect)),
-            ("temperature", temperature),
-        ):
+        values = {
+            "packing": packing,
+            "radius": radius,
+            "mass": mass,
+            "aspect": aspect,
+            "temperature": temperature,
+        }
+        values = {name: _number(value, name) for name, value in values.items()}
+        for name, value in values.items():
             if not (math.isfinite(value) and value > 0):
                 raise ImpossibleError(f"{name} is {value:g}; it has to be positive")
+        packing, radius, mass, aspect, temperature = values.values()
         area = n * math.pi * radius**2 / packing
         width, height = math.sqrt(area * aspect), math.sqrt(area / aspect)
         wraps = _both(periodic)
-        rng = np.random.default_rng(seed)
+        try:
+            rng = np.random.default_rng(seed)
+        except (TypeError, ValueError) as error:
+            raise StatementError(f"seed is {seed!r}: {error}") from error
         return cls(
             lattice(n, width, height, radius, wraps, rng),
             random_velocities(np.full(n, mass), temperature, all(wraps), rng),
@@ -382,8 +394,10 @@ class Gas:
         if impacts is not None:
             _whole(impacts, "the number of impacts")
             return math.inf
-        end = self.time + duration if duration is not None else until
-        assert end is not None
+        if duration is not None:
+            end = self.time + _number(duration, "duration")
+        else:
+            end = _number(until, "until")
         if not (math.isfinite(end) and end >= self.time):
             raise StatementError(f"the end is at {end:g}, but it is {self.time:g} s already")
         return end
@@ -630,8 +644,23 @@ def _numbers(values: Any, name: str) -> np.ndarray:
         raise StatementError(f"{name} has to be numbers, not {values!r}") from error
 
 
-def _both(periodic: bool | tuple[bool, bool]) -> tuple[bool, bool]:
-    return (periodic, periodic) if isinstance(periodic, bool) else periodic
+def _number(value: Any, name: str) -> float:
+    number = _numbers(value, name)
+    if number.ndim:
+        raise StatementError(f"{name} is one number, not {value!r}")
+    return float(number)
+
+
+def _both(periodic: Any) -> tuple[bool, bool]:
+    """What is said for x and y, or for both."""
+    said = [periodic] * 2 if isinstance(periodic, bool | np.bool_) else periodic
+    if (
+        not isinstance(said, tuple | list)
+        or len(said) != 2
+        or not all(isinstance(each, bool | np.bool_) for each in said)
+    ):
+        raise StatementError(f"periodic is True, False or a pair of them, not {periodic!r}")
+    return bool(said[0]), bool(said[1])
 
 
 def _whole(number: Any, name: str) -> int:
