@@ -686,6 +686,11 @@ TWO = {"positions": [[2, 2], [5, 5]], "velocities": [[1, 0], [0, 1]], "width": 9
         ({"radius": [0.5] * 3}, StatementError, r"radius has the shape \(3,\), but 2"),
         ({"velocities": [[1, 0], [0, math.nan]]}, StatementError, "velocities of disc 1 is"),
         ({"mass": [math.inf, 1]}, StatementError, "mass of disc 0 is inf"),
+        (
+            {"velocities": [[1e200, 0], [0, 0]]},
+            StatementError,
+            "velocities or masses are too large",
+        ),
         ({"mass": [1, 0]}, ImpossibleError, "mass of disc 1 is 0; it has to be positive"),
         ({"radius": -1}, ImpossibleError, "radius of disc 0 is -1"),
         ({"width": 0}, ImpossibleError, "width of the box is 0"),

@@ -161,6 +161,10 @@ def check(
             raise ImpossibleError(
                 f"the {name} of disc {first} is {values[first]:g}; it has to be positive"
             )
+    with np.errstate(over="ignore"):
+        energy = float((masses * (velocities**2).sum(axis=1)).sum()) / 2
+    if not math.isfinite(energy):
+        raise StatementError("velocities or masses are too large: so is the energy for a float")
 
 
 def overlap(
