@@ -238,6 +238,62 @@ def test_what_is_cancelled_is_tried_once_more():
     assert len(result.failures) == 9 and "Cancelled" in result.failures[0].error
 
 
+def test_an_executor_that_is_shut_down_on_the_way():
+    """It takes nothing more; what it had done is kept."""
+    executor = ThreadPoolExecutor(1)
+
+    def last(case):
+        if case == 3:
+            executor.shutdown(wait=False)
+        return case
+
+    result = ensemble(last, range(100), executor, workers=1)
+    assert "after shutdown" in result.stopped
+    assert result.values[:4] == (0, 1, 2, 3) and 99 in result.missing
+    assert ensemble(square, [1, 2], executor).values == (None, None)
+
+
+def test_cases_that_raise():
+    """Those before the exception are worked out, also those drawn in one go with it."""
+
+    def cases():
+        yield from range(50)
+        raise OSError("the disk is gone")
+
+    for executor in (None, Inline()):
+        result = ensemble(square, cases(), executor)
+        assert result.values == tuple(case * case for case in range(50))
+        assert result.stopped == "after 50 cases there came OSError: the disk is gone"
+        with pytest.raises(RestitutionError, match="the disk is gone"):
+            result.all_values()
+
+
+class Unshowable:
+    def __repr__(self):
+        raise ValueError
+
+
+def test_a_case_that_cannot_be_shown():
+    result = ensemble(math.sqrt, [Unshowable()], Inline())
+    assert "case 0, of type Unshowable: TypeError" in str(result)
+
+
+@pytest.mark.parametrize(
+    ("cases", "options", "message"),
+    [
+        (5, {}, "the cases are 5"),
+        ([5], {"executor": 3}, "the executor is 3"),
+        ([5], {"workers": "two"}, "workers is a whole number, not 'two'"),
+        ([5], {"workers": 1.5}, "workers is a whole number, not 1.5"),
+        ([5], {"seed": -1}, "seed = -1: expected non-negative"),
+        ([5], {"seed": "luck"}, "seed = 'luck': "),
+    ],
+)
+def test_errors_name_what_is_wrong(cases, options, message):
+    with pytest.raises(StatementError, match=message):
+        ensemble(square, cases, **options)
+
+
 def test_function_that_cannot_be_sent():
     with pytest.raises(StatementError, match="define it at the top of a module"):
         ensemble(lambda case: case, range(3))

@@ -12,6 +12,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import pickle
 import signal
@@ -93,7 +94,7 @@ class Ensemble(Generic[T]):
         if self.stopped:
             lines.append(f"  stopped: {self.stopped}")
         for each in self.failures[:_SHOWN]:
-            lines.append(f"  case {each.index}, {_brief(repr(each.case))}: {_brief(each.error)}")
+            lines.append(f"  case {each.index}, {_shown(each.case)}: {_brief(each.error)}")
         if len(self.failures) > _SHOWN:
             lines.append(f"  and {len(self.failures) - _SHOWN} more in .failures")
         return "\n".join(lines)
@@ -133,21 +134,30 @@ def ensemble(
     default pool dies, the cases that were under way are tried once more, one after another, and
     that which kills its worker is the one that failed. An executor that
     is given cannot be started again; when it breaks, the cases under way count as failed, and the
-    others are ``missing``.
+    others are ``missing``. Where ``cases`` themselves raise an exception, those before it are
+    worked out, and ``stopped`` tells of it.
 
     ``progress`` shows a bar with the rate and the time left, by default on a terminal.
 
     Raises:
-        StatementError: the function cannot be sent to other processes, or ``workers`` is below 1.
+        StatementError: the function cannot be sent to other processes, ``workers`` is no whole
+            number from 1, ``seed`` is no seed of NumPy, ``cases`` cannot be gone through, or
+            ``executor`` takes no work.
         EnsembleInterrupt: Ctrl-C; its ``ensemble`` has what was done.
     """
-    count = (os.cpu_count() or 1) if workers is None else workers
-    if count < 1:
-        raise StatementError(f"workers = {count}: at least one is needed")
+    count = (os.cpu_count() or 1) if workers is None else _checked_workers(workers)
     if executor is None:
         _check_sendable(function)
+    elif not hasattr(executor, "submit"):
+        raise StatementError(f"the executor is {executor!r}, which takes no work: it has no submit")
+    if seed is not None:
+        _check_seed(seed)
+    try:
+        drawn = iter(cases)
+    except TypeError as error:
+        raise StatementError(f"the cases are {cases!r}, and not several") from error
     total = len(cases) if isinstance(cases, Sized) else None
-    run = _Run(function, seed, iter(cases), executor, count)
+    run = _Run(function, seed, drawn, executor, count)
     try:
         with progress_bar(total, "cases", progress) as told:
             for done in run.work():
@@ -237,6 +247,7 @@ class _Run:
         self._one_by_one = False  # so that it is known what a worker died of
         self._deaths = 0
         self._begun = 0
+        self._no_more_cases = ""  # why
         self._values: dict[int, Any] = {}
         self._failures: list[Failure] = []
         self.stopped = ""
@@ -248,6 +259,7 @@ class _Run:
             for future in finished:
                 self._finish(future)
             yield len(self._values) + len(self._failures)
+        self.stopped = self.stopped or self._no_more_cases
 
     def result(self, total: int | None) -> Ensemble[Any]:
         """What came of it so far; ``total`` is how many cases there are, if known."""
@@ -281,7 +293,10 @@ class _Run:
                 future = self._executor.submit(
                     _chunk_worked_out, self._function, self._seed, sent.chunk
                 )
-            except BrokenExecutor as error:  # it is not known yet, or it was so from the start
+            except RuntimeError as error:
+                # It broke, which is not known yet, or was so from the start; or was shut down.
+                if self._given is None and not isinstance(error, BrokenExecutor):
+                    raise
                 self._broken(sent, error)
                 if self.stopped:
                     break
@@ -297,9 +312,23 @@ class _Run:
             return None
         if self._again:
             return _Sent(self._again.popleft(), again=True, alone=self._one_by_one)
-        chunk = list(islice(self._numbered, self._size))
+        chunk = self._drawn()
         self._begun += len(chunk)
         return _Sent(chunk, again=False, alone=self._one_by_one) if chunk else None
+
+    def _drawn(self) -> _Chunk:
+        """The cases of a chunk; fewer where there are no more."""
+        chunk: _Chunk = []
+        if self._no_more_cases:
+            return chunk
+        try:
+            for each in islice(self._numbered, self._size):
+                chunk.append(each)
+        except Exception as error:  # noqa: BLE001 - whatever a user's generator raises
+            self._no_more_cases = (
+                f"after {counted(self._begun + len(chunk), 'case')} there came {_told(error)}"
+            )
+        return chunk
 
     def _finish(self, future: Future[Any]) -> None:
         """Take what came of a chunk."""
@@ -359,6 +388,25 @@ def _terminate(executor: Executor) -> None:
         process.terminate()
 
 
+def _checked_workers(workers: Any) -> int:
+    try:
+        count = operator.index(workers)
+    except TypeError as error:
+        raise StatementError(f"workers is a whole number, not {workers!r}") from error
+    if count < 1:
+        raise StatementError(f"workers = {count}: at least one is needed")
+    return count
+
+
+def _check_seed(seed: Any) -> None:
+    import numpy as np
+
+    try:
+        np.random.SeedSequence(seed)
+    except (TypeError, ValueError) as error:
+        raise StatementError(f"seed = {seed!r}: {error}") from error
+
+
 def _check_sendable(function: Callable[..., Any]) -> None:
     try:
         pickle.dumps(function)
@@ -371,6 +419,13 @@ def _check_sendable(function: Callable[..., Any]) -> None:
 
 def _told(error: BaseException) -> str:
     return traceback.format_exception_only(error)[-1].strip()
+
+
+def _shown(case: Any) -> str:
+    try:
+        return _brief(repr(case))
+    except Exception:  # noqa: BLE001 - a case that cannot be shown costs no result
+        return f"of type {type(case).__name__}"
 
 
 def _brief(text: str) -> str:
