@@ -16,9 +16,9 @@ is another disc, or one of the codes below for the edges of its cell. ``count`` 
 velocity changes; ``seen`` is the partner's count when the event was predicted, so that an event
 with a partner who has been struck since is recognised, and predicted anew when its time comes.
 
-The places (x, y) are whole multiples of a length so small (the box's ``resolution``) that they lose nothing
-by it, and sums and differences of them are exact. Therefore the same discs seen from another
-tile, or through a periodic wall, move alike to the last bit.
+The places (x, y) are whole multiples of a length so small (the box's ``resolution``) that they
+lose nothing by it, and sums and differences of them are exact. Therefore the same discs seen from
+another tile, or through a periodic wall, move alike to the last bit.
 """
 
 from __future__ import annotations
