@@ -689,8 +689,9 @@ def gases(draw: st.DrawFn) -> dict[str, Any]:
     return {
         "positions": [(x + 0.5, y + 0.5) for x, y in cells],
         "velocities": draw(each),
-        "width": columns,
-        "height": lines,
+        # with room left: a full row of touching discs passes a blow to and fro in no time
+        "width": columns + 0.25,
+        "height": lines + 0.25,
         "radius": draw(st.lists(radii, **count)),
         "mass": draw(st.lists(st.floats(0.01, 100), **count)),
         "periodic": draw(st.tuples(st.booleans(), st.booleans())),
