@@ -677,7 +677,7 @@ def tables(
 def gases(draw: st.DrawFn) -> dict[str, Any]:
     """What a small `Gas` is made of: discs of any radii and masses, each in a cell of its own.
 
-    Some at rest; walls hard or periodic on either side. None touch at the start: in a row that does,
+    Some at rest; walls hard or periodic on either side. None touch at the start: in a row of such
     a blow may go to and fro more than a hundred times at one time, which is taken for a collapse.
     """
     columns, lines = draw(st.integers(5, 7)), draw(st.integers(5, 7))
