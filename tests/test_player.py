@@ -455,6 +455,12 @@ def test_a_simulation_is_played_too():
     assert play(run).data == play(run.motion()).data
 
 
+def test_what_has_no_path_is_refused():
+    gas = r.Gas.fluid(3, 0.1, seed=1)
+    with pytest.raises(r.StatementError, match="can be played, not a Gas"):
+        r.play(gas)
+
+
 def test_the_command_writes_the_page(tmp_path):
     from test_cli import run
 

@@ -8,6 +8,7 @@ from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+from restitution.errors import StatementError
 from restitution.render.page import page
 
 if TYPE_CHECKING:
@@ -63,8 +64,10 @@ def play(
 
     After so many ``seconds`` spent on exact values of a problem, what is left of them is given as
     decimals only; that needs the main thread. Letters of a problem are at representative values,
-    which the page tells. Raises KeyError for a part that is not there, what kept the problem from
-    being solved, and UnsupportedError with the reason where no motion can be shown.
+    which the page tells.
+
+    Raises StatementError for anything else, KeyError for a part that is not there, what kept the
+    problem from being solved, and UnsupportedError with the reason where no motion can be shown.
     """
     from restitution.export.player.data import of_motion, of_solution
     from restitution.motion import Run
@@ -74,6 +77,12 @@ def play(
         return Playable(of_motion(motion.motion()))
     if isinstance(motion, Motion):
         return Playable(of_motion(motion))
+    from restitution.solve.solution import Solution  # no algebra for the others
+
+    if not isinstance(motion, Solution):
+        raise StatementError(
+            f"a Solution, a Motion or a Run can be played, not a {type(motion).__name__}"
+        )
     return Playable(of_solution(motion, part, seconds))
 
 
