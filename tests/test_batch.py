@@ -279,6 +279,8 @@ def test_two_fixed_bodies():
         ({"w2": "heavy"}, "w2 holds <U5, not real numbers"),
         ({"e": 1j}, "e holds complex128"),
         ({"threads": 0}, "threads = 0"),
+        ({"threads": 1.5}, "threads is a whole number, not 1.5"),
+        ({"out": (np.zeros(2),)}, "out is a pair of NumPy arrays"),
     ],
 )
 def test_what_is_not_understood(change, told):

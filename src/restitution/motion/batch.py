@@ -90,6 +90,8 @@ def impacts(
         if out is not None:
             raise UnsupportedError(f"out is for NumPy's arrays, not {type(foreign[0]).__name__}")
         return _by_another_library(given, foreign[0])
+    if not isinstance(threads, int | np.integer):
+        raise StatementError(f"threads is a whole number, not {threads!r}")
     if threads < 1:
         raise StatementError(f"threads = {threads}: at least one is needed")
     kind = _kind_of_number(given)
@@ -175,7 +177,7 @@ def _common_shape(shapes: list[tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def _room(
-    out: tuple[_Array, _Array] | None,
+    out: Sequence[Any] | None,
     data: Sequence[_Array],
     shape: tuple[int, ...],
     kind: np.dtype[Any],
@@ -184,6 +186,8 @@ def _room(
     full = (*shape, 2)
     if out is None:
         return np.empty(full, kind), np.empty(full, kind)
+    if len(out) != 2 or not all(isinstance(each, np.ndarray) for each in out):
+        raise StatementError("out is a pair of NumPy arrays, for v1 and v2")
     for each in out:
         if each.shape != full or not np.can_cast(kind, each.dtype, "same_kind"):
             raise StatementError(

@@ -58,10 +58,12 @@ def simulate(table: Table, *, until: Any = None, impacts: int | None = None) -> 
     happen, with the last that does.
 
     Raises:
-        StatementError: neither is given, or not a time or a number of impacts.
+        StatementError: neither is given, or not a time or a number of impacts; or no table.
         CollapseError: infinitely many impacts in a finite time; its ``run`` is the motion so far.
         UnsupportedError: exact numbers with too many square roots.
     """
+    if not isinstance(table, Table):
+        raise StatementError(f"what is simulated is a Table, not {table!r}")
     return _Course(table, *_checked(table, until, impacts)).run()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -53,8 +53,13 @@ class Table:
     layout: Layout = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "spheres", tuple(self.spheres))
-        object.__setattr__(self, "walls", tuple(self.walls))
+        object.__setattr__(self, "spheres", _several(self.spheres, "the spheres of a table"))
+        object.__setattr__(self, "walls", _several(self.walls, "the walls of a table"))
+        if not isinstance(self.coefficients, Mapping):
+            raise StatementError(
+                "the coefficients are a dictionary from names, or pairs of names, to values, not "
+                f"{self.coefficients!r}"
+            )
         object.__setattr__(self, "coefficients", dict(self.coefficients))
         kind: Arithmetic = ExactNumbers() if self.exact else Floats()
         object.__setattr__(self, "layout", _laid_out(self, kind))
@@ -84,7 +89,8 @@ class Table:
             Wall(name, start=corners[ends[:2]], end=corners[ends[3:]])
             for name, ends in sides.items()
         ]
-        return cls(spheres, (*around, *walls), e, coefficients or {}, exact)
+        inner = _several(walls, "the walls of a table")
+        return cls(spheres, (*around, *inner), e, coefficients or {}, exact)
 
     @classmethod
     def polygon(
@@ -101,7 +107,8 @@ class Table:
 
         ``walls`` are further ones. Raises as the table does.
         """
-        return cls(spheres, (*polygon(points), *walls), e, coefficients or {}, exact)
+        inner = _several(walls, "the walls of a table")
+        return cls(spheres, (*polygon(points), *inner), e, coefficients or {}, exact)
 
     @property
     def bodies(self) -> tuple[Sphere | Wall, ...]:
@@ -130,6 +137,7 @@ def polygon(points: Sequence[Any], name: str = "W") -> tuple[Wall, ...]:
     It may be convex or not; spheres may be inside or outside. Raises StatementError for fewer
     than three points.
     """
+    points = _several(points, "the points of a polygon")
     if len(points) < 3:
         raise StatementError(f"a polygon has at least three points, not {len(points)}")
     return tuple(
@@ -299,6 +307,13 @@ def _check_positive(value: Any, what: str, kind: Arithmetic) -> None:
         raise ImpossibleError(f"{what} is {shown(value, kind)}: a {noun} is positive")
 
 
+def _several(values: Any, what: str) -> tuple[Any, ...]:
+    try:
+        return tuple(values)
+    except TypeError as error:
+        raise StatementError(f"{what} are a list, not one {type(values).__name__}") from error
+
+
 def _check_names(table: Table) -> None:
     for bodies, kind, noun in ((table.spheres, Sphere, "spheres"), (table.walls, Wall, "walls")):
         for body in bodies:
@@ -318,7 +333,7 @@ def _check_names(table: Table) -> None:
 def _names(key: str | tuple[str, str], table: Table) -> frozenset[str]:
     """The bodies that a coefficient is for: a wall, or a pair."""
     walls = [wall.name for wall in table.walls]
-    names = (key,) if isinstance(key, str) else tuple(key)
+    names = _pair(key)
     known = [body.name for body in table.bodies]
     for name in names:
         if name not in known:
@@ -335,7 +350,12 @@ def _names(key: str | tuple[str, str], table: Table) -> frozenset[str]:
 
 
 def _told(key: str | tuple[str, str]) -> str:
-    return key if isinstance(key, str) else " and ".join(map(str, key))
+    return " and ".join(map(str, _pair(key)))
+
+
+def _pair(key: Any) -> tuple[Any, ...]:
+    """The names of a key, of which a wall has one."""
+    return (key,) if isinstance(key, str) or not isinstance(key, Iterable) else tuple(key)
 
 
 def is_inside(ball: Ball, ring: Ring, kind: Arithmetic) -> bool:
