@@ -476,6 +476,20 @@ def test_any_small_gas(case):
     assert_same(gas, again)
 
 
+@pytest.mark.parametrize("light", [1.0, 0.01, 1e-4])
+def test_touching_discs_without_loss_are_no_collapse(light):
+    """A light disc between two heavy ones, all touching: as often as a wedge is folded up into π.
+
+    In coordinates √m x the discs are a point between two planes, at the angle arccos M/(M + m).
+    """
+    heavy = 100.0
+    places, velocities = [(1, 2), (2, 2), (3, 2)], [(1, 0), (0, 0), (0, 0)]
+    gas = Gas(places, velocities, width=8, mass=[heavy, light, heavy])
+    gas.run(0.5, tiles=1)
+    assert gas.impacts == math.ceil(math.pi / math.acos(heavy / (heavy + light))) - 1
+    assert gas.kinetic_energy == pytest.approx(heavy / 2, rel=1e-12)
+
+
 # --- collapse ---------------------------------------------------------------------------------
 
 
