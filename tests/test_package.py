@@ -12,7 +12,8 @@ import pytest
 
 import restitution
 
-HEAVY = ("sympy", "lark", "numpy", "typer", "rich", "ziamath", "pebble", "mpmath")
+HEAVY = ("sympy", "lark", "numpy", "typer", "rich", "ziamath", "pebble", "mpmath", "numba")
+COMPILED = ("numba", "llvmlite", "pyarrow", "distributed")
 NAMESAKES = ("impact", "solve", "explain")
 
 
@@ -37,6 +38,30 @@ def test_naming_what_is_offered_loads_nothing_heavy():
     code = f"import sys, restitution as r; dir(r); r.__version__; r.Sphere('A'); r.Vector(1, 2);\
     print([m for m in {HEAVY} if m in sys.modules])"
     assert run(code) == "[]"
+
+
+THROW = """
+P = r.Sphere("P", mass=1, position=(1, 1), velocity=(1, 2))
+found = r.simulate(r.Table.box(4, 3, [P], e="1/2"), impacts=3)
+"""
+STATEMENT = r"""
+text = "sphere P: velocity i\nwall W: along j\nP hits W: e = 1\nfind velocity(P)"
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "unused"),
+    [
+        ("import restitution.motion", HEAVY),
+        (f"{THROW}r.play(found).html", ("sympy", "numpy", *COMPILED)),
+        ("r.Gas.fluid(50, 0.2, seed=1).run(impacts=100)", ("sympy", *COMPILED)),
+        (f"{STATEMENT}r.play(r.solve(r.parse(text))).html", COMPILED),
+    ],
+    ids=["motion", "few", "gas", "player"],
+)
+def test_motion_loads_what_it_needs(code, unused):
+    told = f"import sys; print([m for m in {unused} if m in sys.modules])"
+    assert run(f"import restitution as r\n{code}\n{told}") == "[]"
 
 
 @pytest.mark.parametrize("name", restitution.__all__)

@@ -245,7 +245,7 @@ def unknowns(
 
 
 def solve(made: Layout, targets: Sequence[float], shortest: float) -> Any | None:
-    """Unknowns for which the flights are near their targets; None if they cannot all be positive.
+    """Unknowns for which the flights are near their targets; None if one would go backwards.
 
     Projects in turn on what the story says and on what is readable.
     """
