@@ -26,7 +26,7 @@ from restitution.motion.gas import kernel as k
 from restitution.motion.gas import record
 from restitution.motion.gas.start import lattice, random_velocities
 from restitution.motion.gas.state import Discs, Rules, aligned, box_for, check, fresh, overlap
-from restitution.motion.gas.windows import Counts, Engine
+from restitution.motion.gas.windows import COUNTED, Counts, Engine
 from restitution.motion.progress import progress as progress_bar
 
 # A run of no more than so many impacts, among so many discs, is over in plain Python before a
@@ -55,7 +55,9 @@ class Gas:
     ``positions`` (m) and ``velocities`` (m/s) have the shape (n, 2), ``radius`` (m) and ``mass``
     (kg) are numbers or have the shape (n,). ``periodic`` says for x and y, or for both, whether
     what leaves the box on one side enters on the other; if not, there are walls. ``e`` is the
-    coefficient of restitution between discs, ``e_walls`` that at walls (left out, it is e).
+    coefficient of restitution between discs, ``e_walls`` that at walls (left out, it is e). With
+    e = 0 discs separate with the machine's tolerance, 2e-15, so that they do not meet again by
+    rounding.
 
     With e < 1 a gas collapses: infinitely many impacts in a finite time. ``contact_time`` (s)
     avoids it: impacts that follow one of the same disc within this time are elastic (the TC model:
@@ -527,7 +529,7 @@ class Gas:
         return edges, density
 
     def _per_time(self, amount: float) -> float:
-        return amount / self.measured if self.measured > 0 else 0.0
+        return amount / self.measured if self.measured > 0 else math.nan
 
     def snapshot(self) -> np.ndarray:
         """All discs as they are: disc, x, y (m), vx, vy (m/s), radius (m), mass (kg)."""
@@ -553,7 +555,7 @@ class Gas:
             periodic=[box.periodic_x, box.periodic_y],
             rules=[rules.e, rules.e_walls, rules.contact_time, rules.epoch],
             times=[self._discs.epoch, self._discs.now, self._began],
-            counts=list(vars(counts).values()),
+            counts=[getattr(counts, name) for name in COUNTED],
             counts_then=self._counts_then,
             start=self._from,
             rate=self._rate,
@@ -579,7 +581,7 @@ class Gas:
         gas.box = box_for(width, height, wraps, float(row[:, k.RADIUS].max()), len(row))
         gas.rules = Rules(*(float(x) for x in data["rules"]))
         gas.counts = Counts()
-        for name, value in zip(list(vars(gas.counts)), data["counts"]):
+        for name, value in zip(COUNTED, data["counts"]):
             setattr(gas.counts, name, int(value))
         pairs, walls, elastic = (int(x) for x in data["counts_then"])
         gas._counts_then = pairs, walls, elastic
@@ -706,5 +708,5 @@ def _pauses(
 
             yield pause
     finally:
-        if main:
+        if previous is not None:
             signal.signal(signal.SIGINT, previous)

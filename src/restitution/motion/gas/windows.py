@@ -46,6 +46,13 @@ CALM = 40
 FEW = 2_000
 
 
+# What is counted, in the order of saved files.
+COUNTED = (
+    *("pairs", "walls", "elastic", "predictions", "events", "crossings"),
+    *("windows", "tiles", "redone"),
+)
+
+
 class Counts:
     """What was done, in numbers.
 
