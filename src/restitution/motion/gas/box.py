@@ -25,7 +25,16 @@ from restitution.errors import (
 from restitution.motion.gas import kernel as k
 from restitution.motion.gas import record
 from restitution.motion.gas.start import lattice, random_velocities
-from restitution.motion.gas.state import Discs, Rules, aligned, box_for, check, fresh, overlap
+from restitution.motion.gas.state import (
+    SMALLEST,
+    Discs,
+    Rules,
+    aligned,
+    box_for,
+    check,
+    fresh,
+    overlap,
+)
 from restitution.motion.gas.windows import COUNTED, Counts, Engine
 from restitution.motion.progress import progress as progress_bar
 
@@ -39,6 +48,15 @@ EPOCH = 32
 
 # After so many epochs without an impact one is no longer waited for.
 QUIET = 10_000
+
+# Before a collapse, as a part of an epoch.
+SHORTLY = 2.0**-20
+
+# What a file raises that is no saved gas.
+_FAILURES = (
+    *(OSError, ValueError, EOFError, zipfile.BadZipFile),
+    *(KeyError, IndexError, TypeError, AttributeError, ImpossibleError),
+)
 
 # Discs of a large gas are put in the order of their cells, when an epoch ends.
 MANY = 20_000
@@ -165,6 +183,11 @@ class Gas:
         for name, value in values.items():
             if not (math.isfinite(value) and value > 0):
                 raise ImpossibleError(f"{name} is {value:g}; it has to be positive")
+            if not SMALLEST <= value <= 1 / SMALLEST:
+                raise StatementError(
+                    f"{name} is {value:g}; that is beyond what is reckoned with, {SMALLEST:g} to "
+                    f"{1 / SMALLEST:g}"
+                )
         packing, radius, mass, aspect, temperature = values.values()
         area = n * math.pi * radius**2 / packing
         width, height = math.sqrt(area * aspect), math.sqrt(area / aspect)
@@ -303,7 +326,7 @@ class Gas:
         end = self._end(duration, until, impacts)
         threads = _whole(threads, "the number of threads")
         if tiles is not None:
-            tiles = _whole(tiles, "the number of tiles")
+            tiles = min(_whole(tiles, "the number of tiles"), self.box.columns * self.box.lines)
         with contextlib.ExitStack() as stack:
             pool = stack.enter_context(ThreadPoolExecutor(threads)) if threads > 1 else None
             engine = self._engine_for(end, impacts, threads, tiles, record_impacts)
@@ -313,11 +336,15 @@ class Gas:
             stack.callback(self._read, engine)
             begun = self.time, self.impacts
             wanted = None if impacts is None else self.impacts + impacts
+            if impacts and self.kinetic_energy == 0:
+                raise UnsupportedError(
+                    "no disc moves, so there is no impact to come: say a duration instead"
+                )
             quiet = (begun[0], begun[1])
             while self.time < end if wanted is None else self.impacts < wanted:
                 if self.impacts > quiet[1]:
                     quiet = (self.time, self.impacts)
-                elif wanted and self.time - quiet[0] > QUIET * self.rules.epoch:
+                elif wanted is not None and self.time - quiet[0] > QUIET * self.rules.epoch:
                     raise UnsupportedError(
                         f"there has been no impact for {self.time - quiet[0]:.3g} s, and perhaps "
                         "there is none to come: say a duration instead of a number of impacts"
@@ -329,8 +356,13 @@ class Gas:
                     break
                 engine.run(target, pause)
                 self._read(engine)
-                if engine.collapsed:
-                    raise self._collapse(engine.collapsed.disc, engine.collapsed.time)
+                if (collapsed := engine.collapsed) is not None:
+                    # to shortly before, at a time that does not depend on windows and tiles
+                    engine.collapsed = None
+                    engine.run(collapsed.time - epoch * SHORTLY, pause)
+                    engine.collapsed = None
+                    self._read(engine)
+                    raise self._collapse(collapsed.disc, discs.epoch + collapsed.time)
                 if discs.now >= epoch:
                     engine.store()
                     self._new_epoch()
@@ -394,7 +426,7 @@ class Gas:
         if sum(each is not None for each in (duration, until, impacts)) != 1:
             raise StatementError("say one of duration (s), until (s) and impacts (how many)")
         if impacts is not None:
-            _whole(impacts, "the number of impacts")
+            _whole(impacts, "the number of impacts", least=0)
             return math.inf
         if duration is not None:
             end = self.time + _number(duration, "duration")
@@ -411,12 +443,18 @@ class Gas:
 
     def _collapse(self, disc: int, time: float) -> CollapseError:
         each = (self.counts.pairs * 2 + self.counts.walls) / len(self)
+        rules = self.rules
+        if rules.e == rules.e_walls == 1 or rules.contact_time > 0:
+            why = "discs that touch are jammed, or as good as"
+        else:
+            why = (
+                f"with e = {rules.e:g} the gas collapses, with infinitely many impacts in a finite "
+                "time. contact_time=… takes impacts as elastic that follow one another within that "
+                "time (s), a small part of the time between impacts"
+            )
         error = CollapseError(
-            f"disc {disc} is struck more than {self.rules.at_once} times at what is one time, "
-            f"{self._discs.epoch + time:.6g} s: with e = {self.rules.e:g} the gas collapses (after "
-            f"{each:.3g} impacts a disc), with infinitely many impacts in a finite time. "
-            "contact_time=… takes impacts as elastic that follow one another within that time (s), "
-            "a small part of the time between impacts"
+            f"disc {disc} is struck more than {rules.at_once} times at what is one time, "
+            f"{time:.6g} s, after {each:.3g} impacts a disc: {why}"
         )
         error.run = self
         return error
@@ -451,8 +489,8 @@ class Gas:
         """How long an epoch is at this temperature: a power of two, in s."""
         row = self._discs.row
         speed = math.sqrt(2 * self.kinetic_energy / math.fsum(row[:, k.MASS]))
-        if speed == 0:
-            return 1.0
+        if speed == 0:  # nothing moves, or as good as
+            return 2.0**1000
         return 2.0 ** math.floor(math.log2(EPOCH * 2 * float(row[:, k.RADIUS].mean()) / speed))
 
     def _expected_rate(self) -> float:
@@ -525,7 +563,9 @@ class Gas:
 
     def speeds(self, bins: int = 50) -> tuple[np.ndarray, np.ndarray]:
         """The distribution of speeds: edges of bins (m/s), and densities (s/m) between them."""
-        density, edges = np.histogram(np.hypot(*self.velocities.T), bins=bins, density=True)
+        density, edges = np.histogram(
+            np.hypot(*self.velocities.T), bins=_whole(bins, "the number of bins"), density=True
+        )
         return edges, density
 
     def _per_time(self, amount: float) -> float:
@@ -568,10 +608,14 @@ class Gas:
         try:
             with zipfile.ZipFile(path), np.load(path, allow_pickle=False) as file:
                 data = {name: file[name] for name in file.files}
-        except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
-            raise StatementError(f"{Path(path).name} is no saved gas: {error}") from error
-        if int(data.get("format", -1)) != FORMAT:
-            raise StatementError(f"{Path(path).name} is no saved gas of this version")
+            if int(data["format"]) != FORMAT:
+                raise StatementError(f"{Path(path).name} is a saved gas of another version")
+            return cls._restored(data)
+        except _FAILURES as error:
+            raise StatementError(f"{path} is no saved gas: {error}") from error
+
+    @classmethod
+    def _restored(cls, data: dict[str, np.ndarray]) -> Gas:
         gas = cls.__new__(cls)
         row, small, tally, names = (_aligned_copy(data[name]) for name in _ARRAYS)
         epoch, now, gas._began = (float(x) for x in data["times"])
@@ -665,13 +709,13 @@ def _both(periodic: Any) -> tuple[bool, bool]:
     return bool(said[0]), bool(said[1])
 
 
-def _whole(number: Any, name: str) -> int:
+def _whole(number: Any, name: str, least: int = 1) -> int:
     try:
         whole = operator.index(number)
     except TypeError as error:
         raise StatementError(f"{name} is a whole number, not {number!r}") from error
-    if whole < 1:
-        raise StatementError(f"{name} is {whole}; it has to be at least 1")
+    if whole < least:
+        raise StatementError(f"{name} is {whole}; it has to be at least {least}")
     return whole
 
 

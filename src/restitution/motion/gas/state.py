@@ -18,6 +18,12 @@ PER_CELL = 0.7
 # A periodic box has at least so many cells, that a disc meets only one image of each other.
 FEWEST_CELLS = 4
 
+# Places have to be known to this part of a radius, at least.
+COARSEST = 1e-6
+
+# Sizes below this, and above its inverse, would leave the range of floats when multiplied.
+SMALLEST = 1e-60
+
 
 @dataclass
 class Discs:
@@ -52,10 +58,13 @@ class Rules:
     def at_once(self) -> int:
         """Impacts of one disc, one after another at what is one time, that are a collapse.
 
-        Without loss there is none: among discs that touch, and of very different masses, there
-        may be very many impacts, but there are finitely many.
+        Without loss, and with a contact time, there is none: among discs that touch, and of very
+        different masses, there may be very many impacts, but there are finitely many, unless
+        the discs are jammed.
         """
-        return 10**6 if self.e == self.e_walls == 1 else 100
+        if self.e == self.e_walls == 1 or self.contact_time > 0:
+            return 30_000
+        return 100
 
     @property
     def instant(self) -> float:
@@ -104,11 +113,16 @@ def box_for(
     side = max(2 * radius, _side(width, height, discs))
     if 3 * side > k.FARTHEST * resolution:
         resolution *= 4  # few cells: a disc may cross most of the box between two of their edges
+    if resolution > COARSEST * radius:
+        raise ImpossibleError(
+            f"a box of {width:g} by {height:g} is too large for discs of radius {radius:g}: places "
+            f"in it are known to {resolution:.2g}"
+        )
     width, height = (2 * resolution * round(side / (2 * resolution)) for side in (width, height))
     side = max(2 * radius * (1 + TOLERANCE) + 4 * resolution, _side(width, height, discs))
     counts = []
     for length, wraps, name in ((width, periodic[0], "width"), (height, periodic[1], "height")):
-        cells = max(int(length / side), 1)
+        cells = max(min(int(length / side), 4 * discs + 16), 1)
         if wraps and cells < FEWEST_CELLS:
             cells = int(length / (2 * radius * (1 + TOLERANCE) + 4 * resolution))
             if cells < FEWEST_CELLS:
@@ -155,6 +169,17 @@ def check(
     for name, length in (("width", width), ("height", height)):
         if not (math.isfinite(length) and length > 0):
             raise ImpossibleError(f"the {name} of the box is {length:g}; it has to be positive")
+    for name, values in (
+        *(("width", np.array([width])), ("height", np.array([height]))),
+        *(("radius", radii), ("mass", masses), ("velocities", velocities.ravel())),
+    ):
+        size = np.abs(values[values != 0])
+        if ((size < SMALLEST) | (size > 1 / SMALLEST)).any():
+            worst = size.min() if (size < SMALLEST).any() else size.max()
+            raise StatementError(
+                f"{name}: {worst:g} is beyond what is reckoned with, {SMALLEST:g} to "
+                f"{1 / SMALLEST:g} in size"
+            )
     for name, values in (("radius", radii), ("mass", masses)):
         if (values <= 0).any():
             first = int(np.argmax(values <= 0))

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from itertools import pairwise
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -293,9 +294,8 @@ class Engine:
             todo = [number for number in range(len(plans)) if number not in done]
             jobs = [(plans[number], near, margins[number], start, end) for number in todo]
             done.update(zip(todo, self._map(jobs)))
-            self.collapsed = next(
-                (each.collapsed for each in done.values() if each.collapsed), None
-            )
+            collapses = [each.collapsed for each in done.values() if each.collapsed]
+            self.collapsed = min(collapses, key=attrgetter("time"), default=None)
             if len(plans) == 1 or self.collapsed:
                 break
             self._fastest = max(self._fastest, *(each.fastest for each in done.values()))
