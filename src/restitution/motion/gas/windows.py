@@ -31,11 +31,11 @@ FARTHEST = 3.0
 # Changes of velocity of all discs in a window alone, at least: it takes some time to begin one.
 WORTHWHILE = 4000
 # Events of one day of the calendar, on average.
-PER_DAY = 1.5
+PER_DAY = 2.5
 # Ids of a day's page and of a cell's block: 64 bytes, with their number.
 PAGE = 32
 # Discs that a tile owns, at most, so that with their halo they fit the second-level cache.
-TILE = 14_000
+TILE = 20_000
 # Discs that there can be in a tile at all, by 16-bit ids.
 MOST = 65_000
 # How many cells a halo is wider, at first, than discs can come from that touch the tile's own:
