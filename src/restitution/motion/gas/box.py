@@ -340,7 +340,7 @@ class Gas:
                 raise UnsupportedError(
                     "no disc moves, so there is no impact to come: say a duration instead"
                 )
-            quiet = (begun[0], begun[1])
+            quiet = begun  # when there was an impact last
             while self.time < end if wanted is None else self.impacts < wanted:
                 if self.impacts > quiet[1]:
                     quiet = (self.time, self.impacts)
