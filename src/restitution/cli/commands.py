@@ -101,6 +101,15 @@ step from impact to impact, slow motion, components before and after.
 Letters are at values that the page tells.
 """
 
+_SERVE = """Open the page: state an impact, see it, play with it.
+
+\b
+    restitution serve
+    restitution serve --port 9000 --no-browser
+
+Needs the extra "web": pip install 'restitution[web]'. Ctrl-C ends it.
+"""
+
 _CHECK = """Read statements without solving them.
 
 What is wrong with them is said, with its place.
@@ -388,6 +397,24 @@ def _made(make: Callable[[], bytes]) -> bytes:
     except RestitutionError as error:
         say(error.message)
         raise typer.Exit(UNANSWERED) from None
+
+
+# --- the page ----------------------------------------------------------------------------------
+
+
+@app.command(help=_SERVE)
+def serve(
+    host: Annotated[str, typer.Option(metavar="ADDRESS", help="Who may come in.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="0 takes any that is free.")] = 8765,
+    browser: Annotated[
+        bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")
+    ] = True,
+) -> None:
+    """Serve the page."""
+    from restitution.web import Settings
+    from restitution.web.serving import serve as run
+
+    run(host, port, Settings())
 
 
 # --- check, examples, language ----------------------------------------------------------------

@@ -1,0 +1,47 @@
+// Making elements. No markup is ever made of text: every text becomes a text node.
+
+const SVG = "http://www.w3.org/2000/svg";
+const MATH = "http://www.w3.org/1998/Math/MathML";
+
+function put(node, attributes, children) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
+    else node.setAttribute(name, value === true ? "" : value);
+  }
+  node.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return node;
+}
+
+export const html = (name, attributes = {}, ...children) =>
+  put(document.createElement(name), attributes, children);
+export const svg = (name, attributes = {}, ...children) =>
+  put(document.createElementNS(SVG, name), attributes, children);
+
+// What the server sends as ["name", {attributes}, child, …], a child being such a list or a text.
+const KNOWN = new Set(
+  ("article section h1 h2 h3 h4 p span em strong b i ol ul li table tbody thead tr td th div var " +
+    "sub sup br wbr").split(" "),
+);
+const MATHS = new Set(
+  ("math mrow mi mn mo mtext mspace mfrac msqrt mroot msub msup msubsup mover munder munderover " +
+    "mtable mtr mtd mstyle mpadded mphantom menclose").split(" "),
+);
+const ATTRIBUTES = new Set(
+  ("class colspan rowspan display form stretchy fence separator lspace rspace width height depth " +
+    "mathvariant displaystyle scriptlevel columnalign linethickness accent minsize maxsize " +
+    "aria-label role lang").split(" "),
+);
+
+export function grown(tree) {
+  if (typeof tree === "string") return document.createTextNode(tree);
+  const [name, attributes, ...children] = tree;
+  const space = MATHS.has(name) ? MATH : KNOWN.has(name) ? "http://www.w3.org/1999/xhtml" : null;
+  if (space === null) throw new Error(`an element that is not expected: ${name}`);
+  const node = document.createElementNS(space, name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (ATTRIBUTES.has(key)) node.setAttribute(key, value);
+  }
+  node.append(...children.map(grown));
+  return node;
+}
