@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import shutil
+import threading
+import time
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -27,3 +30,26 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
         pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
     # Without a sandbox it runs in containers too; it opens nothing but pages made by these tests.
     return {**browser_type_launch_args, "executable_path": found, "args": ["--no-sandbox"]}
+
+
+@pytest.fixture(scope="session")
+def served() -> Iterator[str]:
+    """The page, served on a free port of this machine: its address, without a slash at its end."""
+    import uvicorn
+
+    from restitution.web import Settings, create_app
+
+    config = uvicorn.Config(
+        create_app(Settings(workers=2)), "127.0.0.1", 0, log_level="warning", lifespan="on"
+    )
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    try:
+        while not server.started:
+            assert thread.is_alive(), "the server did not start"
+            time.sleep(0.02)
+        yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
+    finally:
+        server.should_exit = True
+        thread.join(20)

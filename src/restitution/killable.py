@@ -129,12 +129,12 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
     other.close()
     # Ctrl-C goes to all processes of the terminal; the asker decides what it means.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _limit_memory()
+    limit_memory()
     try:
         prepare()
         pipe.send((True, None))
     except BaseException as error:  # noqa: BLE001 - told to the one who asks
-        pipe.send((False, _portable(error)))
+        pipe.send((False, portable(error)))
         return
     while True:
         try:
@@ -146,7 +146,7 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
         try:
             reply = True, serve(request)
         except BaseException as error:  # noqa: BLE001 - told to the one who asks
-            reply = False, _portable(error)
+            reply = False, portable(error)
         _end_by_itself(None)
         try:
             pipe.send(reply)
@@ -154,7 +154,7 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
             return
 
 
-def _portable(error: BaseException) -> Exception:
+def portable(error: BaseException) -> Exception:
     """An error that can be sent: those of this package as they are, others by their text."""
     if isinstance(error, MemoryError):
         return LostError("there is not memory enough for this")
@@ -164,7 +164,8 @@ def _portable(error: BaseException) -> Exception:
     return LostError(lines[-1].strip(), "".join(traceback.format_exception(error)))
 
 
-def _limit_memory() -> None:
+def limit_memory() -> None:
+    """Let this process take no more memory than work may, where the system can limit that."""
     try:
         import resource
     except ImportError:  # not on Windows

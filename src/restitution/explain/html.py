@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from html import escape
 
 from restitution.draw.svg import to_svg
@@ -100,48 +99,48 @@ def _part(part: PartExplanation) -> list[str]:
 
 
 def _step(step: Step) -> list[str]:
-    said = _said(step.words)
+    words = said(step.words)
     if step.picture is not None:
         return [f"<figure>{to_svg(step.picture)}</figure>"]
     if step.kind == "heading":
-        return [f"<h3>{said}</h3>"]
+        return [f"<h3>{words}</h3>"]
     if step.principle:
-        said = f'<span class="principle">{escape(step.principle)}:</span> {said}'
+        words = f'<span class="principle">{escape(step.principle)}:</span> {words}'
     out: list[str] = []
-    if said:
+    if words:
         mark = f'<span class="mark">{escape(step.mark)}</span>' if step.mark else ""
-        out.append(f"<p>{mark}{said}</p>")
+        out.append(f"<p>{mark}{words}</p>")
     if step.rows:
-        out += ["<table>", *_rows(step.rows), "</table>"]
+        out += ["<table>", *(line for row in step.rows for line in table_rows(row)), "</table>"]
     return out
 
 
-def _said(words: Words) -> str:
+def said(words: Words) -> str:
+    """Words with their mathematics, to stand in a paragraph."""
     return "".join(escape(each) if isinstance(each, str) else _cell(each) for each in words).strip()
 
 
-def _rows(rows: Sequence[Row]) -> list[str]:
+def table_rows(row: Row) -> list[str]:
+    """A line of mathematics as rows of a table: long chains take several."""
+    mark = f'<td class="m">{escape(row.mark)}</td>'
+    none = '<td class="m"></td>'
+    note = f' <span class="note">({said(row.note)})</span>' if row.note else ""
+    left = _cell(row.operands[0])
+    if not row.signs:
+        return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']
     out: list[str] = []
-    for row in rows:
-        mark = f'<td class="m">{escape(row.mark)}</td>'
-        none = '<td class="m"></td>'
-        note = f' <span class="note">({_said(row.note)})</span>' if row.note else ""
-        left = _cell(row.operands[0])
-        if not row.signs:
-            out.append(f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>')
-            continue
-        broken = lines(row)
-        for index, (sign, operands) in enumerate(broken):
-            last = index == len(broken) - 1
-            right = "".join(
-                (f"<math><mo>{escape(s)}</mo></math>" if s else "") + _cell(operand)
-                for s, operand in operands
-            )
-            out.append(
-                f'<tr><td class="l">{left if index == 0 else ""}</td>'
-                f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
-                f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
-            )
+    broken = lines(row)
+    for index, (sign, operands) in enumerate(broken):
+        last = index == len(broken) - 1
+        right = "".join(
+            (f"<math><mo>{escape(s)}</mo></math>" if s else "") + _cell(operand)
+            for s, operand in operands
+        )
+        out.append(
+            f'<tr><td class="l">{left if index == 0 else ""}</td>'
+            f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
+            f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
+        )
     return out
 
 

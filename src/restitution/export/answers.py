@@ -13,7 +13,7 @@ from restitution.render.latex import to_latex
 from restitution.render.layout import Layout, display, display_point, display_vector
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
-from restitution.solve.solution import Answer, ItemResult, Solution
+from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
 
 Format = Literal["text", "markdown", "latex", "html"]
 
@@ -77,17 +77,23 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
 
 
 def _answer(item: ItemResult, answer: Answer) -> str | _Said:
+    layout = layout_of(item, answer)
+    return answer.display if layout is None else _Said(layout, answer.display)
+
+
+def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
+    """A value as people write it, or None where only its text says it (a range, say)."""
     value: Any = answer.value
     match item.kind:
         case "value" if isinstance(item.item, Value):
-            layout = display(value, angle=answer.angle, percentage=item.item.percentage)
+            angle = isinstance(answer, Answer) and answer.angle
+            return display(value, angle=angle, percentage=item.item.percentage)
         case "point":
-            layout = display_point(*value)
+            return display_point(*value)
         case "vector" | "direction":
-            layout = display_vector(*value)
+            return display_vector(*value)
         case _:
-            return answer.display
-    return _Said(layout, answer.display)
+            return None
 
 
 def _text(title: str | None, lines: list[_Line]) -> str:

@@ -59,9 +59,12 @@ def unreadable(file: str, error: RestitutionError) -> Object:
 
 
 def unfinished(
-    file: str, problem: Problem, error: RestitutionError, label: str | None = None
+    file: str, problem: Problem, error: RestitutionError | None, label: str | None = None
 ) -> Object:
-    """The object of a problem whose solving ended without a result: nothing is answered."""
+    """The object of a problem whose solving ended without a result: nothing is answered.
+
+    Without an error it is that of a problem which nobody has solved yet.
+    """
     walls = frozenset(wall.name for wall in problem.walls)
     parts = [
         _part(part.label, [_unanswered(*asked, error) for asked in _asked(part, walls)])
@@ -70,6 +73,13 @@ def unfinished(
     ]
     shown = [part for part in parts if part["items"]]
     return _file(file, problem.title, shown, problem.warnings, error)
+
+
+def mistakes(error: RestitutionError | None) -> list[Object | None]:
+    """An error and those found beside it in the same text."""
+    return (
+        [] if error is None else [_error(each) for each in (error, *getattr(error, "others", ()))]
+    )
 
 
 def to_json(content: Object) -> str:
@@ -135,7 +145,7 @@ def _answer(answer: Answer) -> Object:
     }
 
 
-def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError) -> Object:
+def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError | None) -> Object:
     return {
         "line": line,
         "text": text,

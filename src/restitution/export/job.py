@@ -63,7 +63,19 @@ class Setting:
     options: Options
 
 
-Task: TypeAlias = Writing | Drawing | Playing | Setting
+@dataclass(frozen=True)
+class Picturing:
+    """Pictures to be drawn, each by itself: that of one event, or all (None)."""
+
+    event: int | None = None
+
+
+@dataclass(frozen=True)
+class Showing:
+    """Everything that a page shows: answers, wording, pictures, working, motion."""
+
+
+Task: TypeAlias = Writing | Drawing | Playing | Setting | Picturing | Showing
 
 
 @dataclass(frozen=True)
@@ -80,7 +92,8 @@ class Job:
 class Reply:
     """What was made, whether everything asked has an answer, and why an item has none.
 
-    ``content`` is a text (SVG for pictures, HTML for a motion), or the entry of a sheet.
+    ``content`` is a text (SVG for pictures, HTML for a motion), the entry of a sheet, or plain data
+    for a page.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end.
     """
@@ -150,6 +163,19 @@ def serve(job: Job) -> Reply:
 
             one = entry(solution, form, options)
             return Reply(one, answered, errors, tuple(found["warnings"]))
+        case Picturing(event):
+            from restitution.export.working import pictured
+
+            drawn = {**found, **pictured(solution, event)}
+            return Reply(drawn, answered, errors, tuple(found["warnings"]), tired=tired)
+        case Showing():
+            from restitution.export.working import shown
+
+            time = None if job.limit is None else job.limit * _WRITING
+            page = shown(solution, time)
+            content = {"answer": found, **page.content}
+            warnings = tuple(page.content["warnings"])
+            return Reply(content, answered, errors, warnings, page.fault, tired or page.tired)
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from restitution.errors import StatementError
 
 if TYPE_CHECKING:
+    from restitution.draw.scene import Scene
     from restitution.solve.solution import Solution
 
 
@@ -16,8 +17,14 @@ def picture(solution: Solution, event: int | None = None) -> str:
     Raises StatementError where there is nothing to draw, and what kept the problem from being
     solved.
     """
-    from restitution.draw import scenes
     from restitution.draw.svg import stacked
+
+    return stacked(chosen(solution, event))
+
+
+def chosen(solution: Solution, event: int | None = None) -> tuple[Scene, ...]:
+    """All pictures of a solved problem, or that of one event; raises as ``picture`` does."""
+    from restitution.draw import scenes
 
     found = scenes(solution)
     if event is not None:
@@ -28,4 +35,4 @@ def picture(solution: Solution, event: int | None = None) -> str:
             raise StatementError(f"there is no picture of event {event}: {known}")
     if not found:
         raise StatementError("there is nothing to draw: no impact is told")
-    return stacked(found)
+    return found

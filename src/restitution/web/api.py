@@ -2,35 +2,161 @@
 
 from __future__ import annotations
 
-import json
-from typing import Any
+import asyncio
+import logging
+from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
+from restitution.killable import LostError
 from restitution.web import work
-from restitution.web.pool import Pool
+from restitution.web.asking import RefusedError, asked
+from restitution.web.pool import BusyError, Pool
+from restitution.web.replies import Replies
 from restitution.web.settings import Settings
+from restitution.web.work import Made
+
+_log = logging.getLogger(__name__)
+_T = TypeVar("_T")
+
+_CHECKING = 5.0
+"""Seconds for reading a statement: its length is limited, so that it takes far less."""
 
 
-async def _health(request: Request) -> Response:
-    return JSONResponse({"status": "ok"})
+@dataclass(frozen=True)
+class Staff:
+    """Who does the work: ``clerks`` read statements while ``solvers`` are busy."""
+
+    settings: Settings
+    solvers: Pool
+    clerks: Pool
+    replies: Replies
 
 
-async def _solve(request: Request) -> Response:
-    settings: Settings = request.app.state.settings
-    pool: Pool = request.app.state.pool
-    told: Any = json.loads(await request.body())
-    made = await pool.run(
-        work.solved, told["statement"], settings.time_limit, limit=settings.time_limit
-    )
-    return Response(made, media_type="application/json")
+@dataclass(frozen=True)
+class _Task:
+    """A function of `work` that takes a statement, a limit, and what else may be told."""
+
+    function: Callable[..., Made]
+    optional: Mapping[str, tuple[type, Any]] = field(default_factory=dict)
+
+
+_TASKS = {
+    "solve": _Task(work.solved, {"part": (str, None)}),
+    "draw": _Task(work.drawn, {"event": (int, None)}),
+    "explain": _Task(work.explained),
+    "sheet": _Task(
+        work.on_a_sheet,
+        {"solutions": (bool, False), "diagrams": (bool, True), "title": (str, None)},
+    ),
+}
 
 
 def routes() -> list[Route]:
     """Where the API is found."""
     return [
         Route("/health", _health),
-        Route("/api/solve", _solve, methods=["POST"]),
+        Route("/api/check", _check, methods=["POST"]),
+        *(Route(f"/api/{name}", _doing(task), methods=["POST"]) for name, task in _TASKS.items()),
     ]
+
+
+def refusal(status: int, kind: str, message: str, headers: Mapping[str, str]) -> Response:
+    """A request that is not answered, as JSON."""
+    return JSONResponse({"error": {"kind": kind, "message": message}}, status, headers)
+
+
+async def _health(request: Request) -> Response:
+    return JSONResponse({"status": "ok"})
+
+
+async def _check(request: Request) -> Response:
+    staff: Staff = request.app.state.staff
+
+    async def reply() -> Made:
+        told = await _asked(request, staff, {})
+        made = staff.clerks.run(work.checked, told["statement"], limit=_CHECKING)
+        found: Made = await _while_wanted(request, made)
+        return found
+
+    return await _answered(reply)
+
+
+def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
+    async def do(request: Request) -> Response:
+        staff: Staff = request.app.state.staff
+
+        async def reply() -> Made:
+            told = await _asked(request, staff, {n: kind for n, (kind, _) in task.optional.items()})
+            others = tuple(told.get(name, usual) for name, (_, usual) in task.optional.items())
+            statement = told["statement"]
+            key = (task.function.__name__, statement, *others)
+            made = staff.replies.get(key, lambda: _worked(staff, task, statement, others))
+            return await _while_wanted(request, made)
+
+        return await _answered(reply)
+
+    return do
+
+
+async def _asked(request: Request, staff: Staff, optional: Mapping[str, type]) -> dict[str, Any]:
+    settings = staff.settings
+    return await asked(request, optional, settings.longest, settings.largest)
+
+
+async def _worked(staff: Staff, task: _Task, statement: str, others: tuple[Any, ...]) -> Made:
+    """The work done; where its process was lost, what can be said without it."""
+    limit = staff.settings.time_limit
+    try:
+        made: Made = await staff.solvers.run(task.function, statement, limit, *others, limit=limit)
+        return made
+    except TimeoutError:
+        message, late = f"no answer within the time limit of {limit:g} s", True
+    except LostError as error:
+        if error.details:
+            _log.error("%s\n%s", error, error.details)
+        message, late = f"internal error: {error}", False
+    told = (statement, task.function.__name__, message, late)
+    found: Made = await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
+    return found
+
+
+async def _answered(reply: Callable[[], Awaitable[Made]]) -> Response:
+    try:
+        made = await reply()
+    except RefusedError as error:
+        return refusal(error.status, error.kind, error.message, {})
+    except BusyError as error:
+        message = f"many are asking just now; please ask again in {error.again} s"
+        return refusal(503, "busy", message, {"Retry-After": str(error.again)})
+    except ClientDisconnect:
+        return Response(status_code=400)  # nobody reads it
+    except (TimeoutError, LostError) as error:
+        _log.error("a statement could not be read: %r", error)
+        return refusal(500, "internal", "this statement could not be read; please report it", {})
+    if made.fault:
+        _log.error("%s", made.fault)
+    return Response(made.content, made.status, media_type=made.kind)
+
+
+async def _while_wanted(request: Request, work: Awaitable[_T]) -> _T:
+    """What the work gives; it is cancelled when the one who asked has gone."""
+    doing = asyncio.ensure_future(work)
+    leaving = asyncio.ensure_future(_gone(request))
+    try:
+        await asyncio.wait({doing, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        if not doing.done():
+            raise ClientDisconnect
+        return await doing
+    finally:
+        leaving.cancel()
+        doing.cancel()
+
+
+async def _gone(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass

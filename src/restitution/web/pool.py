@@ -3,59 +3,146 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import multiprocessing
+import os
 import sys
-from collections.abc import Callable
+import threading
+import time
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from pebble import ProcessExpired, ProcessPool
 
-from restitution.export.job import prepare
-from restitution.killable import LostError
+from restitution.killable import LostError, limit_memory, portable
 
 _GRACE = 2.0
 """Seconds after the limit of the work itself at which its process is killed."""
 
+_TASKS = 500
+"""After so many tasks a process makes place for a fresh one: what a library keeps, grows."""
+
+_SPENT = 75
+"""The exit status of a process that would rather not begin another task."""
+
+_LONGEST_WAIT = 30
+"""Seconds after which a client is told to come back, at most."""
+
 
 class BusyError(Exception):
-    """So much work is waiting that no more is taken."""
+    """So much work is waiting that no more is taken; ``again`` is when to ask again (seconds)."""
+
+    def __init__(self, again: int) -> None:
+        super().__init__(f"ask again in {again} s")
+        self.again = again
 
 
 class Pool:
-    """Processes that load the algebra once, and a queue before them that has an end."""
+    """Processes with what they need loaded, and a queue before them that has an end.
 
-    def __init__(self, workers: int, waiting: int) -> None:
+    ``patience`` is how many seconds anyone waits in it. Belongs to one event loop.
+    """
+
+    def __init__(
+        self,
+        workers: int,
+        waiting: int,
+        patience: float,
+        prepare: Callable[[], None],
+        loaded: Sequence[str],
+    ) -> None:
         forks = not sys.platform.startswith("win")
         context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
         if forks:
-            # The algebra is loaded there, and a process that was killed is soon there again.
-            context.set_forkserver_preload(
-                ["restitution.solve", "restitution.explain", "restitution.export.answers"]
-            )
+            # Libraries are loaded there, and a process that was killed is soon there again.
+            context.set_forkserver_preload(list(loaded))
+        self._workers = workers
         self._most = workers + waiting
+        self._patience = patience
         self._under_way = 0
+        self._usual = 0.1  # seconds that a task takes, about
+        self._free = asyncio.Semaphore(workers)
         self._processes: Any = ProcessPool(
-            max_workers=workers, initializer=prepare, context=context
+            max_workers=workers,
+            max_tasks=_TASKS,
+            initializer=_begin,
+            initargs=(prepare,),
+            context=context,
         )
 
     async def run(self, function: Callable[..., Any], *arguments: Any, limit: float) -> Any:
-        """What the function returns or raises.
+        """What the function returns, which has an attribute ``tired``: see `_serve`.
 
-        Raises BusyError where too much waits, TimeoutError after ``limit`` seconds of work, and
-        LostError where its process ended.
+        When it is cancelled, so is the work. Raises BusyError where too much waits, TimeoutError
+        after ``limit`` seconds of work, and LostError where its process ended or failed.
         """
         if self._under_way >= self._most:
-            raise BusyError
+            raise BusyError(self.again)
         self._under_way += 1
         try:
-            future = self._processes.schedule(function, args=arguments, timeout=limit + _GRACE)
-            return await asyncio.wrap_future(future)
-        except ProcessExpired as error:
-            raise LostError("the process that solves ended without an answer") from error
+            await self._turn()
+            try:
+                return await self._done(function, arguments, limit)
+            finally:
+                self._free.release()
         finally:
             self._under_way -= 1
+
+    @property
+    def again(self) -> int:
+        """Seconds until there is likely to be place."""
+        ahead = self._under_way * self._usual / self._workers
+        return max(1, min(math.ceil(ahead), _LONGEST_WAIT))
 
     def close(self) -> None:
         """Kill the processes."""
         self._processes.stop()
         self._processes.join()
+
+    async def _turn(self) -> None:
+        try:
+            await asyncio.wait_for(self._free.acquire(), self._patience)
+        except TimeoutError:
+            raise BusyError(self.again) from None
+
+    async def _done(self, function: Callable[..., Any], arguments: Any, limit: float) -> Any:
+        for _ in range(self._workers + 1):
+            began = time.monotonic()
+            future = self._processes.schedule(
+                _serve, args=(function, arguments), timeout=limit + _GRACE
+            )
+            try:
+                return await asyncio.wrap_future(future)
+            except ProcessExpired as error:
+                if error.exitcode != _SPENT:
+                    raise LostError("the process that solves ended without an answer") from error
+            finally:
+                self._usual += 0.1 * (time.monotonic() - began - self._usual)
+        raise LostError("no process took the work")
+
+
+_tired = threading.Event()
+"""Set in a process whose work was broken off: a library may have been left half done."""
+
+
+def _begin(prepare: Callable[[], None]) -> None:
+    limit_memory()
+    prepare()
+
+
+def _serve(function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
+    """In the process: what the function returns; ``tired`` is that it should be the last.
+
+    The process ends when it is given more, not at once: it must never be in the midst of a
+    message to the others.
+    """
+    if _tired.is_set():
+        os._exit(_SPENT)
+    try:
+        made = function(*arguments)
+    except BaseException as error:  # noqa: BLE001 - told to the one who asks
+        _tired.set()
+        raise portable(error) from None
+    if made.tired:
+        _tired.set()
+    return made

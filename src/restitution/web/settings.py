@@ -13,12 +13,19 @@ def _workers() -> int:
 
 @dataclass(frozen=True)
 class Settings:
-    """How much work is taken on: seconds, numbers of requests, bytes.
+    """How much work is taken on: seconds, numbers of requests, characters and bytes.
 
-    ``waiting`` is how many requests may wait for a worker, ``largest`` the size of a request.
+    ``waiting`` is how many requests may wait for a worker, and ``patience`` for how long;
+    ``longest`` is the length of a statement, ``largest`` the size of a request, ``kept`` that of
+    all replies that are kept for those who ask the same. ``hosts`` are the names under which the
+    page may be asked for (none: any).
     """
 
     time_limit: float = 10.0
     workers: int = field(default_factory=_workers)
     waiting: int = 64
-    largest: int = 64 * 1024
+    patience: float = 30.0
+    longest: int = 20_000
+    largest: int = 128 * 1024
+    kept: int = 16 * 2**20
+    hosts: tuple[str, ...] = ()

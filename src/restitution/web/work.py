@@ -1,22 +1,132 @@
-"""What is done with a statement in a process of its own: text in, JSON out."""
+"""What is done with a statement in a process of its own: plain values in, text or bytes out."""
 
 from __future__ import annotations
 
-from restitution.errors import RestitutionError
+from dataclasses import dataclass, replace
+from typing import Any
+
+from restitution.errors import RestitutionError, StatementError, TimeLimitError, UnsupportedError
 from restitution.export import contract
-from restitution.export.job import Job, Writing, serve
+from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve
 from restitution.language import parse
+from restitution.problem import Problem
 
 FILE = "statement"
+"""What the contract's object calls the file."""
 
 
-def solved(statement: str, limit: float) -> str:
-    """The JSON of ``restitution solve --format json``."""
+@dataclass(frozen=True)
+class Made:
+    """A reply: JSON, or a PDF.
+
+    ``tired`` tells that the work was broken off, so that its process should end, and that another
+    time more may come of it. ``fault`` is the traceback of a failure of the program.
+    """
+
+    content: bytes
+    kind: str = "application/json"
+    status: int = 200
+    tired: bool = False
+    fault: str = ""
+
+
+def checked(statement: str) -> Made:
+    """The contract's object of a problem that nobody has solved yet, with all its mistakes."""
+    error: RestitutionError | None = None
+    try:
+        found = contract.unfinished(FILE, parse(statement), None)
+    except RestitutionError as mistake:
+        error = mistake
+        found = contract.unreadable(FILE, mistake)
+    return _json({**found, "errors": contract.mistakes(error)})
+
+
+def solved(statement: str, limit: float, part: str | None = None) -> Made:
+    """The object of ``restitution solve --format json``."""
+    return _made(statement, Writing("json", part), limit)
+
+
+def drawn(statement: str, limit: float, event: int | None = None) -> Made:
+    """The same with ``pictures`` and ``pictures_error``."""
+    return _made(statement, Picturing(event), limit, **_NO_PICTURES)
+
+
+def explained(statement: str, limit: float) -> Made:
+    """All that a page shows, the object of the contract as its ``answer``."""
+    return _made(statement, Showing(), limit)
+
+
+def on_a_sheet(
+    statement: str, limit: float, solutions: bool, diagrams: bool, title: str | None
+) -> Made:
+    """A PDF; or the error, as JSON, of a statement that cannot be set."""
+    from restitution.export.sheet import Options, to_pdf
+
+    options = Options(solutions, diagrams)
+    try:
+        reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
+        return Made(to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired)
+    except RestitutionError as error:
+        tired = error.kind == TimeLimitError.kind
+        return replace(_json({"error": contract.mistakes(error)[0]}, tired), status=422)
+
+
+def given_up(statement: str, task: str, message: str, late: bool) -> Made:
+    """The object of a problem whose process was killed, or ended by itself."""
+    error = (TimeLimitError if late else UnsupportedError)(message)
+    if task == on_a_sheet.__name__:
+        return replace(_json({"error": contract.mistakes(error)[0]}, tired=True), status=422)
+    found = contract.unfinished(FILE, parse(statement), error)
+    if task == explained.__name__:
+        return _json(_nothing(found), tired=True)
+    return _json({**found, **(_NO_PICTURES if task == drawn.__name__ else {})}, tired=True)
+
+
+_NO_PICTURES: dict[str, Any] = {"pictures": [], "pictures_error": None}
+
+
+def _nothing(answer: contract.Object) -> contract.Object:
+    """What a page shows of a problem that could not be read or solved."""
+    return {
+        "answer": answer,
+        "question": None,
+        **_NO_PICTURES,
+        "working": [],
+        "working_error": None,
+        "latex": None,
+        "motion": None,
+        "motion_error": None,
+        "warnings": answer["warnings"],
+    }
+
+
+def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:
+    whole = isinstance(task, Showing)
+    part = task.part if isinstance(task, Writing) else None
+    problem: Problem | None = None
     try:
         problem = parse(statement)
+        _require_part(problem, part)
+        reply = serve(Job(FILE, problem, task, limit))
     except RestitutionError as error:
-        return contract.to_json(contract.unreadable(FILE, error))
-    try:
-        return str(serve(Job(FILE, problem, Writing("json"), limit)).content).rstrip("\n")
-    except RestitutionError as error:
-        return contract.to_json(contract.unfinished(FILE, problem, error))
+        found = (
+            contract.unreadable(FILE, error)
+            if problem is None or isinstance(error, StatementError)
+            else contract.unfinished(FILE, problem, error, part)
+        )
+        tired = error.kind == TimeLimitError.kind
+        return _json(_nothing(found) if whole else {**found, **beside}, tired)
+    if isinstance(reply.content, str):
+        return Made(reply.content.rstrip("\n").encode(), tired=reply.tired)
+    return replace(_json(reply.content, reply.tired), fault=reply.fault)
+
+
+def _require_part(problem: Problem, label: str | None) -> None:
+    labels = [part.label for part in problem.parts if part.label is not None]
+    if label is not None and label not in labels:
+        known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
+        raise StatementError(f"there is no part {label!r}: {known}")
+
+
+def _json(content: contract.Object, tired: bool = False) -> Made:
+    return Made(contract.to_json(content).encode(), tired=tired)

@@ -42,7 +42,12 @@ def to_html(question: Question) -> str:
 
 def to_fragment(question: Question) -> str:
     """What stands in a page (or in a notebook), with its style."""
-    out = [f"<style>{STYLE}</style>", '<article class="question">']
+    return f"<style>{STYLE}</style>\n{to_body(question)}"
+
+
+def to_body(question: Question) -> str:
+    """The same without its style, for a page that has it already."""
+    out = ['<article class="question">']
     if question.title:
         out.append(f"<h1>{escape(question.title)}</h1>")
     out += [*opening(question), *map(part, question.parts), "</article>"]

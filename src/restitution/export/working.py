@@ -1,0 +1,202 @@
+"""All that a page shows of one solved problem, as plain data: see `shown` for the object.
+
+Mathematics and words are trees, as `restitution.export.tree` describes them. One solve serves all
+pieces, and a piece that cannot be made leaves the others as they are.
+"""
+
+from __future__ import annotations
+
+import time
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from restitution.draw.svg import to_svg
+from restitution.errors import RestitutionError, TimeLimitError
+from restitution.explain import explain, to_latex
+from restitution.explain.html import said, table_rows
+from restitution.explain.steps import Explanation, Row, Step
+from restitution.export.answers import layout_of
+from restitution.export.pictures import chosen
+from restitution.export.player.data import of_solution
+from restitution.export.tree import Tree, tree, trees
+from restitution.killable import soft_limit
+from restitution.render.mathml import to_mathml
+from restitution.wording import question
+from restitution.wording.html import to_body
+
+if TYPE_CHECKING:
+    from restitution.draw.scene import Scene
+    from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
+
+Object = dict[str, Any]
+_T = TypeVar("_T")
+
+# Shares of the time for all pieces that each may take of what is left.
+_PICTURES = 0.4
+_WORKING = 0.7
+_EXACT = 0.5
+
+
+@dataclass(frozen=True)
+class Shown:
+    """The pieces; whether one was broken off; and the tracebacks of failures of the program."""
+
+    content: Object
+    tired: bool
+    fault: str
+
+
+def shown(solution: Solution, seconds: float | None = None) -> Shown:
+    """The pieces of a page, made within so many ``seconds`` (that needs the main thread)::
+
+        {"question": tree or null,
+         "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
+         "working": [{"label", "marks", "asked": [text],
+                      "answers": [{"item": tree, "values": [tree], "holds", "error",
+                                   "rejected": [{"value": tree, "reason"}]}],
+                      "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
+                                 "event", "item", "rows": [{"row": tree, "mark"}]}]}],
+         "working_error": text or null, "latex": text or null,
+         "motion": data of the player or null, "motion_error": text or null,
+         "warnings": [text]}
+
+    A row is a ``tr``, or a list of several where the line is long.
+    """
+    clock = _Clock(seconds)
+    asked, _ = clock.piece(1.0, lambda: tree(to_body(question(solution.problem))))
+    drawn, failed = clock.piece(_PICTURES, lambda: pictured(solution))
+    explanation, unexplained = clock.piece(_WORKING, lambda: explain(solution))
+    told: list[Object] | None = None
+    latex: str | None = None
+    if explanation is not None:
+        told, unexplained = clock.piece(1.0, lambda: working(solution, explanation))
+        latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
+    motion, still = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
+    warnings = solution.warnings if explanation is None else explanation.warnings
+    content = {
+        "question": asked,
+        **(drawn or {"pictures": [], "pictures_error": failed}),
+        "working": told if told is not None else unexplained_parts(solution),
+        "working_error": unexplained,
+        "latex": latex,
+        "motion": motion,
+        "motion_error": still,
+        "warnings": list(dict.fromkeys(warnings)),
+    }
+    return Shown(content, clock.tired, "\n".join(clock.faults))
+
+
+class _Clock:
+    """What is left of the time, and what became of each piece."""
+
+    def __init__(self, seconds: float | None) -> None:
+        self.tired = False
+        self.faults: list[str] = []
+        self._end = None if seconds is None else time.monotonic() + seconds
+
+    def share(self, part: float) -> float | None:
+        """Part of what is left, in seconds."""
+        return None if self._end is None else max(self._end - time.monotonic(), 0.0) * part
+
+    def piece(self, part: float, make: Callable[[], _T]) -> tuple[_T | None, str | None]:
+        """A piece, made in its part of the time left; or None and the reason why it is not."""
+        limit = self.share(part)
+        out_of_time = TimeLimitError("there was no time left for it")
+        if limit is not None and limit <= 0.01:
+            return None, out_of_time.message
+        try:
+            with soft_limit(limit, limit or 0, out_of_time):
+                return make(), None
+        except RestitutionError as error:
+            self.tired = self.tired or error is out_of_time
+            return None, error.message
+        except Exception as error:  # noqa: BLE001 - the other pieces are right without it
+            self.faults.append(traceback.format_exc())
+            return None, f"internal error: {type(error).__name__}"
+
+
+def pictured(solution: Solution, event: int | None = None) -> Object:
+    """The pictures of a solved problem, or that of one event, or the reason why there is none."""
+    try:
+        return {"pictures": [picture(s) for s in chosen(solution, event)], "pictures_error": None}
+    except RestitutionError as error:
+        return {"pictures": [], "pictures_error": error.message}
+
+
+def picture(scene: Scene) -> Object:
+    """One picture."""
+    return {
+        "event": scene.event,
+        "title": scene.title,
+        "description": scene.description,
+        "svg": to_svg(scene),
+    }
+
+
+def working(solution: Solution, explanation: Explanation) -> list[Object]:
+    """The worked solution part by part, each line by itself."""
+    return [
+        {
+            "label": part.label,
+            "marks": part.marks,
+            "asked": list(part.asked),
+            "answers": [_answers(item) for item in solution.parts[part.label].items],
+            "steps": [_step(step) for step in part.steps],
+        }
+        for part in explanation.parts
+    ]
+
+
+def unexplained_parts(solution: Solution) -> list[Object]:
+    """The same with the answers alone."""
+    return [
+        {
+            "label": label,
+            "marks": 0,
+            "asked": [item.text for item in part.items],
+            "answers": [_answers(item) for item in part.items],
+            "steps": [],
+        }
+        for label, part in solution.parts.items()
+    ]
+
+
+def _answers(item: ItemResult) -> Object:
+    return {
+        "item": item.text,
+        "values": [_value(item, answer) for answer in item.distinct],
+        "holds": item.holds,
+        "counterexample": None
+        if item.counterexample is None
+        else {name: str(value) for name, value in item.counterexample.items()},
+        "error": None if item.error is None else item.error.message,
+        "rejected": [
+            {"value": _value(item, root), "reason": root.reason} for root in item.rejected
+        ],
+    }
+
+
+def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
+    layout = layout_of(item, answer)
+    return answer.display if layout is None else tree(to_mathml(layout))
+
+
+def _step(step: Step) -> Object:
+    words = said(step.words)
+    return {
+        "kind": step.kind,
+        "principle": step.principle,
+        "about": None,
+        "said": tree(words) if words else None,
+        "mark": step.mark,
+        "event": step.event,
+        "item": step.item,
+        "rows": [_row(row) for row in step.rows],
+    }
+
+
+def _row(row: Row) -> Object:
+    lines = trees("".join(table_rows(row)))
+    return {"row": lines[0] if len(lines) == 1 else lines, "mark": row.mark}
