@@ -25,6 +25,7 @@ from restitution.explain import (
     to_text,
 )
 from restitution.explain.order import blocks, needed
+from restitution.explain.principles import about
 from restitution.language import parse, read
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width
@@ -68,6 +69,8 @@ def test_nothing_fails_and_no_line_is_left_out(path: Path) -> None:
     explanation = explain(solution)
     assert not [w for w in explanation.warnings if "left out" in w]
     assert len(explanation.parts) == len(solution.parts)
+    steps = [step for part in explanation.parts for step in part.steps]
+    assert all(about(step) for step in steps if step.principle)
     text = to_text(explanation)
     assert "Limit(" not in text
     assert "sqrt" not in text
