@@ -6,12 +6,13 @@ import json
 import math
 import re
 from html import unescape
+from importlib.resources import files
 from pathlib import Path
 
 import pytest
 
 import restitution as r
-from restitution.export.player import play, source, to_html
+from restitution.export.player import module, play, source, to_html
 from restitution.export.player.data import of_motion
 from restitution.motion.pieces import Line, Motion, Piece, Track
 from restitution.vector import Vector
@@ -189,11 +190,12 @@ def test_slow_motion_is_slow_at_impacts_only(opened):
           const url = "data:text/javascript," + encodeURIComponent(code);
           const { mount } = await import(url);
           const data = JSON.parse(document.getElementById("motion").textContent);
-          const player = mount(document.createElement("div"), data);
+          const root = document.body.appendChild(document.createElement("div"));
+          const player = mount(root, data);
           const hit = player.motion.events[0].time;
-          const slow = [player.ease(player.motion.start), player.ease(hit)];
+          const slow = [player.clock.ease(player.motion.start), player.clock.ease(hit)];
           player.slow.box.click();
-          const fast = [player.ease(player.motion.start), player.ease(hit)];
+          const fast = [player.clock.ease(player.motion.start), player.clock.ease(hit)];
           player.destroy();
           return [slow, fast];
         }"""
@@ -414,10 +416,26 @@ def test_contrast_is_enough(opened, page, scheme):
 def test_the_page_is_one_file_that_asks_for_nothing():
     html = play(solved(CORNER)).html
     assert re.findall(r"<(?:script|link|img|iframe)[^>]+(?:src|href)=", html) == []
-    code = re.sub(r"^\s*//.*$", "", source("player.js"), flags=re.MULTILINE)
+    code = re.sub(r"^\s*//.*$", "", module(), flags=re.MULTILINE)
     assert not re.search(r"\bimport\b|\bfetch\b|XMLHttpRequest|WebSocket|eval\(", code)
     assert "innerHTML" not in html
     assert len(html) < 80_000
+
+
+def test_modules_can_stand_together():
+    """Joined into one, no two of them may give one name to two things."""
+    folder = Path(str(files("restitution.export.player")))
+    names = [
+        name
+        for file in sorted(folder.glob("*.js"))
+        for name in re.findall(
+            r"^(?:export )?(?:class|const|let|function) (\w+)", source(file.name), re.MULTILINE
+        )
+    ]
+    assert len(names) > 20
+    assert sorted(names) == sorted(set(names))
+    for name in names:
+        assert name in module()
 
 
 def test_it_shows_itself_in_a_notebook():

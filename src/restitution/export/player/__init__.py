@@ -1,8 +1,12 @@
-"""A motion as a page that plays it: inline SVG and one ES module, nothing from elsewhere."""
+"""A motion as a page that plays it: inline SVG and one ES module, nothing from elsewhere.
+
+The module is made of those beside this file, which pages of a server load as they are.
+"""
 
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass
 from html import escape
 from importlib.resources import files
@@ -30,6 +34,10 @@ mount(
   { page: true },
 );
 """
+# The modules, each after those that it imports.
+_MODULES = ("elements", "controls", "numbers", "motion", "clock", "picture", "tables", "player")
+_IMPORT = re.compile(r'^import \{[^}]*\} from "\./\w+\.js";\n', re.MULTILINE)
+_EXPORT = re.compile(r"^export (?=(?:class|const|function) )", re.MULTILINE)
 _HEIGHT = 720  # pixels that a notebook gives it
 
 
@@ -90,15 +98,20 @@ def to_html(data: dict[str, Any]) -> str:
     """One page that plays the data: style, module and data stand in it."""
     # In JSON a < can only be within a text, where it may be written so.
     told = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    module = source("player.js")
     body = (
         '<main id="player"><noscript>This page plays a motion with JavaScript.</noscript></main>\n'
         f'<script type="application/json" id="motion">{told}</script>\n'
-        f'<script type="module">\n{module}{_START}</script>'
+        f'<script type="module">\n{module()}{_START}</script>'
     )
     return page(data["title"] or "Motion", _PAGE + source("player.css"), body)
 
 
 def source(name: str) -> str:
-    """The text of ``player.js`` or ``player.css``."""
+    """The text of a file of the player, such as ``player.css``."""
     return (files(__package__) / name).read_text(encoding="utf-8")
+
+
+def module() -> str:
+    """The modules of the player as one, without what they import from each other."""
+    *parts, last = (_IMPORT.sub("", source(f"{name}.js")) for name in _MODULES)
+    return "\n".join([*(_EXPORT.sub("", part) for part in parts), last])

@@ -1,22 +1,8 @@
 // Making elements. No markup is ever made of text: every text becomes a text node.
 
-const SVG = "http://www.w3.org/2000/svg";
+export { html, svg } from "./player/elements.js";
+
 const MATH = "http://www.w3.org/1998/Math/MathML";
-
-function put(node, attributes, children) {
-  for (const [name, value] of Object.entries(attributes)) {
-    if (value === null || value === undefined || value === false) continue;
-    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
-    else node.setAttribute(name, value === true ? "" : value);
-  }
-  node.append(...children.flat().filter((child) => child !== null && child !== undefined));
-  return node;
-}
-
-export const html = (name, attributes = {}, ...children) =>
-  put(document.createElement(name), attributes, children);
-export const svg = (name, attributes = {}, ...children) =>
-  put(document.createElementNS(SVG, name), attributes, children);
 
 // What the server sends as ["name", {attributes}, child, …], a child being such a list or a text.
 const KNOWN = new Set(
