@@ -31,3 +31,9 @@ export function grown(tree) {
   node.append(...children.map(grown));
   return node;
 }
+
+// What scrolls sideways can be reached by the keyboard, and only while it does.
+export function reachable(node) {
+  if (node.scrollWidth > node.clientWidth + 1) node.tabIndex = 0;
+  else node.removeAttribute("tabindex");
+}

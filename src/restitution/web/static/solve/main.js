@@ -1,1 +1,188 @@
-export {};
+// The page that solves: what is typed on the left, what follows from it on the right.
+
+import { grown } from "../dom.js";
+import { draft, hold, linkable, onReturn, told } from "./address.js";
+import { makeEditor } from "./editor.js";
+import { makeMotion } from "./motion.js";
+import { makeNotice } from "./notice.js";
+import { lazily, makePanel } from "./panels.js";
+import { makePictures } from "./pictures.js";
+import { answersOf, failure, mistakes, spoken } from "./results.js";
+import { makeShare } from "./share.js";
+import { makeSolver } from "./solver.js";
+import { makeWorking } from "./working.js";
+
+const $ = (id) => document.getElementById(id);
+const { words, sheet } = JSON.parse($("told").textContent);
+const SETTLED = 500; // ms after the last key at which the address is written
+const PATIENCE = 500; // ms for which mistakes are not shown while one types on
+
+const example = $("statement").defaultValue;
+const results = $("results");
+const editor = makeEditor($("editor"), words, { onInput: typed });
+const pictures = makePictures($("pictures"));
+const working = makeWorking($("working"));
+const motion = makeMotion($("motion"));
+const solver = makeSolver(show);
+const notice = makeNotice($("notice"), () => solver.solve(editor.text));
+const share = makeShare($("share"), now, { sheet, say });
+let solved = null; // the last { text, reply }
+let settling = 0;
+let pending = 0;
+
+function typed(text) {
+  clearTimeout(settling);
+  settling = setTimeout(settle, SETTLED, text);
+  solver.typed(text);
+}
+
+function settle(text) {
+  clearTimeout(settling);
+  hold(text);
+  $("long").hidden = linkable(text);
+}
+
+// Another statement in the place of this one, which Back brings back.
+function replace(text) {
+  settle(editor.text);
+  if (text !== editor.text) hold(text, { push: true });
+  editor.put(text);
+  $("long").hidden = linkable(text);
+  solver.solve(text);
+}
+
+// --- what is shown -------------------------------------------------------------------------------
+
+function now() {
+  const current = solved !== null && solved.text === editor.text;
+  return {
+    text: editor.text,
+    title: solved?.reply.answer.title,
+    reply: current ? solved.reply : null,
+    picture: current ? pictures.shown : null,
+  };
+}
+
+function show(state) {
+  clearTimeout(pending);
+  results.setAttribute("aria-busy", String(state.kind === "waiting"));
+  results.classList.toggle("stale", state.kind !== "solved" && state.kind !== "empty");
+  if (state.kind !== "waiting") notice.clear();
+  const shown = { empty: showNothing, wrong: showMistakes, solved: showSolved, refused: showRefusal };
+  shown[state.kind]?.(state);
+  share.update();
+}
+
+function showNothing() {
+  solved = null;
+  mark([]);
+  results.hidden = true;
+  $("start").hidden = false;
+  document.title = "Solve – Restitution";
+}
+
+function showMistakes({ errors }) {
+  // Whoever is still typing the word need not be told.
+  pending = setTimeout(mark, document.activeElement === $("statement") ? PATIENCE : 0, errors);
+}
+
+function mark(errors) {
+  editor.mark(errors);
+  $("mistakes").replaceChildren(...mistakes(errors, editor.goTo));
+  $("mistakes").hidden = !errors.length;
+}
+
+function showRefusal({ error }) {
+  notice.refused(error);
+}
+
+async function showSolved({ text, reply }) {
+  solved = { text, reply };
+  const { answer } = reply;
+  mark([]);
+  results.hidden = false;
+  $("start").hidden = true;
+  document.title = `${answer.title ?? "Solve"} – Restitution`;
+  $("title").textContent = answer.title ?? "";
+  $("title").hidden = !answer.title;
+  $("answers").replaceChildren(...answersOf(reply, editor.goTo));
+  $("wording").hidden = reply.question === null;
+  if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
+  working.put(reply.working);
+  reason("working", working.empty ? reply.working_error : null);
+  $("working").hidden = working.empty;
+  $("worked").hidden = working.empty && !reply.working_error;
+  reason("pictures", reply.pictures.length ? null : reply.pictures_error);
+  $("pictures").hidden = !reply.pictures.length;
+  $("pictured").hidden = !reply.pictures.length && !reply.pictures_error;
+  motion.put(reply);
+  $("spoken").textContent = spoken(reply);
+  await pictures.put(reply.pictures);
+  share.update();
+}
+
+function reason(what, said) {
+  $(`no-${what}`).replaceChildren(...(said ? [failure({ message: said })] : []));
+}
+
+function say(text) {
+  $("said").textContent = text;
+  clearTimeout(say.timer);
+  say.timer = setTimeout(() => ($("said").textContent = ""), 6000);
+}
+
+// --- panels --------------------------------------------------------------------------------------
+
+const examples = makePanel("Examples", "examples", lazily("gallery.css", () => import("./gallery.js"), ({ mountGallery }, body, close) =>
+  mountGallery(body, { onChoose: (name, text) => chosen(text, close) })));
+const form = makePanel("Fill in a form", "form", lazily("form.css", () => import("./form.js"), ({ mountForm }, body) =>
+  mountForm(body, { onStatement: written })));
+const help = makePanel("The language", "language", lazily(null, () => import("./help.js"), ({ mountHelp }, body) => mountHelp(body, words)));
+
+function chosen(text, close) {
+  close();
+  replace(text);
+  editor.focus();
+}
+
+let writing = false; // whether the form has already begun an entry of the history
+
+function written(text) {
+  if (writing) {
+    editor.put(text);
+    typed(text);
+  } else replace(text);
+  writing = true;
+}
+
+$("examples").addEventListener("click", examples);
+$("form").addEventListener("click", () => {
+  writing = false;
+  form();
+});
+$("language").addEventListener("click", help);
+$("new").addEventListener("click", () => {
+  replace("");
+  editor.focus();
+});
+
+// --- the start -----------------------------------------------------------------------------------
+
+onReturn((text) => {
+  clearTimeout(settling);
+  editor.put(text ?? example);
+  solver.solve(text ?? example);
+});
+
+function begin() {
+  const text = told() ?? draft();
+  if (text === null) hold(example, { silent: true });
+  else {
+    editor.put(text);
+    settle(text);
+  }
+  $("sharing").open = matchMedia("(min-width: 60em)").matches;
+  solver.solve(editor.text);
+}
+
+begin();

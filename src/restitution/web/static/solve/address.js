@@ -1,0 +1,43 @@
+// The address holds the statement, so that a link shares it and Back restores it.
+
+const LONGEST = 6000; // characters of an address that people can still send to each other
+const DRAFT = "restitution statement";
+
+const fragment = (text) => `#${new URLSearchParams({ statement: text })}`;
+
+// The statement of the address or of this entry of the history, or null.
+export function told() {
+  const given = new URLSearchParams(location.hash.slice(1)).get("statement");
+  return given ?? history.state?.statement ?? null;
+}
+
+// What was typed last in this tab, or null.
+export function draft() {
+  try {
+    return sessionStorage.getItem(DRAFT);
+  } catch {
+    return null; // the browser keeps nothing
+  }
+}
+
+// This entry of the history, or with `push` a new one, holds a statement from now on.
+export function hold(text, { push = false, silent = false } = {}) {
+  const address = silent ? location.pathname : linkable(text) ? fragment(text) : "#";
+  if (push) history.pushState({ statement: text }, "", address);
+  else history.replaceState({ statement: text }, "", address);
+  if (silent) return;
+  try {
+    sessionStorage.setItem(DRAFT, text);
+  } catch {
+    // The address and the history still hold it.
+  }
+}
+
+export const linkable = (text) => fragment(text).length <= LONGEST;
+
+export const link = (text) => new URL(fragment(text), location.href).href;
+
+// Calls back with the statement whenever Back, Forward or another fragment is chosen.
+export function onReturn(go) {
+  addEventListener("popstate", () => go(told()));
+}

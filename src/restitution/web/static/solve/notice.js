@@ -1,0 +1,47 @@
+// What is said when the server does not answer a statement, and trying again.
+
+import { html } from "../dom.js";
+
+export function makeNotice(root, again) {
+  let timer = 0;
+
+  function clear() {
+    clearInterval(timer);
+    root.replaceChildren();
+    root.hidden = true;
+  }
+
+  function put(said, label) {
+    const button = html("button", { type: "button", onclick: retry }, label);
+    root.replaceChildren(html("p", {}, said), button);
+    root.hidden = false;
+  }
+
+  function retry() {
+    clear();
+    again();
+  }
+
+  return {
+    clear,
+    refused({ status, message, wait }) {
+      clear();
+      if (status === 503) {
+        let left = Math.ceil(wait ?? 5);
+        const counting = html("span", { "aria-hidden": "true" });
+        const count = () => (counting.textContent = `Trying again in ${left} s.`);
+        put(["The server is busy just now. ", counting], "Try now");
+        count();
+        timer = setInterval(() => {
+          left -= 1;
+          if (left <= 0) retry();
+          else count();
+        }, 1000);
+      } else if (status === 0) {
+        put("There is no answer from the server. Your work is kept; try again when you are back on the network.", "Try again");
+      } else {
+        put(`${message} Your work is kept.`, "Try again");
+      }
+    },
+  };
+}

@@ -1,0 +1,42 @@
+// What opens over the page: examples, the form, the language. Each is fetched when it is first
+// wanted.
+
+import { html } from "../dom.js";
+import { style } from "./motion.js";
+
+// A dialog, filled by `fill(body)` once, when it is first opened; returns what opens it.
+export function makePanel(title, className, fill) {
+  let dialog = null;
+
+  async function build() {
+    const heading = html("h2", { id: `${className}-heading` }, title);
+    const body = html("div", { class: "body" }, html("p", { class: "quiet" }, "One moment …"));
+    const close = html("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close");
+    dialog = html(
+      "dialog",
+      { class: `panel ${className}`, "aria-labelledby": heading.id },
+      html("header", {}, heading, close),
+      body,
+    );
+    document.body.append(dialog);
+    dialog.showModal();
+    try {
+      await fill(body, () => dialog.close());
+    } catch {
+      body.replaceChildren(html("p", { class: "problem" }, "This could not be loaded. Is the server still there?"));
+      dialog.addEventListener("close", () => {
+        dialog.remove();
+        dialog = null; // to be tried again
+      }, { once: true });
+    }
+  }
+
+  return () => (dialog ? dialog.showModal() : build());
+}
+
+// Fills a panel with a module's own element, its style first.
+export const lazily = (sheet, load, mount) => async (body, close) => {
+  const [module] = await Promise.all([load(), sheet && style(sheet)]);
+  body.replaceChildren();
+  mount(module, body, close);
+};

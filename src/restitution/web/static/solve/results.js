@@ -1,0 +1,91 @@
+// The answers: each item with its values, what was rejected and why, what was shown or refuted.
+
+import { grown, html } from "../dom.js";
+
+export function answersOf({ answer, working }, goTo) {
+  const parts = working.filter(({ answers }) => answers.length);
+  const nodes = parts.map(({ label, answers }) =>
+    html(
+      "section",
+      { class: "part" },
+      label ? html("h3", {}, `(${label})`) : null,
+      html("ul", { class: "answers" }, answers.map(answered)),
+    ),
+  );
+  if (!parts.length) nodes.push(...answer.parts.map(unanswered));
+  return [...warningsOf(answer), ...(answer.error ? [failure(answer.error, goTo)] : []), ...nodes];
+}
+
+function answered({ item, values, holds, counterexample, error, rejected }) {
+  return html(
+    "li",
+    {},
+    html("code", {}, item),
+    ...(holds === null ? equals(values) : [" ", verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
+    error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
+    rejected.map(({ value, reason }) =>
+      html("p", { class: "rejected" }, "Rejected: ", maths(value), `, as ${reason}.`),
+    ),
+  );
+}
+
+// `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
+const equals = (values) =>
+  values.length ? [typeof values[0] === "string" ? ": " : " = ", ...alternatives(values)] : [];
+
+const alternatives = (values) =>
+  values.flatMap((value, index) => [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
+
+const maths = (value) => html("span", { class: "value" }, grown(value));
+
+function verdict(holds, counterexample) {
+  if (holds) return html("strong", { class: "shown" }, "✓ Shown");
+  const values = Object.entries(counterexample ?? {}).map(([name, value]) => `${name} = ${value}`);
+  return html(
+    "span",
+    {},
+    html("strong", { class: "refuted" }, "✗ Not true"),
+    values.length ? `, for instance with ${values.join(", ")}` : null,
+  );
+}
+
+const unanswered = ({ part, items }) =>
+  html(
+    "section",
+    { class: "part" },
+    part ? html("h3", {}, `(${part})`) : null,
+    html("ul", { class: "answers" }, items.map(({ text }) => html("li", {}, html("code", {}, text)))),
+  );
+
+const warningsOf = ({ warnings }) => warnings.map((said) => html("p", { class: "warning" }, `Note: ${said}`));
+
+export function failure({ message, line, column }, goTo) {
+  const place = line && html("button", { type: "button", class: "place", onclick: () => goTo(line, column) }, `line ${line}`);
+  return html("p", { class: "problem" }, `${message[0].toUpperCase()}${message.slice(1)}`, place ? [" ", place] : null);
+}
+
+// What is said aloud of a reply.
+export function spoken({ answer }) {
+  const items = answer.parts.flatMap(({ items: each }) => each);
+  const said = items.map(({ text, answers, holds, error }) => {
+    if (error) return `${text}: no answer, ${error.message}`;
+    if (holds !== null) return `${text}: ${holds ? "shown" : "not true"}`;
+    return `${text}: ${answers.map(({ display }) => display).join(" or ")}`;
+  });
+  return said.length ? said.slice(0, 8).join("; ") : answer.error?.message ?? "";
+}
+
+// The first lines of what is wrong with the text, each a button that goes there.
+export const mistakes = (errors, goTo) =>
+  errors.map(({ message, line, column }) =>
+    html(
+      "li",
+      {},
+      html(
+        "button",
+        { type: "button", onclick: () => goTo(line ?? 1, column) },
+        html("b", {}, line ? `Line ${line}` : "Text"),
+        ` ${message}`,
+      ),
+    ),
+  );

@@ -1,0 +1,141 @@
+// The worked solution: whole, or line by line as on a board.
+
+import { grown, html, reachable } from "../dom.js";
+
+// The sections, and for each line the elements that appear with it: a heading or a sentence comes
+// with what follows it.
+function laid(working) {
+  const sections = [];
+  const lines = [[]];
+  const put = (node, ends = true) => {
+    lines.at(-1).push(node);
+    if (ends) lines.push([]);
+    return node;
+  };
+  for (const part of working) {
+    if (!part.steps.length) continue;
+    const section = html("section", { class: "part" });
+    if (part.label) section.append(put(html("h3", {}, `(${part.label})`, worth(part.marks)), false));
+    for (const step of part.steps) section.append(...stepped(step, put));
+    sections.push(section);
+  }
+  const last = lines.pop();
+  lines.at(-1)?.push(...last);
+  return { sections, lines };
+}
+
+const worth = (marks) =>
+  marks ? html("span", { class: "mark" }, ` ${marks} ${marks === 1 ? "mark" : "marks"}`) : null;
+
+function stepped(step, put) {
+  const said = step.said === null ? null : grown(step.said);
+  if (step.kind === "heading") return [put(html("h4", {}, said), false)];
+  const nodes = [];
+  const named = step.principle && html("em", { class: "principle" }, `${step.principle}:`, said && " ");
+  if (named || said) {
+    const mark = step.mark && html("span", { class: "mark" }, step.mark);
+    const node = html("div", { class: "said" }, html("p", {}, mark || null, named || null, said));
+    if (step.about) node.append(why(step));
+    nodes.push(put(node, !step.rows.length));
+  }
+  if (step.rows.length) {
+    const body = html("tbody");
+    const table = html("div", { class: "scroll", role: "group", "aria-label": "Equations" }, html("table", {}, body));
+    const group = html("div", { class: "rows" }, table);
+    for (const { row } of step.rows) {
+      const rows = (Array.isArray(row[0]) ? row : [row]).map(grown);
+      rows.forEach((each, index) => put(each, index === rows.length - 1));
+      body.append(...rows);
+    }
+    nodes.push(group);
+  }
+  return nodes;
+}
+
+function why({ principle, about }) {
+  const label = principle ? `Why? ${principle}` : "Why?";
+  return html("details", { class: "why" }, html("summary", { "aria-label": label }, "Why?"), html("p", {}, about));
+}
+
+function hideIfEmpty(node, within) {
+  node.hidden = [...within].every(({ hidden }) => hidden);
+}
+
+export function makeWorking(root) {
+  const whole = html("button", { type: "button", "aria-pressed": "true", onclick: () => setMode(false) }, "Whole");
+  const stepwise = html("button", { type: "button", "aria-pressed": "false", onclick: () => setMode(true) }, "Line by line");
+  const marks = html("input", { type: "checkbox", checked: true });
+  const body = html("div", { class: "lines" });
+  const back = html("button", { type: "button", onclick: () => show(shown - 1) }, "Back one line");
+  const next = html("button", { type: "button", class: "main next", onclick: () => show(shown + 1) }, "Next line");
+  const progress = html("span", { class: "progress" });
+  const pace = html("div", { class: "pace" }, back, next, progress);
+  const modes = html("div", { class: "modes", role: "group", "aria-label": "How to show it" }, whole, stepwise);
+  root.append(
+    html("div", { class: "tools" }, modes, html("label", { class: "check" }, marks, "Marks")),
+    body,
+    pace,
+  );
+  let lines = [];
+  let byLine = false;
+  let shown = 0;
+  let given = null;
+
+  function setMode(on) {
+    byLine = on;
+    whole.setAttribute("aria-pressed", String(!on));
+    stepwise.setAttribute("aria-pressed", String(on));
+    show(on ? 1 : lines.length, false);
+    if (on) next.focus();
+  }
+
+  function show(count, follow = true) {
+    shown = Math.max(Math.min(count, lines.length), Math.min(1, lines.length));
+    body.toggleAttribute("data-stepwise", byLine);
+    if (byLine) body.setAttribute("aria-live", "polite");
+    else body.removeAttribute("aria-live");
+    lines.forEach((nodes, index) => {
+      for (const node of nodes) {
+        node.hidden = byLine && index >= shown;
+        node.classList.toggle("newest", byLine && index === shown - 1);
+      }
+    });
+    for (const group of body.querySelectorAll(".rows")) hideIfEmpty(group, group.querySelectorAll("tr"));
+    for (const section of body.children) hideIfEmpty(section, section.children);
+    pace.hidden = !byLine;
+    back.disabled = shown <= 1;
+    next.disabled = shown >= lines.length;
+    progress.textContent = `line ${shown} of ${lines.length}`;
+    measure();
+    if (byLine && follow) lines[shown - 1]?.at(-1).scrollIntoView({ block: "nearest" });
+  }
+
+  function measure() {
+    body.querySelectorAll(".scroll").forEach(reachable);
+  }
+
+  marks.addEventListener("change", () => body.classList.toggle("unmarked", !marks.checked));
+  root.addEventListener("keydown", (event) => {
+    if (!byLine || event.ctrlKey || event.metaKey || event.altKey) return;
+    const pressed = event.target.closest("button, summary, input");
+    const does = { ArrowRight: 1, ArrowLeft: -1, ...(pressed ? {} : { " ": 1 }) }[event.key];
+    if (!does) return;
+    event.preventDefault();
+    show(shown + does);
+  });
+  new ResizeObserver(measure).observe(body);
+
+  return {
+    put(working) {
+      if (working === given) return;
+      given = working;
+      const made = laid(working);
+      lines = made.lines.filter((nodes) => nodes.length);
+      body.replaceChildren(...made.sections);
+      show(byLine ? 1 : lines.length, false);
+    },
+    get empty() {
+      return !lines.length;
+    },
+  };
+}
