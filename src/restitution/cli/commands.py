@@ -485,18 +485,13 @@ def show_examples(
         names = examples.names()
         longest = max(len(each) for each in names)
         for each in names:
-            typer.echo(f"{each:<{longest}}  {_title(examples.text(each))}")
+            typer.echo(f"{each:<{longest}}  {examples.title(each)}")
         return
     try:
         typer.echo(examples.text(name), nl=False)
     except StatementError as error:
         say(error.message)
         raise typer.Exit(UNREADABLE) from None
-
-
-def _title(text: str) -> str:
-    lines = (line for line in text.splitlines() if line.startswith("title "))
-    return next(lines, "title ").removeprefix("title ").strip()
 
 
 @app.command()

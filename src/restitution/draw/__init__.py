@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from restitution.staging.values import When
     from restitution.vector import Vector
 
-__all__ = ["Drawings", "draw", "figure", "scenes"]
+__all__ = ["Drawings", "draw", "figure", "scenes", "thumbnail"]
 
 
 @dataclass(frozen=True)
@@ -62,6 +62,17 @@ def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
     kept it from being solved (ContradictionError, ImpossibleError, …) where nothing can be drawn.
     """
     return tuple(_pictures(solution, _parts(solution, part)))
+
+
+def thumbnail(solution: Solution) -> Scene | None:
+    """The first picture of a solved problem, small and without words; None where there is none.
+
+    Raises what kept the problem from being solved where nothing can be drawn.
+    """
+    from restitution.draw.thumbnail import small
+
+    first = next(_pictures(solution, _parts(solution, None)), None)
+    return None if first is None else small(first)
 
 
 def figure(solution: Solution) -> Scene | None:

@@ -35,6 +35,19 @@ def text(name: str) -> str:
     return files(__name__).joinpath(wanted + _SUFFIX).read_text(encoding="utf-8")
 
 
+def title(name: str) -> str:
+    """What the example ``name`` shows, in a few words."""
+    lines = text(name).splitlines()
+    return next((line[6:].strip() for line in lines if line.startswith("title ")), name)
+
+
+def statement(name: str) -> str:
+    """The example ``name`` without its answers and their source."""
+    lines = text(name).splitlines()
+    kept = [line for line in lines if not line.startswith(("#=", "#!", "# source:"))]
+    return "\n".join(kept).strip() + "\n"
+
+
 def _unknown(wanted: str, known: tuple[str, ...]) -> str:
     folded = wanted.strip().lower().replace("_", "-").replace(" ", "-")
     near = get_close_matches(folded, known, n=1, cutoff=0.5)
