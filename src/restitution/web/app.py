@@ -16,7 +16,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp
 
 from restitution.export.job import prepare
-from restitution.web import api, pages, simulating
+from restitution.web import api, gallery, pages, simulating
 from restitution.web.pool import Pool
 from restitution.web.replies import Replies
 from restitution.web.safety import guarded
@@ -45,7 +45,7 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
         hosts = list(chosen.hosts)
         guards.insert(0, Middleware(TrustedHostMiddleware, allowed_hosts=hosts, www_redirect=False))
     app = Starlette(
-        routes=[*pages.routes(), *api.routes(), *simulating.routes()],
+        routes=[*pages.routes(), *gallery.routes(), *api.routes(), *simulating.routes()],
         middleware=guards,
         exception_handlers={HTTPException: _refused, Exception: _failed},
         lifespan=life,

@@ -1,0 +1,106 @@
+"""The examples, for a gallery: what they are, and a small picture of each."""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import json
+from functools import cache
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+
+from restitution import examples
+from restitution.examples.topics import TOPICS
+from restitution.killable import LostError
+from restitution.web.api import Staff, refusal
+from restitution.web.pool import BusyError
+from restitution.web.work import Made
+
+_SVG = "image/svg+xml"
+
+_PLACEHOLDER = """\
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 26" width="40mm" height="26mm" fill="none"\
+ stroke="#888" stroke-width=".4"><path d="M12 18h16"/><circle cx="20" cy="14.6" r="3.2"\
+ stroke-dasharray="1 .7"/></svg>
+"""
+"""Stands where no picture can be made."""
+
+
+def routes() -> list[Route]:
+    """``examples.json``, and ``thumbnails/NAME.svg`` for each."""
+    # Few at a time: whoever asks for a solution goes first.
+    pencil = asyncio.Semaphore(2)
+
+    async def picture(request: Request) -> Response:
+        staff: Staff = request.app.state.staff
+        name = request.path_params["name"]
+        if name not in examples.names():
+            raise HTTPException(404)
+
+        async def made() -> Made:
+            async with pencil:
+                return await _made(staff, name)
+
+        try:
+            found = await staff.replies.get((pictured.__name__, name), made)
+        except BusyError as error:
+            return refusal(503, "busy", "please ask again", {"Retry-After": str(error.again)})
+        return _told(request, found)
+
+    async def table(request: Request) -> Response:
+        return _told(request, Made(_table()))
+
+    return [Route("/examples.json", table), Route("/thumbnails/{name}.svg", picture)]
+
+
+def pictured(name: str) -> Made:
+    """In a process of its own: the small picture of an example, or a placeholder for it."""
+    from restitution.draw import thumbnail
+    from restitution.draw.svg import to_svg
+    from restitution.errors import RestitutionError
+    from restitution.language import parse
+    from restitution.solve import solve
+
+    try:
+        scene = thumbnail(solve(parse(examples.text(name))))
+    except RestitutionError:
+        scene = None
+    svg = _PLACEHOLDER if scene is None else to_svg(scene)
+    return Made(svg.encode(), _SVG)
+
+
+async def _made(staff: Staff, name: str) -> Made:
+    try:
+        made: Made = await staff.solvers.run(pictured, name, limit=staff.settings.time_limit)
+        return made
+    except (TimeoutError, LostError):
+        return Made(_PLACEHOLDER.encode(), _SVG, tired=True)
+
+
+@cache
+def _table() -> bytes:
+    told = [
+        {
+            "name": name,
+            "title": examples.title(name),
+            "topic": topic,
+            "statement": examples.statement(name),
+        }
+        for topic, names in TOPICS.items()
+        for name in names
+    ]
+    return json.dumps({"examples": told}, ensure_ascii=False).encode()
+
+
+def _told(request: Request, found: Made) -> Response:
+    """The reply, for a day; nothing where the browser has just this already."""
+    if found.tired:  # another time more may come of it
+        return Response(found.content, media_type=found.kind)
+    tag = f'"{hashlib.sha256(found.content).hexdigest()[:16]}"'
+    headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
+    if request.headers.get("If-None-Match", "").removeprefix("W/") == tag:
+        return Response(status_code=304, headers=headers)
+    return Response(found.content, headers=headers, media_type=found.kind)

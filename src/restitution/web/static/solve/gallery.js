@@ -1,0 +1,80 @@
+// The examples by topic, each with a small picture; typing narrows them down.
+import { html } from "../dom.js";
+
+// `onChoose(name, text)` is told the example that was chosen and its statement.
+export function mountGallery(element, { onChoose }) {
+  const gone = new AbortController();
+  const field = html("input", {
+    type: "search", id: "gallery-field", autocomplete: "off", spellcheck: "false",
+    placeholder: "corner, energy, deflection…", oninput: () => narrow(),
+  });
+  const count = html("p", { class: "count", role: "status" });
+  const topics = html("div", { class: "topics" });
+  const root = html("div", { class: "gallery" },
+    html("div", { class: "find" }, html("label", { for: "gallery-field" }, "Find an example"), field, count),
+    topics);
+  let shown = [];
+
+  function card(example) {
+    const image = html("img", {
+      src: `thumbnails/${example.name}.svg`, alt: "", loading: "lazy", decoding: "async",
+      width: 200, height: 130, onerror: () => image.remove(),
+    });
+    const button = html("button", { type: "button", class: "card", onclick: () => onChoose(example.name, example.statement) },
+      html("span", { class: "picture" }, image), html("span", { class: "title" }, example.title));
+    const item = html("li", {}, button);
+    const words = `${example.title} ${example.topic} ${example.name} ${example.statement}`.toLowerCase();
+    return { item, words };
+  }
+
+  function show(examples) {
+    const sections = Map.groupBy(examples, (each) => each.topic);
+    for (const [topic, members] of sections) {
+      const cards = members.map(card);
+      const section = html("section", {},
+        html("h3", {}, topic), html("ul", { class: "cards" }, ...cards.map((each) => each.item)));
+      shown.push({ section, cards });
+      topics.append(section);
+    }
+    narrow();
+  }
+
+  function narrow() {
+    const wanted = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+    let left = 0;
+    for (const { section, cards } of shown) {
+      let here = 0;
+      for (const { item, words } of cards) {
+        item.hidden = !wanted.every((word) => words.includes(word));
+        here += !item.hidden;
+      }
+      section.hidden = here === 0;
+      left += here;
+    }
+    count.textContent = left === 0 ? "No example has all these words." : left === 1 ? "1 example" : `${left} examples`;
+  }
+
+  async function load() {
+    topics.replaceChildren();
+    shown = [];
+    count.textContent = "Loading the examples…";
+    try {
+      const reply = await fetch("examples.json", { signal: gone.signal });
+      if (!reply.ok) throw new Error(`the server says ${reply.status}`);
+      show((await reply.json()).examples);
+    } catch (error) {
+      if (error.name === "AbortError") return;
+      count.textContent = "The examples cannot be loaded just now.";
+      topics.append(html("button", { type: "button", onclick: load }, "Try again"));
+    }
+  }
+
+  element.append(root);
+  load();
+  return {
+    destroy() {
+      gone.abort();
+      root.remove();
+    },
+  };
+}
