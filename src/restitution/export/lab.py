@@ -71,7 +71,7 @@ def simulated(told: object) -> Object:
     StatementError where ``told`` is no scene at all.
     """
     scene = read_scene(told)
-    names = [body.name for body in (*scene.spheres, *scene.walls)]
+    names = [*(ball.name for ball in scene.spheres), *(wall.name for wall in scene.walls)]
     try:
         table = _with_room(scene)
         run, stopped = simulate(table, until=scene.seconds, impacts=scene.impacts), None

@@ -16,23 +16,16 @@ export class Picture {
     this.node = svg("svg", { class: "stage", role: "img" });
   }
 
-  // Makes all shapes anew: for another motion, or another size of the picture.
-  lay(motion, width, height) {
+  // Makes all shapes anew: for another motion, or another size of the picture. A `view` says what
+  // is seen: the point in the middle, `k` pixels to a metre, `arrow` pixels to 1 m/s; without one
+  // the whole motion is.
+  lay(motion, width, height, view = null) {
     this.motion = motion;
-    const longest = Math.min(0.2 * width, 0.34 * height, 150);
-    this.arrow = longest / Math.sqrt(Math.max(1, motion.spheres.length / 4)) / fastest(motion);
     this.blowLength = Math.min(0.16 * width, 0.25 * height, 110);
-    const margin = Math.min(40, 0.08 * width + 6);
-    const fit = ([left, bottom, right, top]) => {
-      const k = Math.min(
-        (width - 2 * margin) / (right - left || 1e-9),
-        (height - 2 * margin) / (top - bottom || 1e-9),
-      );
-      return { k, middle: [(left + right) / 2, (bottom + top) / 2] };
-    };
-    const bare = bounds(motion);
-    const rough = fit(bare).k;
-    const { k, middle } = fit(around(bare, this.tips(motion, 1 / rough)));
+    const { k, middle, arrow } = view ?? this.whole(motion, width, height);
+    this.arrow = arrow;
+    const masses = motion.spheres.map(({ mass }) => mass ?? 1);
+    this.usual = masses.reduce((sum, mass) => sum + mass, 0) / (masses.length || 1);
     this.scale = k;
     this.at = ([x, y]) => [width / 2 + k * (x - middle[0]), height / 2 - k * (y - middle[1])];
     this.width = width;
@@ -40,12 +33,15 @@ export class Picture {
     this.node.setAttribute("width", width);
     this.node.setAttribute("height", height);
     this.node.replaceChildren();
+    this.ground = this.add("g", "ground"); // for those who put something beneath
     this.node.append(svg("g", { class: "walls" }, ...motion.walls.flatMap((w) => this.wall(w))));
     this.node.append(...motion.points.flatMap((point) => this.point(point)));
+    this.trailed = new Map();
     this.trails = motion.spheres.map((_, i) => this.add("path", `trail body${i % COLOURS}`));
     this.guide = this.add("path", "guide");
     this.ghosts = this.add("g", "ghosts");
     this.discs = motion.spheres.map((sphere, i) => this.disc(sphere, i));
+    this.momenta = motion.spheres.map((_, i) => this.arrowhead(`momentum body${i % COLOURS}`));
     this.arrows = motion.spheres.map((_, i) => ({
       velocity: this.arrowhead(`velocity body${i % COLOURS}`),
       came: this.arrowhead(`velocity came body${i % COLOURS}`),
@@ -59,12 +55,32 @@ export class Picture {
       texts: [0, 1, 2, 3].map(() => this.add("text", "number")),
     }));
     this.blow = this.arrowhead("blow");
+    this.blows = [0, 1].map(() => this.arrowhead("blow share"));
+    this.speeds = motion.spheres.map((_, i) => this.add("text", `number body${i % COLOURS}`));
+    this.told = motion.spheres.map(() => null); // of which piece the speed stands there
     this.names = motion.spheres.map((sphere) => this.add("text", "name"));
     this.crowded = motion.spheres.length > CROWD;
     motion.spheres.forEach(({ name, radius }, i) => {
       const fits = radius * k > 4 * name.length + 4;
       if (fits || !this.crowded) this.names[i].append(name);
     });
+  }
+
+  // A view of all that happens, arrows included.
+  whole(motion, width, height) {
+    const longest = Math.min(0.2 * width, 0.34 * height, 150);
+    const arrow = longest / Math.sqrt(Math.max(1, motion.spheres.length / 4)) / fastest(motion);
+    this.arrow = arrow;
+    const margin = Math.min(40, 0.08 * width + 6);
+    const fit = ([left, bottom, right, top]) => {
+      const k = Math.min(
+        (width - 2 * margin) / (right - left || 1e-9),
+        (height - 2 * margin) / (top - bottom || 1e-9),
+      );
+      return { k, middle: [(left + right) / 2, (bottom + top) / 2] };
+    };
+    const bare = bounds(motion);
+    return { ...fit(around(bare, this.tips(motion, 1 / fit(bare).k))), arrow };
   }
 
   // Where arrows begin and end, in m, with so many metres for a pixel.
@@ -265,7 +281,7 @@ export class Picture {
   // The picture at a time. `focus` is the event that is looked at closely, or null. Before it the
   // velocities of its bodies are drawn as they arrive at the centres, out of the way of what is
   // struck; at its very moment both are seen, the earlier one faint.
-  show(t, focus, moment, { velocities, components, trails }) {
+  show(t, focus, moment, { velocities, components, trails, momenta, impulses, speeds }) {
     const { spheres } = this.motion;
     const places = spheres.map((sphere) => this.at(placeAt(sphere, t)));
     if (focus?.kind === "impact" && !focus.wall) this.apart(places, focus, t);
@@ -291,8 +307,38 @@ export class Picture {
         const by = back ? [(-7 * u[1]) / size(u), (-7 * u[0]) / size(u)] : [0, 0];
         this.pointTo(came, plus(this.tip(place, u, -1), by), plus(place, by));
       } else this.hide(came);
+      if (momenta) {
+        const k = (sphere.mass ?? 0) / this.usual;
+        this.pointTo(this.momenta[i], place, this.tip(place, [k * piece[4], k * piece[5]]));
+      } else this.hide(this.momenta[i]);
+      this.sayOf(i, speeds ? index : null, place);
     });
+    this.shares(impulses && !coming && focus?.impulse && focus.kind === "impact" ? focus : null);
     this.closely(places, components ? focus : null, moment, coming);
+  }
+
+  // Beneath a sphere, its speed.
+  sayOf(i, index, place) {
+    const text = this.speeds[i];
+    if (this.told[i] !== index) {
+      this.told[i] = index;
+      const piece = this.motion.spheres[i].pieces[index];
+      text.textContent = piece ? figures(size([piece[4], piece[5]])) : "";
+    }
+    if (index === null) return;
+    text.setAttribute("x", place[0]);
+    text.setAttribute("y", place[1] + this.discs[i].r + 12);
+  }
+
+  // The impulses on both bodies, equal and opposite, as long as the velocities that they would
+  // give to a sphere of the usual mass.
+  shares(event) {
+    this.blows.forEach((arrow, k) => {
+      if (!event || k >= event.bodies.length) return this.hide(arrow);
+      const from = this.at(event.place);
+      const share = (k ? 1 : -1) / this.usual;
+      this.pointTo(arrow, from, this.tip(from, event.impulse.map((x) => share * x)));
+    });
   }
 
   tip(place, v, k = 1) {
@@ -300,12 +346,20 @@ export class Picture {
   }
 
   trail(sphere, index, place) {
+    return `${this.corners(sphere, index)}L${place[0]} ${place[1]}`;
+  }
+
+  // Where a trail begins and turns: another one only after another impact.
+  corners(sphere, index) {
+    const known = this.trailed.get(sphere);
+    if (known?.index === index) return known.path;
     let path = "";
     for (let i = Math.max(0, index - TRAIL); i <= index; i += 1) {
       const [x, y] = this.at([sphere.pieces[i][2], sphere.pieces[i][3]]);
       path += `${path ? "L" : "M"}${x} ${y}`;
     }
-    return `${path}L${place[0]} ${place[1]}`;
+    this.trailed.set(sphere, { index, path });
+    return path;
   }
 
   // Spheres of negligible size are drawn with some: where they meet, side by side.
@@ -360,7 +414,7 @@ export class Picture {
     const line = [event.line[0], -event.line[1]];
     const other = event.wall ? this.at(event.place) : places[this.index(event.bodies[1])];
     const near = size(plus(other, first, -1));
-    const reach = Math.max(60, 0.1 * this.width) + this.discs[0].r;
+    const reach = Math.max(60, 0.1 * this.width) + this.discs[this.index(event.bodies[0])].r;
     // From the first centre to the second as they are at the impact, and on to both sides.
     const a = plus(first, line, -reach);
     const b = plus(first, line, (event.wall ? 0 : near) + (event.wall ? near : reach));
