@@ -1,0 +1,536 @@
+"""The page that solves, in a real browser: what one types, sees, shares, prints and hears."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from urllib.parse import parse_qs, quote, urlparse
+
+import axe_playwright_python
+import pytest
+
+from restitution import parse
+from restitution.expression.quantities import SIGNATURES
+from restitution.expression.words import PROPERTY_WORDS
+from restitution.web.words import vocabulary
+
+AXE = Path(axe_playwright_python.__file__).with_name("axe.min.js").read_text(encoding="utf-8")
+
+WALL = """\
+title A ball at a wall
+wall W: along i
+sphere P: mass 2, velocity 5i - 3j
+P hits W
+given energy_lost = 5
+find e, deflection(P)
+"""
+REJECTED = """\
+sphere A, B: mass m
+sphere A: velocity u at 45°
+sphere B: at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = arctan(4)
+find e
+"""
+FALSE = """\
+wall W: along i
+sphere P: velocity u at 45° to W
+P hits W
+show speed(P) = e u
+"""
+CORNER = """\
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity u at 60° to AB
+P hits AB: e = 1/2
+show speed(P) = sqrt(7)/4 u
+P hits BC: e = 1/2
+find speed(P)
+"""
+
+
+@pytest.fixture
+def minded(page, served):
+    """The page, minding what its console says and whom it asks: nobody else, and no complaints."""
+    said: list[str] = []
+    asked: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+    page.minded = said
+    page.emulate_media(reduced_motion="reduce")
+    yield page
+    assert [each for each in said if "404" not in each] == []
+    assert [u for u in asked if not u.startswith((served, "blob:", "data:"))] == []
+
+
+@pytest.fixture
+def open_(minded, served):
+    """Opens the page, with a statement in its address, and waits until it is solved."""
+
+    def go(statement: str | None = None):
+        minded.goto(served + "/" + ("" if statement is None else f"#statement={quote(statement)}"))
+        minded.locator("#results:not(.stale)[aria-busy=false]").wait_for()
+        return minded
+
+    return go
+
+
+def solved(page) -> None:
+    page.locator("#results:not(.stale)[aria-busy=false]").wait_for()
+
+
+def answers(page) -> str:
+    """What is answered, as one reads it: without blanks and without invisible operators."""
+    return re.sub(r"[\s\u2061\u2062]", "", page.locator("#answers").inner_text())
+
+
+def typed(page) -> str:
+    return page.locator("#statement").input_value()
+
+
+def stated(page) -> str | None:
+    """The statement of the address."""
+    return parse_qs(urlparse(page.url).fragment, keep_blank_values=True).get("statement", [None])[0]
+
+
+# --- the first visit ------------------------------------------------------------------------------
+
+
+def test_a_first_visit_shows_a_question_solved(open_):
+    page = open_()
+    assert typed(page).startswith("title ")
+    assert "velocity(A)=3𝐢+2𝐣" in answers(page)
+    assert page.locator("#pictures img").first.get_attribute("alt")
+    assert page.locator("#working tr").count() > 5
+    assert page.locator(".principle", has_text="Newton's experimental law").count() == 1
+    assert page.title() == f"{page.locator('#title').inner_text()} – Restitution"
+    assert stated(page) is None
+
+
+# --- typing ---------------------------------------------------------------------------------------
+
+
+def test_an_edit_shows_its_new_solution_and_the_address_holds_it(open_):
+    page = open_(WALL)
+    assert "e=23" in answers(page)
+    page.locator("#statement").fill(WALL.replace("= 5\n", "= 9\n"))
+    page.locator("#answers li", has_text=re.compile("e\\s*=\\s*0")).wait_for()
+    page.wait_for_function("() => location.hash.includes('%3D+9')")
+    assert stated(page) == typed(page)
+    page.reload()
+    solved(page)
+    assert "= 9\n" in typed(page)
+    assert "e=0" in answers(page)
+
+
+def test_a_mistake_is_marked_at_its_place_and_clears(open_):
+    page = open_(WALL)
+    page.locator("#statement").fill(WALL.replace("velocity", "velocty"))
+    wrong = page.locator(".layer .wrong")
+    wrong.wait_for()
+    assert wrong.inner_text() == "velocty"
+    message = page.locator("#mistakes button")
+    assert "Line 3" in message.inner_text()
+    assert "did you mean 'velocity'" in message.inner_text()
+    assert page.locator("#statement").get_attribute("aria-invalid") == "true"
+    assert "stale" in page.locator("#results").get_attribute("class")
+    message.click()
+    assert page.evaluate("() => getSelection().toString()") == "velocty"
+    page.keyboard.insert_text("velocity")
+    wrong.wait_for(state="detached")
+    solved(page)
+    assert page.locator("#mistakes").is_hidden()
+    assert page.locator("#statement").get_attribute("aria-invalid") == "false"
+
+
+def test_every_mistake_of_a_text_is_listed(open_):
+    page = open_(WALL)
+    page.locator("#statement").fill("spher P\nwall W: alon i\nfind speed(Q)\n")
+    page.locator("#mistakes button").nth(1).wait_for()
+    assert page.locator(".layer .wrong").count() >= 2
+
+
+def test_the_layer_has_the_letters_of_the_field_in_their_places(open_):
+    page = open_(CORNER + "# " + "word " * 60 + "\n")
+    field, layer = page.locator("#statement"), page.locator(".layer")
+    shown = layer.evaluate("node => [...node.children].map((row) => row.textContent).join('\\n')")
+    assert shown == typed(page)
+    heights = field.evaluate("node => [node.scrollHeight, node.clientHeight]")
+    assert heights[0] == heights[1]
+    assert layer.evaluate("node => node.clientHeight") == heights[1]
+    names = page.locator(".layer .name").all_inner_texts()
+    assert names.count("P") == 5
+    assert "AB" in names
+
+
+def test_words_are_completed_by_keyboard(open_):
+    page = open_(WALL)
+    field = page.locator("#statement")
+    field.fill("")
+    field.press_sequentially("sph")
+    box = page.get_by_role("listbox", name="Suggestions")
+    box.wait_for()
+    first = box.get_by_role("option").first
+    assert field.get_attribute("aria-activedescendant") == first.get_attribute("id")
+    assert "a smooth sphere" in first.inner_text()
+    page.keyboard.press("Tab")
+    assert typed(page) == "sphere A: velocity "
+    page.keyboard.insert_text("3i - j\nwall W: along i\nA ")
+    page.get_by_role("option", name="hits").wait_for()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Enter")
+    page.get_by_role("option", name="W wall").wait_for()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Enter")
+    assert typed(page).endswith("\nA hits W")
+    page.keyboard.press("Enter")
+    page.keyboard.type("find energy_l")
+    page.keyboard.press("Enter")
+    assert typed(page).endswith("find energy_lost")
+    page.keyboard.press("Control+z")
+    assert typed(page).endswith("find energy_l")
+
+
+def test_an_end_of_line_is_never_taken_for_a_choice(open_):
+    page = open_(WALL)
+    field = page.locator("#statement")
+    field.fill("")
+    text = "sphere P: mass m, velocity u i\nwall W: along 60°\nP hits W: e = e\nfind energy\nfind e\n"
+    field.press_sequentially(text)
+    assert typed(page) == text
+
+
+def test_tab_leaves_the_editor_when_nothing_is_suggested(open_):
+    page = open_(WALL)
+    field = page.locator("#statement")
+    field.focus()
+    page.keyboard.press("Control+End")
+    page.keyboard.type("sp")
+    page.get_by_role("listbox").wait_for()
+    page.keyboard.press("Escape")
+    assert page.get_by_role("listbox").count() == 0
+    page.keyboard.press("Tab")
+    assert typed(page).endswith("sp")
+    assert field.evaluate("node => document.activeElement !== node")
+
+
+# --- results --------------------------------------------------------------------------------------
+
+
+def test_a_rejected_value_has_its_reason(open_):
+    page = open_(REJECTED)
+    assert "e=12" in answers(page)
+    rejected = page.locator(".rejected").inner_text()
+    assert rejected.startswith("Rejected:")
+    assert "coefficient of restitution lies" in rejected
+
+
+def test_what_is_false_is_refuted(open_):
+    page = open_(FALSE)
+    assert "✗Nottrue,forinstancewithe=" in answers(page)
+
+
+def test_what_is_missing_is_said(open_):
+    page = open_("wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind impulse\n")
+    assert "Noanswer:" in answers(page)
+    assert "mass" in answers(page)
+
+
+def test_the_question_is_told_in_words(open_):
+    page = open_(WALL)
+    page.get_by_text("The question in words").click()
+    assert "coefficient of restitution" in page.locator("#question").inner_text()
+
+
+def test_line_by_line(open_):
+    page = open_(WALL)
+    lines = page.locator("#working .said:visible, #working tr:visible")
+    whole = lines.count()
+    page.get_by_role("button", name="Line by line").click()
+    assert lines.count() < whole
+    progress = page.locator("#working .progress")
+    total = int(progress.inner_text().split(" of ")[1])
+    assert progress.inner_text() == f"line 1 of {total}"
+    page.get_by_role("button", name="Next line").click()
+    assert progress.inner_text() == f"line 2 of {total}"
+    assert page.locator("#working .newest:visible").count() >= 1
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("Space")
+    assert progress.inner_text() == f"line 3 of {total}"
+    for _ in range(total):
+        page.keyboard.press("ArrowRight")
+    assert lines.count() == whole
+    assert page.get_by_role("button", name="Next line").is_disabled()
+    page.get_by_role("button", name="Whole").click()
+    assert progress.is_hidden()
+    assert lines.count() == whole
+
+
+def test_marks_can_be_hidden(open_):
+    page = open_(WALL)
+    mark = page.locator("#working td.m", has_text="M1").first
+    assert mark.is_visible()
+    page.get_by_label("Marks").uncheck()
+    assert not mark.is_visible()
+
+
+def test_diagrams_are_turned_and_enlarged(open_):
+    page = open_(CORNER)
+    seen = page.locator("#pictures figure:visible figcaption")
+    first = seen.inner_text()
+    page.get_by_role("button", name="Next", exact=True).click()
+    assert seen.inner_text() != first
+    page.locator("#pictures .picture:visible").click()
+    large = page.get_by_role("dialog", name="Diagram")
+    assert large.locator("img").get_attribute("src").startswith("blob:")
+    page.keyboard.press("ArrowLeft")
+    assert large.locator("p").inner_text() == first
+    page.keyboard.press("Escape")
+    assert seen.inner_text() == first
+
+
+def test_the_motion_is_fetched_when_it_comes_into_view(open_):
+    page = open_(WALL)
+    fetched = "() => performance.getEntriesByType('resource').some((e) => /player/.test(e.name))"
+    page.locator("#motion").scroll_into_view_if_needed()
+    page.locator("#motion .stage circle").first.wait_for()
+    assert page.evaluate(fetched)
+    page.locator("#statement").fill("sphere P: velocity 3i\nfind speed(P)\n")
+    page.locator("#motion", has_text="no motion").wait_for()
+
+
+# --- the address, and what survives ---------------------------------------------------------------
+
+
+def test_back_and_forward(open_):
+    page = open_(WALL)
+    page.get_by_role("button", name="New").click()
+    assert typed(page) == ""
+    assert page.locator("#results").is_hidden()
+    page.locator("#statement").fill(CORNER)
+    page.locator("#answers code", has_text="speed(P)").first.wait_for()
+    page.wait_for_function("() => location.hash.includes('BC')")
+    page.go_back()
+    assert typed(page) == WALL
+    solved(page)
+    assert "e=23" in answers(page)
+    page.go_forward()
+    assert typed(page) == CORNER
+    solved(page)
+    assert "speed(P)" in answers(page)
+
+
+def test_back_to_the_first_example(open_):
+    page = open_()
+    first = typed(page)
+    page.get_by_role("button", name="New").click()
+    page.go_back()
+    assert typed(page) == first
+
+
+def test_typed_work_survives_leaving_and_coming_back(open_, served):
+    page = open_()
+    page.locator("#statement").fill(WALL)
+    page.wait_for_function("() => location.hash.includes('ball')")
+    page.goto(served + "/lab")
+    page.goto(served + "/")
+    solved(page)
+    assert typed(page) == WALL
+
+
+def test_a_statement_too_long_for_a_link_is_kept(open_):
+    page = open_(WALL)
+    long = WALL + "# words and words\n" * 400
+    page.locator("#statement").fill(long)
+    page.get_by_text("too long for the address").wait_for()
+    page.reload()
+    solved(page)
+    assert typed(page) == long
+    assert page.get_by_text("too long for the address").is_visible()
+
+
+# --- sharing --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("button", "holds"),
+    [
+        ("Copy statement", WALL),
+        ("Copy link", "#statement=title+A+ball"),
+        ("Copy LaTeX", r"\begin{document}"),
+        ("Copy diagram as SVG", "<svg"),
+    ],
+)
+def test_copying(open_, button, holds):
+    page = open_(WALL)
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name=button).click()
+    page.locator("#said", has_text="copied").wait_for()
+    assert holds in page.evaluate("() => navigator.clipboard.readText()")
+
+
+def test_copying_without_a_clipboard(open_):
+    page = open_(WALL)
+    page.evaluate("() => Object.defineProperty(navigator, 'clipboard', { value: undefined })")
+    page.get_by_role("button", name="Copy statement").click()
+    field = page.get_by_role("dialog").get_by_role("textbox")
+    assert field.input_value() == WALL
+    selected = "node => node.value.slice(node.selectionStart, node.selectionEnd)"
+    assert field.evaluate(selected) == WALL
+
+
+def test_the_sheet_is_downloaded(open_):
+    page = open_(WALL)
+    with page.expect_download() as told:
+        page.get_by_role("button", name="Download PDF").click()
+    assert told.value.suggested_filename == "A ball at a wall.pdf"
+    assert Path(told.value.path()).read_bytes().startswith(b"%PDF")
+
+
+def test_what_is_printed(open_):
+    page = open_(CORNER)
+    page.emulate_media(media="print")
+    assert page.locator("#statement").is_hidden()
+    assert page.get_by_role("button").count() == page.locator("#pictures .picture").count()
+    assert page.locator("#question").is_visible()
+    assert page.locator("#pictures img:visible").count() == 3
+    assert page.locator("#working tr").last.is_visible()
+
+
+# --- when the server cannot -----------------------------------------------------------------------
+
+
+def test_a_busy_server_is_asked_again(open_):
+    page = open_(WALL)
+    refused = []
+
+    def busy(route):
+        if len(refused) < 1:
+            refused.append(route.request.url)
+            body = json.dumps({"error": {"kind": "busy", "message": "many are asking"}})
+            route.fulfill(status=503, headers={"Retry-After": "1"}, body=body)
+        else:
+            route.fallback()
+
+    page.route("**/api/explain", busy)
+    page.locator("#statement").fill(CORNER)
+    notice = page.locator("#notice")
+    notice.wait_for()
+    assert "busy" in notice.inner_text()
+    assert "Trying again in 1 s" in notice.inner_text()
+    assert typed(page) == CORNER
+    page.locator("#answers code", has_text="speed(P)").first.wait_for()
+    assert notice.is_hidden()
+    page.minded[:] = [said for said in page.minded if "503" not in said]
+
+
+def test_without_a_network_the_work_is_kept(open_):
+    page = open_(WALL)
+    page.route("**/api/check", lambda route: route.abort())
+    page.locator("#statement").fill(CORNER)
+    page.locator("#notice", has_text="Your work is kept").wait_for()
+    assert typed(page) == CORNER
+    page.unroute("**/api/check")
+    page.get_by_role("button", name="Try again").click()
+    page.locator("#answers code", has_text="speed(P)").first.wait_for()
+    page.minded[:] = [said for said in page.minded if "ERR_FAILED" not in said]
+
+
+# --- hostile texts --------------------------------------------------------------------------------
+
+
+def test_no_text_becomes_markup(open_):
+    bad = "<img src=x onerror=alert(1)><script>alert(2)</script>"
+    page = open_(f"title {bad}\n{WALL.split(chr(10), 1)[1]}# {bad}\n")
+    assert page.locator("#title").inner_text() == bad
+    page.get_by_text("The question in words").click()
+    assert page.locator("main img[src=x], main script:not([type])").count() == 0
+    page.locator("#statement").fill(f"{bad}\n")
+    page.locator("#mistakes button").first.wait_for()
+    assert page.locator("img[src=x]").count() == 0
+
+
+# --- for everyone ---------------------------------------------------------------------------------
+
+
+def test_the_keyboard_alone(open_):
+    page = open_(WALL)
+
+    def tab_to(*names: str) -> None:
+        for _ in range(60):
+            page.keyboard.press("Tab")
+            here = page.evaluate(
+                "() => document.activeElement.ariaLabel || document.activeElement.textContent"
+            )
+            if here.strip() in names:
+                return
+        raise AssertionError(f"{names} cannot be reached")
+
+    tab_to("New")
+    page.keyboard.press("Enter")
+    assert page.evaluate("() => document.activeElement.id") == "statement"
+    for line in WALL.splitlines():
+        page.keyboard.type(line)
+        page.keyboard.press("Escape")
+        page.keyboard.press("Enter")
+    page.locator("#answers li", has_text="deflection(P)").wait_for()
+    assert "e = " in page.locator("#spoken").text_content()
+    tab_to("Line by line")
+    page.keyboard.press("Enter")
+    assert page.evaluate("() => document.activeElement.textContent") == "Next line"
+    page.keyboard.press("Enter")
+    assert page.locator("#working .progress").inner_text().startswith("line 2 of ")
+
+
+@pytest.mark.parametrize("colours", ["light", "dark"])
+@pytest.mark.parametrize("width", [360, 1280])
+def test_axe_finds_nothing(open_, colours, width):
+    page = open_()
+    page.set_viewport_size({"width": width, "height": 800})
+    page.emulate_media(color_scheme=colours)
+    page.get_by_role("button", name="Line by line").click()
+    page.locator("#motion").scroll_into_view_if_needed()
+    page.locator("#motion .stage circle").first.wait_for()
+    page.evaluate(f"() => {{ {AXE} }}")
+    found = page.evaluate("() => axe.run()")
+    told = [(each["id"], [n["html"][:120] for n in each["nodes"]]) for each in found["violations"]]
+    assert told == []
+
+
+@pytest.mark.parametrize("width", [320, 360, 1280, 1920])
+def test_the_page_never_scrolls_sideways(open_, width):
+    page = open_(CORNER)
+    page.set_viewport_size({"width": width, "height": 800})
+    page.evaluate("() => { document.documentElement.style.fontSize = '200%'; }")
+    seen = page.evaluate("() => [document.documentElement.scrollWidth, innerWidth]")
+    assert seen[0] <= seen[1]
+
+
+# --- the words of the editor ----------------------------------------------------------------------
+
+
+def test_the_vocabulary_is_that_of_the_language():
+    words = vocabulary()
+    assert {each["word"] for each in words["quantities"]} == set(SIGNATURES)
+    known = " ".join(e["word"] + " " + e["about"] for es in words["properties"].values() for e in es)
+    assert [word for word in PROPERTY_WORDS if word not in known.split() and word + ":" not in known] == []
+
+
+def test_every_example_of_a_line_reads():
+    begun = {
+        "given": "sphere A: velocity u at alpha\n",
+        "let": "wall W: along i\nsphere P: velocity u i - u j\nP hits W\n",
+        "find": "sphere P: mass 1, velocity u i\n",
+        "show": "sphere P: mass 1, velocity u i\n",
+        "unknown": "",
+    }
+    for line in vocabulary()["lines"]:
+        before = begun.get(line["word"], "")
+        parse(before + line["example"] + "\n")
+    spheres = "sphere A: velocity i\nsphere B: velocity j\nsphere P: mass 1, velocity i\n"
+    for event in vocabulary()["events"]:
+        parse(spheres + event["example"] + "\n")
