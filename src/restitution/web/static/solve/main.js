@@ -160,6 +160,10 @@ $("form").addEventListener("click", () => {
   writing = false;
   form();
 });
+$("unfold").addEventListener("click", () => {
+  const open = !$("question").classList.toggle("folded");
+  $("unfold").setAttribute("aria-expanded", String(open));
+});
 $("language").addEventListener("click", help);
 $("new").addEventListener("click", () => {
   replace("");

@@ -21,7 +21,7 @@ function answered({ item, values, holds, counterexample, error, rejected }) {
     "li",
     {},
     html("code", {}, item),
-    ...(holds === null ? equals(values) : [" ", verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
+    ...(holds === null ? equals(values) : [verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
       html("p", { class: "rejected" }, "Rejected: ", maths(value), `, as ${reason}.`),
@@ -31,7 +31,9 @@ function answered({ item, values, holds, counterexample, error, rejected }) {
 
 // `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
 const equals = (values) =>
-  values.length ? [typeof values[0] === "string" ? ": " : " = ", ...alternatives(values)] : [];
+  values.length
+    ? [html("span", { class: "sign" }, typeof values[0] === "string" ? ":" : "="), ...alternatives(values)]
+    : [];
 
 const alternatives = (values) =>
   values.flatMap((value, index) => [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
@@ -64,13 +66,17 @@ export function failure({ message, line, column }, goTo) {
   return html("p", { class: "problem" }, `${message[0].toUpperCase()}${message.slice(1)}`, place ? [" ", place] : null);
 }
 
+// Kinds of items whose answers are no values but sentences.
+const SENTENCES = new Set(["range", "extremum"]);
+
 // What is said aloud of a reply.
 export function spoken({ answer }) {
   const items = answer.parts.flatMap(({ items: each }) => each);
-  const said = items.map(({ text, answers, holds, error }) => {
+  const said = items.map(({ text, kind, answers, holds, error }) => {
     if (error) return `${text}: no answer, ${error.message}`;
     if (holds !== null) return `${text}: ${holds ? "shown" : "not true"}`;
-    return `${text}: ${answers.map(({ display }) => display).join(" or ")}`;
+    const sign = SENTENCES.has(kind) ? ":" : " =";
+    return `${text}${sign} ${[...new Set(answers.map(({ display }) => display))].join(" or ")}`;
   });
   return said.length ? said.slice(0, 8).join("; ") : answer.error?.message ?? "";
 }

@@ -57,9 +57,9 @@ function why({ principle, about }) {
   return html("details", { class: "why" }, html("summary", { "aria-label": label }, "Why?"), html("p", {}, about));
 }
 
-function hideIfEmpty(node, within) {
-  node.hidden = [...within].every(({ hidden }) => hidden);
-}
+// A line still to come is hidden from sight, but not from paper.
+const isLater = (node) => node.classList.contains("later");
+const hideWith = (node, within) => node.classList.toggle("later", [...within].every(isLater));
 
 export function makeWorking(root) {
   const whole = html("button", { type: "button", "aria-pressed": "true", onclick: () => setMode(false) }, "Whole");
@@ -96,12 +96,12 @@ export function makeWorking(root) {
     else body.removeAttribute("aria-live");
     lines.forEach((nodes, index) => {
       for (const node of nodes) {
-        node.hidden = byLine && index >= shown;
+        node.classList.toggle("later", byLine && index >= shown);
         node.classList.toggle("newest", byLine && index === shown - 1);
       }
     });
-    for (const group of body.querySelectorAll(".rows")) hideIfEmpty(group, group.querySelectorAll("tr"));
-    for (const section of body.children) hideIfEmpty(section, section.children);
+    for (const group of body.querySelectorAll(".rows")) hideWith(group, group.querySelectorAll("tr"));
+    for (const section of body.children) hideWith(section, section.children);
     pace.hidden = !byLine;
     back.disabled = shown <= 1;
     next.disabled = shown >= lines.length;
