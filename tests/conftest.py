@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -38,18 +39,17 @@ def served() -> Iterator[str]:
     import uvicorn
 
     from restitution.web import Settings, create_app
+    from restitution.web.serving import address_of, config
 
-    config = uvicorn.Config(
-        create_app(Settings(workers=2)), "127.0.0.1", 0, log_level="warning", lifespan="on"
-    )
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run)
-    thread.start()
-    try:
-        while not server.started:
-            assert thread.is_alive(), "the server did not start"
-            time.sleep(0.02)
-        yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
-    finally:
-        server.should_exit = True
-        thread.join(20)
+    with socket.create_server(("127.0.0.1", 0)) as door:
+        server = uvicorn.Server(config(create_app(Settings(workers=2))))
+        thread = threading.Thread(target=server.run, args=([door],))
+        thread.start()
+        try:
+            while not server.started:
+                assert thread.is_alive(), "the server did not start"
+                time.sleep(0.02)
+            yield address_of(door).rstrip("/")
+        finally:
+            server.should_exit = True
+            thread.join(20)

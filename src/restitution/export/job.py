@@ -6,6 +6,7 @@ What goes in and what comes out are plain values, so that the one who asks needs
 from __future__ import annotations
 
 import gc
+import time
 import traceback
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
@@ -24,6 +25,7 @@ Format = Literal["text", "markdown", "latex", "html", "json"]
 _FIRST = 0.6
 _AGAIN = 0.08
 _WRITING = 0.3
+_SHOWING = 0.9  # by then all pieces of a page are made, or given up
 
 
 @dataclass(frozen=True)
@@ -127,6 +129,7 @@ def serve(job: Job) -> Reply:
     from restitution.killable import soft_limit
     from restitution.solve import solve
 
+    began = time.monotonic()
     first = None if job.limit is None else job.limit * _FIRST
     with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)):
         solution = solve(job.problem)
@@ -155,8 +158,8 @@ def serve(job: Job) -> Reply:
         case Playing(part):
             from restitution.export.player import play
 
-            time = None if job.limit is None else job.limit * _WRITING
-            made = play(solution, part, seconds=time).html
+            budget = None if job.limit is None else job.limit * _WRITING
+            made = play(solution, part, seconds=budget).html
             return Reply(made, answered, errors, tuple(found["warnings"]))
         case Setting(form, options):
             from restitution.export.sheet import entry
@@ -171,8 +174,11 @@ def serve(job: Job) -> Reply:
         case Showing():
             from restitution.export.working import shown
 
-            time = None if job.limit is None else job.limit * _WRITING
-            page = shown(solution, time)
+            left = None
+            if job.limit is not None:
+                spent = time.monotonic() - began
+                left = max(job.limit * _SHOWING - spent, job.limit * _WRITING)
+            page = shown(solution, left)
             content = {"answer": found, **page.content}
             warnings = tuple(page.content["warnings"])
             return Reply(content, answered, errors, warnings, page.fault, tired or page.tired)
@@ -188,7 +194,7 @@ def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ..
 
 
 def _written(
-    solution: Solution, task: Writing, time: float | None
+    solution: Solution, task: Writing, whole: float | None
 ) -> tuple[str, tuple[str, ...], str]:
     """The working, or the answers alone; why not the working; and the traceback of a fault."""
     from restitution.export.answers import answers
@@ -198,9 +204,9 @@ def _written(
     note: tuple[str, ...] = ()
     fault = ""
     if not task.answers_only:
-        limit = None if time is None else time * _WRITING
+        limit = None if whole is None else whole * _WRITING
         try:
-            with soft_limit(limit, limit or 0, stopped(time)):
+            with soft_limit(limit, limit or 0, stopped(whole)):
                 return _working(solution, task), (), ""
         except RestitutionError as error:
             note = (f"here are the answers without their working: {error.message}",)

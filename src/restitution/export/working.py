@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -16,6 +16,7 @@ from restitution.draw.svg import to_svg
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.explain import explain, to_latex
 from restitution.explain.html import said, table_rows
+from restitution.explain.principles import about
 from restitution.explain.steps import Explanation, Row, Step
 from restitution.export.answers import layout_of
 from restitution.export.pictures import chosen
@@ -23,19 +24,20 @@ from restitution.export.player.data import of_solution
 from restitution.export.tree import Tree, tree, trees
 from restitution.killable import soft_limit
 from restitution.render.mathml import to_mathml
-from restitution.wording import question
+from restitution.wording import asked, question
+from restitution.wording.html import said as words
 from restitution.wording.html import to_body
 
 if TYPE_CHECKING:
     from restitution.draw.scene import Scene
-    from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
+    from restitution.solve.solution import Answer, ItemResult, PartSolution, Rejected, Solution
 
 Object = dict[str, Any]
 _T = TypeVar("_T")
 
 # Shares of the time for all pieces that each may take of what is left.
-_PICTURES = 0.4
-_WORKING = 0.7
+_PICTURES = 0.6
+_WORKING = 0.8
 _EXACT = 0.5
 
 
@@ -65,20 +67,21 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     A row is a ``tr``, or a list of several where the line is long.
     """
     clock = _Clock(seconds)
-    asked, _ = clock.piece(1.0, lambda: tree(to_body(question(solution.problem))))
+    worded, _ = clock.piece(1.0, lambda: tree(to_body(question(solution.problem))))
+    names, _ = clock.piece(1.0, lambda: _names(solution))
     drawn, failed = clock.piece(_PICTURES, lambda: pictured(solution))
     explanation, unexplained = clock.piece(_WORKING, lambda: explain(solution))
     told: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        told, unexplained = clock.piece(1.0, lambda: working(solution, explanation))
+        told, unexplained = clock.piece(1.0, lambda: working(solution, explanation, names or {}))
         latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
     motion, still = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
     warnings = solution.warnings if explanation is None else explanation.warnings
     content = {
-        "question": asked,
+        "question": worded,
         **(drawn or {"pictures": [], "pictures_error": failed}),
-        "working": told if told is not None else unexplained_parts(solution),
+        "working": told if told is not None else _without_steps(solution, names or {}),
         "working_error": unexplained,
         "latex": latex,
         "motion": motion,
@@ -135,47 +138,61 @@ def picture(scene: Scene) -> Object:
     }
 
 
-def working(solution: Solution, explanation: Explanation) -> list[Object]:
+_Names = Mapping[tuple[str | None, int], Tree]
+
+
+def _names(solution: Solution) -> _Names:
+    """What each item asks, in words, by part and number; nothing for those that have none."""
+    return {
+        (label, number): tree(words(name))
+        for label, found in asked(solution.problem).items()
+        for number, name in enumerate(found)
+    }
+
+
+def working(solution: Solution, explanation: Explanation, names: _Names) -> list[Object]:
     """The worked solution part by part, each line by itself."""
     return [
         {
             "label": part.label,
             "marks": part.marks,
             "asked": list(part.asked),
-            "answers": [_answers(item) for item in solution.parts[part.label].items],
+            "answers": _answers(solution.parts[part.label], names),
             "steps": [_step(step) for step in part.steps],
         }
         for part in explanation.parts
     ]
 
 
-def unexplained_parts(solution: Solution) -> list[Object]:
-    """The same with the answers alone."""
+def _without_steps(solution: Solution, names: _Names) -> list[Object]:
     return [
         {
             "label": label,
             "marks": 0,
             "asked": [item.text for item in part.items],
-            "answers": [_answers(item) for item in part.items],
+            "answers": _answers(part, names),
             "steps": [],
         }
         for label, part in solution.parts.items()
     ]
 
 
-def _answers(item: ItemResult) -> Object:
-    return {
-        "item": item.text,
-        "values": [_value(item, answer) for answer in item.distinct],
-        "holds": item.holds,
-        "counterexample": None
-        if item.counterexample is None
-        else {name: str(value) for name, value in item.counterexample.items()},
-        "error": None if item.error is None else item.error.message,
-        "rejected": [
-            {"value": _value(item, root), "reason": root.reason} for root in item.rejected
-        ],
-    }
+def _answers(part: PartSolution, names: _Names) -> list[Object]:
+    return [
+        {
+            "item": names.get((part.part.label, number), item.text),
+            "values": [_value(item, answer) for answer in item.distinct],
+            "holds": item.holds,
+            "counterexample": None
+            if item.counterexample is None
+            else {name: str(value) for name, value in item.counterexample.items()},
+            "error": None if item.error is None else item.error.message,
+            "rejected": [
+                {"value": _value(item, root), "reason": root.reason} for root in item.rejected
+            ],
+        }
+        for number, item in enumerate(part.items)
+    ]
 
 
 def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
@@ -188,7 +205,7 @@ def _step(step: Step) -> Object:
     return {
         "kind": step.kind,
         "principle": step.principle,
-        "about": None,
+        "about": about(step),
         "said": tree(words) if words else None,
         "mark": step.mark,
         "event": step.event,

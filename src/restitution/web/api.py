@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import logging
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
+from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
@@ -39,10 +41,11 @@ class Staff:
 
 @dataclass(frozen=True)
 class _Task:
-    """A function of `work` that takes a statement, a limit, and what else may be told."""
+    """A function of `work`: it takes what it is about, a limit, and what else may be told."""
 
     function: Callable[..., Made]
     optional: Mapping[str, tuple[type, Any]] = field(default_factory=dict)
+    about: str = "statement"
 
 
 _TASKS = {
@@ -53,6 +56,8 @@ _TASKS = {
         work.on_a_sheet,
         {"solutions": (bool, False), "diagrams": (bool, True), "title": (str, None)},
     ),
+    "simulate": _Task(work.simulated, about="scene"),
+    "statement": _Task(work.put_as_a_question, about="impact"),
 }
 
 
@@ -62,7 +67,23 @@ def routes() -> list[Route]:
         Route("/health", _health),
         Route("/api/check", _check, methods=["POST"]),
         *(Route(f"/api/{name}", _doing(task), methods=["POST"]) for name, task in _TASKS.items()),
+        Route("/api/{path:path}", _unknown),
     ]
+
+
+async def refused(request: Request, error: Exception) -> Response:
+    """A request that the framework refuses."""
+    assert isinstance(error, HTTPException)
+    kind, said = {
+        404: ("not found", f"there is nothing at {request.url.path}"),
+        405: ("method", f"{request.url.path} does not take {request.method}"),
+    }.get(error.status_code, ("malformed", error.detail))
+    return refusal(error.status_code, kind, said, error.headers or {})
+
+
+async def failed(request: Request, error: Exception) -> Response:
+    """A failure of the program; what it was stands in the log of the server."""
+    return refusal(500, "internal", "the server failed at this; please report it", {})
 
 
 def refusal(status: int, kind: str, message: str, headers: Mapping[str, str]) -> Response:
@@ -74,11 +95,17 @@ async def _health(request: Request) -> Response:
     return JSONResponse({"status": "ok"})
 
 
+async def _unknown(request: Request) -> Response:
+    if request.path_params["path"] in {"check", *_TASKS}:
+        raise HTTPException(405, headers={"Allow": "POST"})
+    raise HTTPException(404)
+
+
 async def _check(request: Request) -> Response:
     staff: Staff = request.app.state.staff
 
     async def reply() -> Made:
-        told = await _asked(request, staff, {})
+        told = await asked(request, "statement", {}, staff.settings)
         made = staff.clerks.run(work.checked, told["statement"], limit=_CHECKING)
         found: Made = await _while_wanted(request, made)
         return found
@@ -87,15 +114,17 @@ async def _check(request: Request) -> Response:
 
 
 def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
+    optional = {name: kind for name, (kind, _) in task.optional.items()}
+
     async def do(request: Request) -> Response:
         staff: Staff = request.app.state.staff
 
         async def reply() -> Made:
-            told = await _asked(request, staff, {n: kind for n, (kind, _) in task.optional.items()})
+            told = await asked(request, task.about, optional, staff.settings)
             others = tuple(told.get(name, usual) for name, (_, usual) in task.optional.items())
-            statement = told["statement"]
-            key = (task.function.__name__, statement, *others)
-            made = staff.replies.get(key, lambda: _worked(staff, task, statement, others))
+            key = (task.function.__name__, json.dumps(told, sort_keys=True))
+            about = told[task.about]
+            made = staff.replies.get(key, lambda: _worked(staff, task, about, others))
             return await _while_wanted(request, made)
 
         return await _answered(reply)
@@ -103,16 +132,11 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
     return do
 
 
-async def _asked(request: Request, staff: Staff, optional: Mapping[str, type]) -> dict[str, Any]:
-    settings = staff.settings
-    return await asked(request, optional, settings.longest, settings.largest)
-
-
-async def _worked(staff: Staff, task: _Task, statement: str, others: tuple[Any, ...]) -> Made:
+async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]) -> Made:
     """The work done; where its process was lost, what can be said without it."""
     limit = staff.settings.time_limit
     try:
-        made: Made = await staff.solvers.run(task.function, statement, limit, *others, limit=limit)
+        made: Made = await staff.solvers.run(task.function, about, limit, *others, limit=limit)
         return made
     except TimeoutError:
         message, late = f"no answer within the time limit of {limit:g} s", True
@@ -120,7 +144,7 @@ async def _worked(staff: Staff, task: _Task, statement: str, others: tuple[Any, 
         if error.details:
             _log.error("%s\n%s", error, error.details)
         message, late = f"internal error: {error}", False
-    told = (statement, task.function.__name__, message, late)
+    told = (about, task.function.__name__, message, late)
     found: Made = await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
     return found
 
@@ -135,6 +159,10 @@ async def _answered(reply: Callable[[], Awaitable[Made]]) -> Response:
         return refusal(503, "busy", message, {"Retry-After": str(error.again)})
     except ClientDisconnect:
         return Response(status_code=400)  # nobody reads it
+    except asyncio.CancelledError:
+        # The server ends, and waits no longer: whoever asked is told so.
+        message = "the server is ending; please ask again"
+        return refusal(503, "busy", message, {"Retry-After": "2"})
     except (TimeoutError, LostError) as error:
         _log.error("a statement could not be read: %r", error)
         return refusal(500, "internal", "this statement could not be read; please report it", {})

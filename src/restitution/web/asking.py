@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import Mapping
 from typing import Any
 
 from starlette.requests import Request
+
+from restitution.web.settings import Settings
 
 
 class RefusedError(Exception):
@@ -20,38 +23,37 @@ class RefusedError(Exception):
 
 
 async def asked(
-    request: Request, optional: Mapping[str, type], longest: int, largest: int
+    request: Request, about: str, optional: Mapping[str, type], settings: Settings
 ) -> dict[str, Any]:
-    """The object that a request holds: its statement, and what else it may hold, of that type.
+    """The object that a request holds: what it is ``about``, and what else it may hold.
 
-    ``longest`` is in characters of the statement, ``largest`` in bytes of the request. Raises
-    RefusedError.
+    A statement is a text, anything else that it may be about is an object. Raises RefusedError.
     """
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise RefusedError(415, "content type", "send JSON, with Content-Type: application/json")
-    found = _object(await _body(request, largest))
-    if "statement" not in found:
-        raise RefusedError(400, "malformed", 'the object has no "statement"')
+    kinds = {about: str if about == "statement" else dict, **optional}
+    found = _object(await _body(request, settings.largest), about)
+    if about not in found:
+        raise RefusedError(400, "malformed", f'the object has no "{about}"')
     for name, value in found.items():
-        wanted = str if name == "statement" else optional.get(name)
+        wanted = kinds.get(name)
         if wanted is None:
-            known = ", ".join(f'"{each}"' for each in ("statement", *optional))
+            known = ", ".join(f'"{each}"' for each in kinds)
             raise RefusedError(400, "malformed", f"{_short(name)} is not known; known: {known}")
         # In Python a truth value is a number too.
         if not isinstance(value, wanted) or (wanted is int and isinstance(value, bool)):
             raise RefusedError(400, "malformed", f'"{name}" has to be {_NAMES[wanted]}')
-        if isinstance(value, str) and not value.isascii() and not _is_text(value):
-            raise RefusedError(400, "malformed", f'"{name}" holds half of a character')
-    length = len(found["statement"])
-    if length > longest:
-        raise RefusedError(
-            413, "too large", f"a statement has at most {longest} characters, this one {length}"
-        )
+    length = len(found["statement"]) if about == "statement" else 0
+    if length > settings.longest:
+        said = f"a statement has at most {settings.longest} characters, this one {length}"
+        raise RefusedError(413, "too large", said)
     return found
 
 
-_NAMES = {str: "a text", int: "a whole number", bool: "true or false"}
+_NAMES = {str: "a text", int: "a whole number", bool: "true or false", dict: "an object"}
+_PATIENCE = 20.0
+"""Seconds in which a request has to have come in whole."""
 
 
 async def _body(request: Request, largest: int) -> bytes:
@@ -61,31 +63,33 @@ async def _body(request: Request, largest: int) -> bytes:
     if not told.isdecimal() or int(told[:20]) > largest:
         raise too_large
     body = bytearray()
-    async for chunk in request.stream():
-        body += chunk
-        if len(body) > largest:
-            raise too_large
+    try:
+        async with asyncio.timeout(_PATIENCE):
+            async for chunk in request.stream():
+                body += chunk
+                if len(body) > largest:
+                    raise too_large
+    except TimeoutError:
+        raise RefusedError(408, "too slow", "the request did not come in whole") from None
     return bytes(body)
 
 
-def _object(body: bytes) -> dict[str, Any]:
+def _object(body: bytes, about: str) -> dict[str, Any]:
     try:
-        found = json.loads(body.decode("utf-8"))
-    except UnicodeDecodeError:
+        found = json.loads(body.decode("utf-8"), parse_constant=_no_number)
+        # Half of a character, which JSON lets through, is in no text.
+        json.dumps(found, ensure_ascii=False).encode("utf-8")
+    except UnicodeError:
         raise RefusedError(400, "malformed", "the request is not UTF-8") from None
     except (ValueError, RecursionError):
         raise RefusedError(400, "malformed", "the request is not JSON") from None
     if not isinstance(found, dict):
-        raise RefusedError(400, "malformed", 'send an object: {"statement": "…"}')
+        raise RefusedError(400, "malformed", f'send an object: {{"{about}": …}}')
     return found
 
 
-def _is_text(value: str) -> bool:
-    try:
-        value.encode("utf-8")
-    except UnicodeEncodeError:
-        return False
-    return True
+def _no_number(name: str) -> None:
+    raise ValueError(f"{name} is not JSON")
 
 
 def _short(name: str) -> str:

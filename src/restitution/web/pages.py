@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
@@ -10,11 +9,11 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from starlette.requests import Request
-from starlette.responses import HTMLResponse
-from starlette.routing import BaseRoute, Mount, Route
-from starlette.staticfiles import StaticFiles
+from starlette.responses import Response
+from starlette.routing import Route
 
 from restitution import examples
+from restitution.web.files import digest, files_of, stored
 from restitution.web.words import vocabulary
 
 _FOLDERS = {
@@ -22,18 +21,12 @@ _FOLDERS = {
     "": Path(str(files("restitution.web"))) / "static",
 }
 
+_FOR_EVER = "public, max-age=31536000, immutable"
+_ASK = "no-cache"  # a browser asks each time whether what it keeps is still so
+
+
 _FIRST = "two-spheres-with-vectors"
 """The example that a first visit shows."""
-
-
-def _digest() -> str:
-    """A name for just these files: what it names can be kept for ever."""
-    seen = hashlib.sha256()
-    for folder in _FOLDERS.values():
-        for path in sorted(folder.rglob("*")):
-            if path.suffix in {".js", ".css", ".svg", ".woff2"}:
-                seen.update(path.read_bytes())
-    return seen.hexdigest()[:12]
 
 
 def _told() -> dict[str, Any]:
@@ -41,9 +34,10 @@ def _told() -> dict[str, Any]:
     return {"words": vocabulary(), "sheet": find_spec("typst") is not None}
 
 
-def routes() -> list[BaseRoute]:
+def routes() -> list[Route]:
     """The pages; all addresses in them are relative, so that they may stand under any path."""
-    static = f"static/{_digest()}"
+    found = files_of(_FOLDERS)
+    name = digest(found)
     environment = Environment(
         loader=PackageLoader("restitution.web"),
         autoescape=select_autoescape(default=True),
@@ -52,19 +46,41 @@ def routes() -> list[BaseRoute]:
         lstrip_blocks=True,
     )
 
-    def page(name: str, **more: Any) -> Route:
-        text = environment.get_template(f"{name}.html").render(static=static, here=name, **more)
+    def written(template: str, up: str = "", **more: Any) -> bytes:
+        static = f"{up}static/{name}"
+        page = environment.get_template(f"{template}.html")
+        return page.render(static=static, here=template, home=up or "./", **more).encode()
 
-        async def show(request: Request) -> HTMLResponse:
-            return HTMLResponse(text)
+    def page(template: str, **more: Any) -> Route:
+        kept = stored(written(template, **more), _HTML)
 
-        return Route("/" if name == "solve" else f"/{name}", show, name=name)
+        async def show(request: Request) -> Response:
+            return kept.reply(request, _ASK)
+
+        return Route("/" if template == "solve" else f"/{template}", show, name=template)
+
+    async def file(request: Request) -> Response:
+        path = request.path_params["path"]
+        if path not in found:
+            return await missing(request)
+        # A page that was opened before an upgrade asks by the old name: better these than none.
+        current = request.path_params["digest"] == name
+        return found[path].reply(request, _FOR_EVER if current else _ASK)
+
+    async def missing(request: Request) -> Response:
+        up = "../" * (request.url.path.count("/") - 1)
+        return stored(written("missing", up), _HTML).reply(request, "no-store", 404)
+
+    async def without_slash(request: Request) -> Response:
+        return Response(status_code=308, headers={"Location": "../lab"})
 
     return [
         page("solve", told=_told(), example=examples.text(_FIRST).partition("\n#=")[0].strip()),
         page("lab"),
-        *(
-            Mount(f"/{static}" + (f"/{name}" if name else ""), StaticFiles(directory=folder))
-            for name, folder in _FOLDERS.items()
-        ),
+        Route("/lab/", without_slash),
+        Route("/static/{digest}/{path:path}", file),
+        Route("/{path:path}", missing, name="missing"),
     ]
+
+
+_HTML = "text/html; charset=utf-8"

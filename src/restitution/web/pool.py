@@ -6,10 +6,12 @@ import asyncio
 import math
 import multiprocessing
 import os
+import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
+from contextlib import asynccontextmanager, suppress
 from typing import Any
 
 from pebble import ProcessExpired, ProcessPool
@@ -37,38 +39,62 @@ class BusyError(Exception):
         self.again = again
 
 
-class Pool:
-    """Processes with what they need loaded, and a queue before them that has an end.
+@asynccontextmanager
+async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Pool]:
+    """So many processes, which begin at once, and are killed in the end."""
+    forks = not sys.platform.startswith("win")
+    context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
+    if forks:
+        # Libraries are loaded there, and a process that was killed is soon there again.
+        context.set_forkserver_preload([_LOADED])
+    processes: Any = ProcessPool(workers, _TASKS, limit_memory, context=context)
+    start = asyncio.create_task(asyncio.to_thread(_start, processes))
+    try:
+        yield Pool(processes, workers, waiting, patience, start)
+    finally:
+        with suppress(Exception):  # told to whoever asked
+            await start
+        processes.stop()
+        await asyncio.to_thread(processes.join)
 
-    ``patience`` is how many seconds anyone waits in it. Belongs to one event loop.
+
+_LOADED = "restitution.web.loaded"
+
+
+def _start(processes: Any) -> None:
+    """Have all begin, which lasts until the libraries are loaded."""
+    mask = getattr(signal, "pthread_sigmask", None)
+    # Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
+    kept = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
+    try:
+        processes.schedule(limit_memory).result()
+    finally:
+        if mask:
+            mask(signal.SIG_SETMASK, kept)
+
+
+class Pool:
+    """Processes, and a queue before them that has an end. Belongs to one event loop.
+
+    ``patience`` is how many seconds anyone waits in it.
     """
 
     def __init__(
         self,
+        processes: Any,
         workers: int,
         waiting: int,
         patience: float,
-        prepare: Callable[[], None],
-        loaded: Sequence[str],
+        start: asyncio.Task[None],
     ) -> None:
-        forks = not sys.platform.startswith("win")
-        context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
-        if forks:
-            # Libraries are loaded there, and a process that was killed is soon there again.
-            context.set_forkserver_preload(list(loaded))
+        self._processes = processes
         self._workers = workers
         self._most = workers + waiting
         self._patience = patience
+        self._start = start
         self._under_way = 0
         self._usual = 0.1  # seconds that a task takes, about
         self._free = asyncio.Semaphore(workers)
-        self._processes: Any = ProcessPool(
-            max_workers=workers,
-            max_tasks=_TASKS,
-            initializer=_begin,
-            initargs=(prepare,),
-            context=context,
-        )
 
     async def run(self, function: Callable[..., Any], *arguments: Any, limit: float) -> Any:
         """What the function returns, which has an attribute ``tired``: see `_serve`.
@@ -80,6 +106,7 @@ class Pool:
             raise BusyError(self.again)
         self._under_way += 1
         try:
+            await asyncio.shield(self._start)
             await self._turn()
             try:
                 return await self._done(function, arguments, limit)
@@ -93,11 +120,6 @@ class Pool:
         """Seconds until there is likely to be place."""
         ahead = self._under_way * self._usual / self._workers
         return max(1, min(math.ceil(ahead), _LONGEST_WAIT))
-
-    def close(self) -> None:
-        """Kill the processes."""
-        self._processes.stop()
-        self._processes.join()
 
     async def _turn(self) -> None:
         try:
@@ -123,11 +145,6 @@ class Pool:
 
 _tired = threading.Event()
 """Set in a process whose work was broken off: a library may have been left half done."""
-
-
-def _begin(prepare: Callable[[], None]) -> None:
-    limit_memory()
-    prepare()
 
 
 def _serve(function: Callable[..., Any], arguments: Sequence[Any]) -> Any:

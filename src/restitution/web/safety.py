@@ -1,8 +1,11 @@
-"""What guards the pages: headers that tell a browser what it may do with them."""
+"""What guards the pages: who may ask, and headers that tell a browser what it may do with them."""
 
 from __future__ import annotations
 
-from starlette.datastructures import MutableHeaders
+from collections.abc import Collection
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 _POLICY = "; ".join(
@@ -21,7 +24,7 @@ _POLICY = "; ".join(
     )
 )
 
-HEADERS = {
+_HEADERS = {
     "Content-Security-Policy": _POLICY,
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
@@ -31,19 +34,42 @@ HEADERS = {
     "Permissions-Policy": "camera=(), geolocation=(), microphone=(), payment=(), usb=()",
 }
 
+LOOPBACK = ("localhost", "127.0.0.1", "::1")
+"""The names of this machine to itself."""
 
-def guarded(app: ASGIApp) -> ASGIApp:
-    """The application with these headers on every response; replies of the API are not kept."""
+
+def guarded(app: ASGIApp, hosts: Collection[str]) -> ASGIApp:
+    """The application with these headers on every response; what says nothing else is not kept.
+
+    Where ``hosts`` are given, a request under another name is refused: a page from elsewhere
+    whose name was bent to this address (DNS rebinding) learns nothing.
+    """
 
     async def serve(scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await app(scope, receive, send)
+            return
+
         async def sent(message: Message) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
-                for name, value in HEADERS.items():
+                for name, value in _HEADERS.items():
                     headers[name] = value
                 headers.setdefault("Cache-Control", "no-store")
             await send(message)
 
-        await app(scope, receive, sent if scope["type"] == "http" else send)
+        name = host_name(Headers(scope=scope).get("host", ""))
+        if not hosts or name in hosts:
+            await app(scope, receive, sent)
+            return
+        said = "this server is not asked under that name; start it with --trusted-host NAME"
+        refused = JSONResponse({"error": {"kind": "host", "message": said}}, 421)
+        await refused(scope, receive, sent)
 
     return serve
+
+
+def host_name(told: str) -> str:
+    """The name in a Host header, without its port and the brackets of an IPv6 address."""
+    name = told.rsplit(":", 1)[0] if told.rpartition(":")[2].isdecimal() else told
+    return name.strip("[]").rstrip(".").lower()

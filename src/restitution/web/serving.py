@@ -2,12 +2,98 @@
 
 from __future__ import annotations
 
-import uvicorn
+import errno
+import signal
+import socket
+import sys
+import threading
+import time
+import webbrowser
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, NoReturn
 
+import uvicorn
+from starlette.types import ASGIApp
+
+from restitution.errors import UnsupportedError
 from restitution.web.app import create_app
+from restitution.web.safety import LOOPBACK
 from restitution.web.settings import Settings
 
+_PARTING = 3
+"""Seconds that requests under way may still take when the server is told to end."""
 
-def serve(host: str, port: int, settings: Settings) -> None:
-    """Serve the page until the process is told to end."""
-    uvicorn.run(create_app(settings), host=host, port=port, log_level="warning")
+
+def serve(
+    host: str, port: int, settings: Settings, say: Callable[[str], None], browser: bool
+) -> None:
+    """Serve the page until the process is told to end, by Ctrl-C or SIGTERM; then exit with 0.
+
+    Once it can be asked for, ``say`` is told its address, and the browser opened if wanted. On an
+    address of this machine alone it answers only to the names of this machine, and to those in
+    ``settings.hosts``; on any other to these, or where there are none, to every name.
+
+    Raises UnsupportedError where nothing can be served at that address.
+    """
+    if host in LOOPBACK:
+        settings = replace(settings, hosts=(*LOOPBACK, *settings.hosts))
+    with _listening(host, port) as door:
+        server = uvicorn.Server(config(create_app(settings)))
+        address = address_of(door)
+
+        def greet() -> None:
+            while not server.started:
+                time.sleep(0.02)
+            say(f"The page is at {address} (Ctrl-C ends it).")
+            if browser:
+                webbrowser.open(address)
+
+        threading.Thread(target=greet, daemon=True).start()
+        for each in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(each, _end)  # uvicorn heeds them itself, and passes them on in the end
+        server.run([door])
+
+
+def config(app: ASGIApp) -> uvicorn.Config:
+    """How the application is served, wherever that is."""
+    return uvicorn.Config(
+        app,
+        http="h11",
+        ws="none",
+        lifespan="on",
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        proxy_headers=False,
+        timeout_graceful_shutdown=_PARTING,
+    )
+
+
+def address_of(door: socket.socket) -> str:
+    """Where a browser on this machine finds what listens there."""
+    host, port = door.getsockname()[:2]
+    if host in ("0.0.0.0", "::"):
+        host = "localhost"
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    try:
+        family, *_, place = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
+        )[0]
+        return socket.create_server(place, family=family, backlog=512)
+    except (OSError, UnicodeError) as error:
+        number = getattr(error, "errno", None)
+        if number == errno.EADDRINUSE:
+            hint = "another program listens there: choose another with --port, or 0 for any"
+        elif number == errno.EACCES:
+            hint = "the system does not allow it: choose a port above 1023 with --port"
+        else:
+            hint = f"it is no address of this machine ({getattr(error, 'strerror', error)})"
+        raise UnsupportedError(f"cannot serve at {host}, port {port}: {hint}") from None
+
+
+def _end(number: int, frame: Any) -> NoReturn:
+    sys.exit(0)

@@ -67,16 +67,35 @@ def on_a_sheet(
         reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
         return Made(to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired)
     except RestitutionError as error:
-        tired = error.kind == TimeLimitError.kind
-        return replace(_json({"error": contract.mistakes(error)[0]}, tired), status=422)
+        return _failed(error)
 
 
-def given_up(statement: str, task: str, message: str, late: bool) -> Made:
-    """The object of a problem whose process was killed, or ended by itself."""
+def simulated(scene: contract.Object, limit: float) -> Made:
+    """The motion of a scene of the Lab."""
+    from restitution.export import lab
+
+    try:
+        return _json(lab.simulated(scene))
+    except RestitutionError as error:
+        return _failed(error)
+
+
+def put_as_a_question(impact: contract.Object, limit: float) -> Made:
+    """The statement of a question about an impact of the Lab."""
+    from restitution.export import lab
+
+    try:
+        return _json({"statement": lab.question(impact)})
+    except RestitutionError as error:
+        return _failed(error)
+
+
+def given_up(about: Any, task: str, message: str, late: bool) -> Made:
+    """What is said of something whose process was killed, or ended by itself."""
     error = (TimeLimitError if late else UnsupportedError)(message)
-    if task == on_a_sheet.__name__:
-        return replace(_json({"error": contract.mistakes(error)[0]}, tired=True), status=422)
-    found = contract.unfinished(FILE, parse(statement), error)
+    if task not in (solved.__name__, drawn.__name__, explained.__name__):
+        return _failed(error)
+    found = contract.unfinished(FILE, parse(about), error)
     if task == explained.__name__:
         return _json(_nothing(found), tired=True)
     return _json({**found, **(_NO_PICTURES if task == drawn.__name__ else {})}, tired=True)
@@ -98,6 +117,12 @@ def _nothing(answer: contract.Object) -> contract.Object:
         "motion_error": None,
         "warnings": answer["warnings"],
     }
+
+
+def _failed(error: RestitutionError) -> Made:
+    """What is well asked, but of which nothing can be made."""
+    said = _json({"error": contract.mistakes(error)[0]}, error.kind == TimeLimitError.kind)
+    return replace(said, status=422)
 
 
 def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:

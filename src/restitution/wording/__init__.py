@@ -14,7 +14,7 @@ from restitution.wording.structure import (
     Sentence,
     Words,
 )
-from restitution.wording.telling import question
+from restitution.wording.telling import asked, question
 from restitution.wording.text import to_text
 from restitution.wording.typst import to_typst
 
@@ -27,6 +27,7 @@ __all__ = [
     "QuestionPart",
     "Sentence",
     "Words",
+    "asked",
     "question",
     "to_fragment",
     "to_html",

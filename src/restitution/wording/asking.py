@@ -28,6 +28,13 @@ def groups(scene: Scene, find: Find) -> list[Words]:
     return out
 
 
+def names_of(scene: Scene, ask: Find | Show) -> list[Words]:
+    """Each item of a line by itself: ``the speed of A``; what is to be shown as a clause."""
+    if isinstance(ask, Show):
+        return [_shown(scene, ask)]
+    return [_together([_item(scene, each, True)]) for each in ask.items]
+
+
 def in_terms(find: Find | Show) -> Words:
     """``in terms of u and e``, or nothing."""
     if not find.in_terms_of:

@@ -29,7 +29,7 @@ from restitution.problem import (
 )
 from restitution.render import layout as lay
 from restitution.wording import facts
-from restitution.wording.asking import groups, in_terms, shown
+from restitution.wording.asking import groups, in_terms, names_of, shown
 from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
 from restitution.wording.letters import named_letters
@@ -83,6 +83,24 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
         if each.blocks
     )
     return Question(problem.title, opening, parts)
+
+
+def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:
+    """What each part asks, item by item, in words. Raises StatementError as `question` does."""
+    check(problem)
+    _exact(problem)
+    scene = scene_of(problem)
+    found: dict[str | None, tuple[Words, ...]] = {}
+    now = 0
+    for part in problem.parts:
+        items: list[Words] = []
+        for step in part.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif isinstance(step, Find | Show):
+                items += names_of(scene.at(now), step)
+        found[part.label] = tuple(items)
+    return found
 
 
 def _exact(problem: Problem) -> None:

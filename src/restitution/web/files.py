@@ -1,0 +1,67 @@
+"""Files and pages as they are sent: read once, packed once, and named by what they hold."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from starlette.requests import Request
+from starlette.responses import Response
+
+_KINDS = {
+    ".css": "text/css; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".woff2": "font/woff2",
+}
+"""What is served, by the ending of its name. Whatever else lies in a folder is not."""
+
+
+@dataclass(frozen=True)
+class Stored:
+    """What is sent under one address; ``packed`` is the same by gzip, where that is smaller."""
+
+    content: bytes
+    packed: bytes | None
+    kind: str
+    tag: str
+
+    def reply(self, request: Request, kept: str, status: int = 200) -> Response:
+        """The response to a request; ``kept`` is for how long a browser may keep it."""
+        headers = {"Cache-Control": kept, "ETag": self.tag, "Vary": "Accept-Encoding"}
+        if status == 200 and self.tag in request.headers.get("if-none-match", ""):
+            return Response(status_code=304, headers=headers)
+        if self.packed is not None and "gzip" in request.headers.get("accept-encoding", ""):
+            headers["Content-Encoding"] = "gzip"
+            return Response(self.packed, status, headers, self.kind)
+        return Response(self.content, status, headers, self.kind)
+
+
+def stored(content: bytes, kind: str) -> Stored:
+    """Something to be sent. Its tag is a weak one: packed or not, it says the same."""
+    packed = None if kind.startswith("font/") else gzip.compress(content, mtime=0)
+    smaller = packed if packed is not None and len(packed) < len(content) else None
+    return Stored(content, smaller, kind, f'W/"{hashlib.sha256(content).hexdigest()[:16]}"')
+
+
+def files_of(folders: Mapping[str, Path]) -> dict[str, Stored]:
+    """The files below some folders, by their path, that of a folder before it."""
+    return {
+        f"{name}/{path.relative_to(folder).as_posix()}".lstrip("/"): stored(
+            path.read_bytes(), _KINDS[path.suffix]
+        )
+        for name, folder in folders.items()
+        for path in sorted(folder.rglob("*"))
+        if path.suffix in _KINDS
+    }
+
+
+def digest(files: Mapping[str, Stored]) -> str:
+    """A name for just these files: what it names can be kept for ever."""
+    seen = hashlib.sha256()
+    for path, each in files.items():
+        seen.update(f"{path} {each.tag}\n".encode())
+    return seen.hexdigest()[:12]
