@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -39,9 +38,9 @@ def served() -> Iterator[str]:
     import uvicorn
 
     from restitution.web import Settings, create_app
-    from restitution.web.serving import address_of, config
+    from restitution.web.serving import address_of, config, listening
 
-    with socket.create_server(("127.0.0.1", 0)) as door:
+    with listening("127.0.0.1", 0) as door:
         server = uvicorn.Server(config(create_app(Settings(workers=2))))
         thread = threading.Thread(target=server.run, args=([door],))
         thread.start()

@@ -1,10 +1,25 @@
-"""What the processes begin with: to be imported where they come from."""
+"""What the processes begin with. Importing it is work, and is meant to be: it is imported once, in
+the process that all others are forked from, so that each of them finds libraries loaded and the
+algebra's first steps taken. A question seen for the first time is answered thrice as fast.
+"""
 
 from __future__ import annotations
 
-import restitution.explain
+import gc
+
 import restitution.explain.typst
+import restitution.export.lab
 import restitution.export.sheet
-import restitution.export.working
-import restitution.solve
 import restitution.web.work  # noqa: F401
+from restitution import examples
+from restitution.export.working import shown
+from restitution.language import parse
+from restitution.solve import solve
+
+# Walls, spheres, and letters: between them they use nearly everything.
+for _name in ("corner", "two-spheres-with-vectors", "wall-in-letters"):
+    shown(solve(parse(examples.text(_name))))
+
+# What was made so far stays: no need to look through it again for garbage.
+gc.collect()
+gc.freeze()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import signal
 import socket
 import sys
@@ -38,7 +39,7 @@ def serve(
     """
     if host in LOOPBACK:
         settings = replace(settings, hosts=(*LOOPBACK, *settings.hosts))
-    with _listening(host, port) as door:
+    with listening(host, port) as door:
         server = uvicorn.Server(config(create_app(settings)))
         address = address_of(door)
 
@@ -78,12 +79,23 @@ def address_of(door: socket.socket) -> str:
     return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
 
 
-def _listening(host: str, port: int) -> socket.socket:
+def listening(host: str, port: int) -> socket.socket:
+    """A socket that listens there. Raises UnsupportedError where that cannot be."""
     try:
-        family, *_, place = socket.getaddrinfo(
+        family, kind, protocol, _, place = socket.getaddrinfo(
             host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
         )[0]
-        return socket.create_server(place, family=family, backlog=512)
+        # With its protocol said: else asyncio does not send small replies at once.
+        door = socket.socket(family, kind, protocol)
+        try:
+            if os.name != "nt":
+                door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            door.bind(place)
+            door.listen(512)
+        except BaseException:
+            door.close()
+            raise
+        return door
     except (OSError, UnicodeError) as error:
         number = getattr(error, "errno", None)
         if number == errno.EADDRINUSE:

@@ -1,0 +1,108 @@
+"""How fast the page answers: ``uv run python benchmarks/web.py``.
+
+Edits: every example is asked for with `api/explain`, each time with a comment that nobody has sent
+before, so that no reply is at hand. Class: two hundred students within one minute, each of whom
+opens the page, types (`api/check`) and asks (`api/explain`), two of them something slow.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from statistics import median, quantiles
+
+import httpx
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from crowd import crowd  # noqa: E402
+
+EXAMPLES = {
+    path.name.removesuffix(".impact"): path.read_text(encoding="utf-8").partition("\n#=")[0]
+    for path in sorted((ROOT / "src/restitution/examples").glob("*.impact"))
+}
+SLOW = ROOT / "tests/questions/619-unknown-line-from-B-only.impact"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--students", type=int, default=200)
+    parser.add_argument("--within", type=float, default=60.0, metavar="SECONDS")
+    chosen = parser.parse_args()
+    with server() as address:
+        edits(address, chosen.repeat)
+    with server() as address:
+        lesson(address, chosen.students, chosen.within)
+
+
+@contextmanager
+def server() -> Iterator[str]:
+    """The page as it is served, warm."""
+    command = [Path(sys.executable).with_name("restitution"), "serve", "--no-browser", "--port=0"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            line = process.stderr.readline()
+            found = re.search(r"http://\S+", line)
+            assert found, line
+            yield found[0].rstrip("/")
+        finally:
+            process.terminate()
+
+
+def edits(address: str, repeat: int) -> None:
+    """Times of each example; the first of them, and the others."""
+    rows = []
+    with httpx.Client(base_url=address, timeout=60) as client:
+        for name, text in EXAMPLES.items():
+            times = [_asked(client, f"{text}\n# {turn}") for turn in range(repeat + 1)]
+            rows.append((name, times[0], median(times[1:])))
+    print("| edit to reply, ms | median | 95 % | longest |\n|---|---:|---:|---:|")
+    for title, which in (("first seen", 1), ("edited", 2)):
+        times = [row[which] for row in rows]
+        print(f"| {title} | {_figures(times)} |")
+    for name, first, later in sorted(rows, key=lambda row: -row[2])[:8]:
+        print(f"| {name} | {later * 1e3:.0f} (first {first * 1e3:.0f}) | | |")
+
+
+def _asked(client: httpx.Client, statement: str) -> float:
+    began = time.perf_counter()
+    client.post("/api/explain", json={"statement": statement}).raise_for_status()
+    return time.perf_counter() - began
+
+
+def lesson(address: str, students: int, within: float) -> None:
+    """Times of a whole class."""
+    names = [list(EXAMPLES)[number % len(EXAMPLES)] for number in range(students - 2)]
+    told = {**EXAMPLES, "slow": SLOW.read_text(encoding="utf-8")}
+    report = asyncio.run(crowd(address, told, [*names, "slow", "slow"], within))
+    print(
+        f"\n{students} students within {within:g} s: {len(report.answers)} answers, "
+        f"{len(report.lost)} lost, {report.waits} told to wait"
+    )
+    print("| ms | median | 95 % | longest |\n|---|---:|---:|---:|")
+    for title, times in (
+        ("explain", report.seconds),
+        ("check", report.checks),
+        ("health", report.health),
+    ):
+        print(f"| {title} | {_figures(times)} |")
+    for each in report.lost:
+        print(each)
+
+
+def _figures(times: list[float]) -> str:
+    most = quantiles(times, n=20)[-1]
+    return " | ".join(f"{each * 1e3:.0f}" for each in (median(times), most, max(times)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+"""A class at the page: many clients, each of whom opens it, types, and asks, within some time."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import httpx
+
+
+@dataclass
+class Report:
+    """What became of everyone: answers by statement, seconds, and how often they were told to wait.
+
+    ``lost`` says of each request without an answer what came instead.
+    """
+
+    answers: list[tuple[str, Any]] = field(default_factory=list)
+    seconds: list[float] = field(default_factory=list)
+    checks: list[float] = field(default_factory=list)
+    health: list[float] = field(default_factory=list)
+    waits: int = 0
+    lost: list[str] = field(default_factory=list)
+
+
+async def crowd(
+    address: str, statements: Mapping[str, str], names: Sequence[str], within: float
+) -> Report:
+    """A client for each of the names of statements, all of them begun ``within`` so many seconds.
+
+    Each adds a comment of its own to two statements in three, as if they were its own; the third
+    is what the whole class was told to type. Health is asked for four times a second throughout.
+    """
+    report = Report()
+    draw = random.Random(17)
+    limits = httpx.Limits(max_connections=None)
+    async with httpx.AsyncClient(base_url=address, timeout=120, limits=limits) as client:
+        probing = asyncio.create_task(_probe(client, report))
+        students = []
+        for number, name in enumerate(names):
+            own = f"{statements[name]}\n# {number}\n" if number % 3 else statements[name]
+            students.append(_student(client, draw.uniform(0, within), name, own, report))
+        await asyncio.gather(*students)
+        probing.cancel()
+    return report
+
+
+async def _student(
+    client: httpx.AsyncClient, start: float, name: str, text: str, report: Report
+) -> None:
+    await asyncio.sleep(start)
+    try:
+        page = await client.get("/")
+        page.raise_for_status()
+        half = text[: len(text) // 2]
+        for typed in (half, text):
+            began = time.perf_counter()
+            await _asked(client, "check", typed, report)
+            report.checks.append(time.perf_counter() - began)
+        began = time.perf_counter()
+        answer = await _asked(client, "explain", text, report)
+        report.seconds.append(time.perf_counter() - began)
+        report.answers.append((name, answer.json()))
+    except (httpx.HTTPError, ValueError) as error:
+        report.lost.append(f"{name}: {error!r}")
+
+
+async def _asked(
+    client: httpx.AsyncClient, what: str, text: str, report: Report
+) -> httpx.Response:
+    """The answer, after as many refusals as there are."""
+    while True:
+        reply = await client.post(f"/api/{what}", json={"statement": text})
+        if reply.status_code != 503:
+            return reply.raise_for_status()
+        report.waits += 1
+        await asyncio.sleep(int(reply.headers["Retry-After"]))
+
+
+async def _probe(client: httpx.AsyncClient, report: Report) -> None:
+    while True:
+        began = time.perf_counter()
+        (await client.get("/health")).raise_for_status()
+        report.health.append(time.perf_counter() - began)
+        await asyncio.sleep(0.25)
