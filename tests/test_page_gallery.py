@@ -87,6 +87,11 @@ def test_pictures_are_served_and_kept(served: str) -> None:
     assert httpx.get(served + "/thumbnails/no-such.svg").status_code == 404
 
 
+def test_no_example_is_without_a_picture(served: str) -> None:
+    for name in ("corner", "wall-with-vectors", "centres-given"):
+        assert "aria-labelledby" in httpx.get(f"{served}/thumbnails/{name}.svg").text
+
+
 # --- the gallery ----------------------------------------------------------------------------------
 
 

@@ -69,7 +69,7 @@ def thumbnail(solution: Solution) -> Scene | None:
 
     Raises what kept the problem from being solved where nothing can be drawn.
     """
-    from restitution.draw.thumbnail import small
+    from restitution.draw.small import small
 
     first = next(_pictures(solution, _parts(solution, None)), None)
     return None if first is None else small(first)

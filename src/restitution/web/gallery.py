@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import json
+import logging
 from functools import cache
 
 from starlette.exceptions import HTTPException
@@ -19,6 +20,7 @@ from restitution.web.api import Staff, refusal
 from restitution.web.pool import BusyError
 from restitution.web.work import Made
 
+_log = logging.getLogger(__name__)
 _SVG = "image/svg+xml"
 
 _PLACEHOLDER = """\
@@ -76,7 +78,8 @@ async def _made(staff: Staff, name: str) -> Made:
     try:
         made: Made = await staff.solvers.run(pictured, name, limit=staff.settings.time_limit)
         return made
-    except (TimeoutError, LostError):
+    except (TimeoutError, LostError) as error:
+        _log.error("no picture of %s: %r\n%s", name, error, getattr(error, "details", ""))
         return Made(_PLACEHOLDER.encode(), _SVG, tired=True)
 
 
