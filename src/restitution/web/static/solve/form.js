@@ -1,0 +1,269 @@
+// A form that writes the statement, for those who would rather not type a language.
+import { ask } from "../api.js";
+import { html } from "../dom.js";
+import {
+  KINDS, defaultsOf, eventsOf, factsOf, fieldAt, linesOf, objection, quantitiesOf, spheresOf, statementOf,
+} from "./form-statement.js";
+import { picture } from "./form-pictures.js";
+
+const PAUSE = 400; // ms after the last key until the server reads the statement
+
+// `onStatement(text)` is told the statement at each change.
+export function mountForm(element, { onStatement }) {
+  const answers = new Map(KINDS.map(([kind]) => [kind, defaultsOf(kind)]));
+  let kind = KINDS[0][0];
+  let waiting = null;
+  let asking = new AbortController();
+  const now = () => answers.get(kind);
+
+  const body = html("div", { class: "fields" });
+  const text = html("code", {});
+  const trouble = html("p", { class: "trouble", id: "form-trouble", role: "status" });
+  const root = html("form", { class: "filling", autocomplete: "off", novalidate: true },
+    html("p", { class: "intro" },
+      "Fill in what the question tells; the statement grows beside it and goes into the editor. ",
+      "The form starts afresh each time: it does not read what stands in the editor."),
+    body,
+    html("section", { class: "written", "aria-label": "The statement" },
+      html("h3", {}, "The statement"), html("pre", { tabindex: 0 }, text), trouble,
+      html("button", { type: "submit", class: "main" }, "Put it into the editor")));
+
+  root.addEventListener("submit", (event) => {
+    event.preventDefault();
+    onStatement(statementOf(now()));
+  });
+  root.addEventListener("input", (event) => {
+    keep(event.target);
+    changed();
+  });
+
+  // What a field holds goes into the answers; what changes the fields themselves shows them anew.
+  function keep(field) {
+    const { name, value, type, checked } = field;
+    const row = /^(what|known)(\d+)$/.exec(name);
+    if (name === "kind") kind = value;
+    else if (name === "asked") {
+      const others = now().asked.filter((item) => item !== value);
+      now().asked = checked ? [...others, value] : others;
+    } else if (row) now().known[row[2]][row[1] === "what" ? "what" : "value"] = value;
+    else now()[name] = value;
+    if (type === "radio" || field.tagName === "SELECT") show(field);
+    else refresh();
+  }
+
+  function show(from = null) {
+    body.replaceChildren(...fieldsets(now()));
+    if (!from) return;
+    const wanted = `[name="${from.name}"]${from.type === "radio" ? `[value="${from.value}"]` : ""}`;
+    body.querySelector(wanted)?.focus();
+  }
+
+  // Only what may be asked for depends on what is typed, such as an e that is left out.
+  function refresh() {
+    const old = body.querySelector(".asked");
+    const fresh = askedFields(now());
+    if (old.dataset.offered !== fresh.dataset.offered) old.replaceWith(fresh);
+  }
+
+  function changed() {
+    const statement = statementOf(now());
+    write(statement);
+    onStatement(statement);
+    clearTimeout(waiting);
+    asking.abort();
+    waiting = setTimeout(() => check(statement), PAUSE);
+  }
+
+  function write(statement) {
+    text.textContent = statement;
+    mark(linesOf(now()).notes);
+  }
+
+  async function check(statement) {
+    asking = new AbortController();
+    try {
+      const { errors } = await ask("check", { statement }, { signal: asking.signal });
+      const told = errors.map(({ message, line, column }) => [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]);
+      mark([...linesOf(now()).notes, ...told]);
+    } catch {
+      // Gone on typing, or a server that is busy: the editor tells that.
+    }
+  }
+
+  // Shows notes [field, text] at their fields, and what belongs to no field below the statement.
+  function mark(notes) {
+    const objections = [...body.querySelectorAll("input[type=text]")]
+      .map((field) => [field.name, objection(field.value)]).filter(([, said]) => said);
+    const said = new Map();
+    for (const [name, message] of [...objections, ...notes]) if (!said.has(name)) said.set(name, message);
+    const rest = [];
+    for (const place of body.querySelectorAll(".problem")) place.textContent = "";
+    for (const field of body.querySelectorAll("[aria-invalid]")) field.removeAttribute("aria-invalid");
+    for (const [name, message] of said) {
+      const place = name && body.querySelector(`#problem-${name}`);
+      if (!place) {
+        rest.push(message);
+        continue;
+      }
+      place.textContent = message;
+      body.querySelector(`[name="${name}"]:not([type=checkbox])`)?.setAttribute("aria-invalid", "true");
+    }
+    trouble.textContent = rest.join(" ");
+  }
+
+  write(statementOf(now()));
+  show();
+  element.append(root);
+  return {
+    destroy() {
+      clearTimeout(waiting);
+      asking.abort();
+      root.remove();
+    },
+  };
+
+  // --- fields ---------------------------------------------------------------------------------
+
+  function fieldsets(told) {
+    const [first] = eventsOf(told);
+    const many = eventsOf(told).length > 1;
+    return [
+      kinds(),
+      ...(told.kind === "walls" ? [twoWalls(told)] : told.wall === undefined ? [] : [wall(told)]),
+      ...spheresOf(told).map((body_) => sphere(told, body_)),
+      ...(told.line === undefined ? [] : [centres(told)]),
+      restitution(told, first, many),
+      knownFields(told),
+      askedFields(told),
+    ];
+  }
+
+  function kinds() {
+    return group("What happens?", html("div", { class: "kinds" }, ...KINDS.map(([value, label]) =>
+      html("label", { class: "kind" },
+        html("input", { type: "radio", name: "kind", value, checked: value === kind }),
+        picture(value), html("span", {}, label)))));
+  }
+
+  function wall(told) {
+    const more = [["unknown", "not known"]];
+    return group("The wall W",
+      choice(told, "wall", "It runs", [...WAYS, ...more]), ...way(told, "wall", told.wall));
+  }
+
+  function twoWalls(told) {
+    return group("The walls AB and BC",
+      picture("between"),
+      choice(told, "first", "AB runs", WAYS.filter(([value]) => value !== "vector")), ...way(told, "first", told.first),
+      choice(told, "second", "BC runs", [["between", "at an angle to AB"], ...WAYS]),
+      ...(told.second === "between"
+        ? [field(told, "between", "Angle ABC between the walls", { hint: "such as 120°" })]
+        : way(told, "second", told.second)));
+  }
+
+  function way(told, prefix, mode) {
+    if (mode === "vector") return [field(told, `${prefix}Vector`, "Direction", { hint: "such as 3i + 4j" })];
+    if (mode === "angle") return [field(told, `${prefix}Angle`, "Angle from i", { hint: "anticlockwise, such as 30° or theta" })];
+    return [];
+  }
+
+  function sphere(told, name) {
+    const [, struck] = eventsOf(told)[0];
+    const toWall = spheresOf(told).length === 1;
+    const ways = [
+      ["components", "by its i and j components"],
+      ...(toWall ? [["wall", `by its speed and angle to ${struck}`]] : []),
+      ["speed", "by its speed and direction"],
+      ...(toWall ? [] : [["rest", "at rest"]]),
+      ["unknown", "not known"],
+    ];
+    const mode = told[`${name}Velocity`];
+    const by = {
+      components: () => [row(field(told, `${name}X`, "i component"), field(told, `${name}Y`, "j component"))],
+      wall: () => [picture("angle"), row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, `Angle to ${struck}`, { hint: "such as 60° or alpha" }))],
+      speed: () => [row(field(told, `${name}Speed`, "Speed"),
+        field(told, `${name}Angle`, "Direction from i", { hint: "anticlockwise: 60°, alpha, or alpha from -i" }))],
+    }[mode];
+    return group(`Sphere ${name}`,
+      field(told, `${name}Mass`, "Mass", { optional: true, hint: "a number or a letter, such as 2 or 3m" }),
+      choice(told, `${name}Velocity`, "Velocity before", ways), ...(by ? by() : []));
+  }
+
+  function centres(told) {
+    const ways = [...WAYS, ["offset", "by the distance between the paths"], ["unknown", "not known"]];
+    return group("The line of centres", picture(told.line === "offset" ? "offset" : "line"),
+      choice(told, "line", "It lies", ways), ...way(told, "line", told.line),
+      ...(told.line === "offset"
+        ? [row(field(told, "offset", "Distance between the paths", { hint: "positive where B lies to the left" }), field(told, "radius", "Radius of both spheres"))]
+        : []));
+  }
+
+  function restitution(told, [first, second], many) {
+    const label = (index) => {
+      const [a, b] = eventsOf(told)[index];
+      return many ? `e where ${a} hits ${b}` : "e";
+    };
+    return group(many ? "Coefficients of restitution" : `${first} hits ${second}: coefficient of restitution`,
+      row(...eventsOf(told).map((_, index) => field(told, `e${index + 1}`, label(index), { optional: true, hint: "left out, it is the letter e" }))));
+  }
+
+  function knownFields(told) {
+    const quantities = quantitiesOf(told).filter((each) => !each.fixed);
+    const rows = told.known.map(({ what, value }, index) => {
+      const offered = [["", "nothing more"], ...quantities.map(({ item, label }) => [item, label]),
+        ...factsOf(told), ["fact", "another fact, such as tan(alpha) = 3/4"]];
+      const chosen = quantities.find(({ item }) => item === what);
+      const hint = chosen?.vector ? "such as 4i + 2j" : chosen?.angle ? "such as 90°" : what === "fact" ? "such as tan(alpha) = 3/4, or k > 1" : null;
+      const select = choice({ [`what${index}`]: what }, `what${index}`, index === 0 ? "It is known that" : "and that", offered);
+      const typed = chosen || what === "fact";
+      return [select, typed ? field({ [`known${index}`]: value }, `known${index}`, what === "fact" ? "The fact" : "is equal to", { hint }) : null];
+    });
+    const another = html("button", { type: "button", onclick: () => {
+      told.known.push({ what: "", value: "" });
+      show({ name: `what${told.known.length - 1}` });
+    } }, "Another fact");
+    const full = told.known.at(-1).what !== "";
+    return group("What else is known", ...rows.flat().filter(Boolean), full ? another : null);
+  }
+
+  function askedFields(told) {
+    const offered = quantitiesOf(told);
+    const boxes = offered.map(({ item, label }) => html("label", { class: "box" },
+      html("input", { type: "checkbox", name: "asked", value: item, checked: told.asked.includes(item) }), html("span", {}, label)));
+    const made = group("What is to be found?",
+      html("div", { class: "boxes" }, ...boxes), html("p", { class: "problem", id: "problem-asked" }),
+      field(told, "letters", "Letters to be found", { optional: true, hint: "such as alpha, k" }));
+    made.classList.add("asked");
+    made.dataset.offered = offered.map((each) => each.item).join();
+    return made;
+  }
+}
+
+const WAYS = [
+  ["i", "along i"], ["j", "along j"], ["vector", "along another vector"], ["angle", "at an angle"],
+];
+
+const group = (legend, ...inside) => html("fieldset", {}, html("legend", {}, legend), ...inside);
+const row = (...fields) => html("div", { class: "row" }, ...fields);
+
+function field(told, name, label, { hint = null, optional = false } = {}) {
+  const id = `form-${name}`;
+  const described = [hint && `hint-${name}`, `problem-${name}`].filter(Boolean).join(" ");
+  return html("div", { class: "field" },
+    html("label", { for: id }, label, optional ? html("span", { class: "quiet" }, " (if told)") : null),
+    html("input", {
+      id, name, type: "text", value: told[name], maxlength: 80, spellcheck: "false", autocapitalize: "off",
+      autocomplete: "off", "aria-describedby": described,
+    }),
+    hint ? html("p", { class: "hint", id: `hint-${name}` }, hint) : null,
+    html("p", { class: "problem", id: `problem-${name}` }));
+}
+
+function choice(told, name, label, ways) {
+  const id = `form-${name}`;
+  return html("div", { class: "field" },
+    html("label", { for: id }, label),
+    html("select", { id, name }, ...ways.map(([value, said]) => html("option", { value, selected: told[name] === value }, said))));
+}
+
+const sentence = (message) => `${message[0].toUpperCase()}${message.slice(1)}${/[.?!]$/.test(message) ? "" : "."}`;
