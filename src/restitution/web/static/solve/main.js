@@ -5,7 +5,7 @@ import { draft, hold, linkable, onReturn, told } from "./address.js";
 import { makeEditor } from "./editor.js";
 import { makeMotion } from "./motion.js";
 import { makeNotice } from "./notice.js";
-import { lazily, makePanel } from "./panels.js";
+import { lazily, makeFold, makePanel } from "./panels.js";
 import { makePictures } from "./pictures.js";
 import { answersOf, failure, mistakes, spoken } from "./results.js";
 import { makeShare } from "./share.js";
@@ -135,7 +135,7 @@ function say(text) {
 
 const examples = makePanel("Examples", "examples", lazily("gallery.css", () => import("./gallery.js"), ({ mountGallery }, body, close) =>
   mountGallery(body, { onChoose: (name, text) => chosen(text, close) })));
-const form = makePanel("Fill in a form", "form", lazily("form.css", () => import("./form.js"), ({ mountForm }, body) =>
+const form = makeFold($("form"), $("filling"), lazily("form.css", () => import("./form.js"), ({ mountForm }, body) =>
   mountForm(body, { onStatement: written })));
 const help = makePanel("The language", "language", lazily(null, () => import("./help.js"), ({ mountHelp }, body) => mountHelp(body, words)));
 

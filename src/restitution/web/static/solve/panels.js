@@ -1,5 +1,5 @@
-// What opens over the page: examples, the form, the language. Each is fetched when it is first
-// wanted.
+// What opens over the page, or within it: examples, the language, the form. Each is fetched when
+// it is first wanted.
 
 import { html } from "../dom.js";
 import { style } from "./motion.js";
@@ -14,7 +14,7 @@ export function makePanel(title, className, fill) {
     const close = html("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close");
     dialog = html(
       "dialog",
-      { class: `panel ${className}`, "aria-labelledby": heading.id },
+      { class: `panel ${className}`, "aria-labelledby": heading.id, closedby: "any" },
       html("header", {}, heading, close),
       body,
     );
@@ -23,7 +23,7 @@ export function makePanel(title, className, fill) {
     try {
       await fill(body, () => dialog.close());
     } catch {
-      body.replaceChildren(html("p", { class: "problem" }, "This could not be loaded. Is the server still there?"));
+      body.replaceChildren(lost());
       dialog.addEventListener("close", () => {
         dialog.remove();
         dialog = null; // to be tried again
@@ -33,6 +33,25 @@ export function makePanel(title, className, fill) {
 
   return () => (dialog ? dialog.showModal() : build());
 }
+
+// A fold below its button, filled once, when it is first opened.
+export function makeFold(button, body, fill) {
+  let filled = false;
+  return async () => {
+    body.hidden = !body.hidden;
+    button.setAttribute("aria-expanded", String(!body.hidden));
+    if (filled || body.hidden) return;
+    filled = true;
+    try {
+      await fill(body);
+    } catch {
+      body.replaceChildren(lost());
+      filled = false; // to be tried again
+    }
+  };
+}
+
+const lost = () => html("p", { class: "problem" }, "This could not be loaded. Is the server still there?");
 
 // Fills a panel with a module's own element, its style first.
 export const lazily = (sheet, load, mount) => async (body, close) => {

@@ -27,7 +27,7 @@ export function makePictures(root) {
     const image = html("img");
     const said = html("p");
     const close = html("button", { type: "button", onclick: () => dialog.close() }, "Close");
-    const dialog = html("dialog", { class: "large", "aria-label": "Diagram" }, image, html("div", { class: "pace" }, said, close));
+    const dialog = html("dialog", { class: "large", "aria-label": "Diagram", closedby: "any" }, image, html("div", { class: "pace" }, said, close));
     const turn = (to) => {
       show(to);
       image.src = addresses[at];
