@@ -34,9 +34,9 @@ function stepped(step, put) {
   const named = step.principle && html("em", { class: "principle" }, `${step.principle}:`, said && " ");
   if (named || said) {
     const mark = step.mark && html("span", { class: "mark" }, step.mark);
-    const node = html("div", { class: "said" }, html("p", {}, mark || null, named || null, said));
-    if (step.about) node.append(why(step));
-    nodes.push(put(node, !step.rows.length));
+    const { button, more } = step.about ? why(step) : {};
+    const sentence = html("p", {}, mark || null, named || null, said, button && [" ", button]);
+    nodes.push(put(html("div", { class: "said" }, sentence, more), !step.rows.length));
   }
   if (step.rows.length) {
     const body = html("tbody");
@@ -52,9 +52,16 @@ function stepped(step, put) {
   return nodes;
 }
 
+// A button behind a line, and what it unfolds below.
 function why({ principle, about }) {
-  const label = principle ? `Why? ${principle}` : "Why?";
-  return html("details", { class: "why" }, html("summary", { "aria-label": label }, "Why?"), html("p", {}, about));
+  const more = html("p", { class: "about", hidden: true }, about);
+  const button = html("button", { type: "button", class: "why", "aria-expanded": "false" }, "Why?");
+  if (principle) button.setAttribute("aria-label", `Why? ${principle}`);
+  button.addEventListener("click", () => {
+    more.hidden = !more.hidden;
+    button.setAttribute("aria-expanded", String(!more.hidden));
+  });
+  return { button, more };
 }
 
 // A line still to come is hidden from sight, but not from paper.
