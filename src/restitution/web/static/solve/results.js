@@ -30,10 +30,11 @@ function answered({ item, values, holds, counterexample, error, rejected }) {
 }
 
 // `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
-const equals = (values) =>
-  values.length
-    ? [html("span", { class: "sign" }, typeof values[0] === "string" ? ":" : "="), ...alternatives(values)]
-    : [];
+function equals(values) {
+  if (!values.length) return [];
+  const sentence = typeof values[0] === "string";
+  return [html("span", { class: sentence ? "colon" : "sign" }, sentence ? ":" : "="), ...alternatives(values)];
+}
 
 const alternatives = (values) =>
   values.flatMap((value, index) => [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
