@@ -27,7 +27,9 @@ export const unitOf = (...text) => html("span", { class: "unit" }, " ", ...text)
 
 // What an event does to the components of the velocities.
 export class Card {
-  constructor() {
+  // With `angles`, also those that a ball makes with a wall, and what they say of e.
+  constructor({ angles = false } = {}) {
+    this.angles = angles;
     this.heading = html("h2");
     this.body = html("div", { class: "scroll", role: "group", "aria-label": "The impact" });
     this.node = html("section", { class: "card" }, this.heading, this.body);
@@ -46,6 +48,7 @@ export class Card {
     this.heading.append(`${number}: ${names(event)}`, ...e);
     if (event.kind === "impact") {
       this.body.append(this.table(this.components(event, done), "Components of velocity"));
+      if (this.angles && event.wall) this.body.append(this.measured(event, done));
       if (event.impulse !== null) this.body.append(this.effects(event, done));
     } else if (event.kind === "blow") {
       this.body.append(this.table(this.axes(event, done), "Velocity"));
@@ -68,6 +71,25 @@ export class Card {
         return this.line(name, [words[k]], cell("before"), done ? cell("after") : null, !k);
       }),
     );
+  }
+
+  // The angles to the wall before and after; the quotient of their tangents is e.
+  measured(event, done) {
+    const [name] = event.bodies;
+    const tangents = ["before", "after"].map((when) => {
+      const v = event[when][name];
+      return Math.abs(along(event, v)) / Math.abs(across(event, v));
+    });
+    const angle = (tangent) => `${figures((Math.atan(tangent) * 180) / Math.PI)}°`;
+    const made = html("p", { class: "angles" }, html("var", {}, "α"), ` = ${angle(tangents[0])}`);
+    if (!done) return made;
+    made.append(", ", html("var", {}, "β"), ` = ${angle(tangents[1])} to ${event.wall}`);
+    if (tangents.every((tangent) => tangent > 1e-9 && tangent < 1e9)) {
+      const e = figures(tangents[1] / tangents[0]);
+      made.append("; tan ", html("var", {}, "β"), " / tan ", html("var", {}, "α"));
+      made.append(` = ${e} = `, html("var", {}, "e"));
+    }
+    return made;
   }
 
   // Rows of the components along i and j, for an impulse from outside.

@@ -1,1 +1,566 @@
-export {};
+// The Lab: a scene on a table, edited at its start, played as the server has worked it out.
+
+import { Clock } from "../player/clock.js";
+import { button, check, ICONS } from "../player/controls.js";
+import { html } from "../player/elements.js";
+import { names } from "../player/motion.js";
+import { figures, seconds, size } from "../player/numbers.js";
+import { Card } from "../player/tables.js";
+import { ask } from "../api.js";
+import { Bars } from "./bars.js";
+import { History } from "./history.js";
+import { at, fromRows, fromText, still, toText } from "./scene.js";
+import { SCENES } from "./scenes.js";
+import { Stage } from "./stage.js";
+import { Tools } from "./tools.js";
+import { ValuesTable } from "./values.js";
+
+const MANY = 40; // events, beyond which the timeline does not number them
+const MARKED = 300; // events, beyond which it does not mark them
+const CROWD = 12; // spheres, beyond which tables follow seldom
+const SELDOM = 250; // ms between two such looks
+const SOON = 120; // ms without another edit, after which the server is asked
+const CALM = 1500; // ms between two impacts that are announced, where they follow fast
+const SHOWS = [
+  ["velocities", "Velocities", "V"],
+  ["components", "Components", "C"],
+  ["speeds", "Speeds", "N"],
+  ["momenta", "Momenta", "M"],
+  ["impulses", "Impulses", "I"],
+  ["trails", "Trails", "T"],
+];
+const KEYS = [
+  ["Space", "play or pause"],
+  ["→  ←", "next, previous impact"],
+  [".  ,", "a little forward, back"],
+  ["R", "restart: play again from the start"],
+  ["Home  End", "to the start, to the end"],
+  ["S", "slow motion at impacts"],
+  ["+  −", "faster, slower"],
+  ...SHOWS.map(([, label, key]) => [key, label.toLowerCase()]),
+  ["Ctrl Z  Ctrl Y", "undo, redo"],
+  ["On a sphere or a wall:", ""],
+  ["↑ ↓ ← →", "move it, with Shift ten times as far"],
+  ["Enter", "on to its arrow, or its ends, and back"],
+  ["0", "on an arrow: to rest"],
+  ["Delete", "take it away"],
+];
+
+class Lab {
+  constructor(root) {
+    this.root = root;
+    this.stage = new Stage();
+    this.card = new Card({ angles: true });
+    this.bars = new Bars();
+    this.values = new ValuesTable(this);
+    this.tools = new Tools(this.stage, this);
+    this.clock = new Clock({
+      moved: () => this.draw(),
+      met: (event) => this.announce(event),
+      turned: () => this.sayPlaying(),
+    });
+    this.history = new History(null);
+    this.work = []; // ms of each frame's work, for those who measure
+    this.build();
+    this.listen();
+    this.open();
+  }
+
+  // --- its parts ---------------------------------------------------------------------------------
+
+  build() {
+    this.menu = html(
+      "select", { id: "scenes" },
+      ...SCENES.map(({ id, title }) => html("option", { value: id }, title)),
+      html("option", { value: "", hidden: true }, "A scene of your own"),
+    );
+    this.watch = html("p", { class: "watch", id: "watch" });
+    this.toolButtons = [["move", "Move"], ["sphere", "Add spheres"], ["wall", "Draw walls"]].map(([tool, label]) =>
+      html("button", { type: "button", "data-tool": tool, "aria-pressed": "false",
+        onclick: () => this.take(tool) }, label));
+    this.edits = {
+      add: this.plain("Add a sphere", () => this.tools.addSphere()),
+      wall: this.plain("Add a wall", () => this.tools.addWall()),
+      remove: this.plain("Delete", () => this.tools.remove()),
+      undo: this.plain("Undo", () => this.undo()),
+      redo: this.plain("Redo", () => this.redo()),
+    };
+    this.frame = html("div", { class: "frame" }, this.stage.picture.node, this.stage.handles);
+    this.views = html("div", { class: "views", role: "group", "aria-label": "View" },
+      this.plain("+", () => this.zoom(1.25), "Nearer"),
+      this.plain("−", () => this.zoom(0.8), "Further away"),
+      this.plain("Fit", () => this.fit(), "See all of the table"));
+    this.time = html("input", { type: "range", step: "any", "aria-label": "Time" });
+    this.marks = html("div", { class: "marks", "aria-hidden": "true" });
+    this.reading = html("span", { class: "clock" });
+    this.buttons = {
+      rewind: button("rewind", "Restart: play again from the start", "R"),
+      previous: button("previous", "Previous impact", "←"),
+      play: button("play", "Play", "Space"),
+      next: button("next", "Next impact", "→"),
+    };
+    this.rate = html("input", { type: "range", min: -5, max: 2, step: 0.5, value: 0 });
+    this.rateSaid = html("span", { class: "said" }, "1×");
+    this.slow = check("Slow motion at impacts", "S", true);
+    this.shows = SHOWS.map(([key, label, letter]) => ({ key, letter, ...check(label, letter, false) }));
+    this.note = html("p", { class: "note", role: "status" });
+    this.live = html("p", { class: "live", "aria-live": "polite" });
+    this.make = this.plain("Make a question of this impact", () => this.question());
+    this.make.classList.add("main");
+    this.help = this.keys();
+    this.root.classList.add("restitution-player", "lab");
+    this.root.replaceChildren(
+      html("div", { class: "choose" },
+        html("label", { for: "scenes" }, "Scene"), this.menu,
+        this.plain("Reset", () => this.reset(), "Reset: put the scene back as it was prepared"),
+        this.plain("Copy link", () => this.copy()),
+        this.plain("Keys", () => this.help.showModal())),
+      this.watch,
+      html("div", { class: "floor" },
+        html("div", { class: "left" },
+          html("div", { class: "tools", role: "group", "aria-label": "Tools" },
+            ...this.toolButtons, html("span", { class: "gap" }), ...Object.values(this.edits)),
+          html("div", { class: "ground" }, this.frame, this.views),
+          html("div", { class: "timeline" }, this.time, this.marks),
+          html("div", { class: "transport" },
+            ...Object.values(this.buttons).map(({ node }) => node),
+            this.reading,
+            html("label", { class: "rate" }, "Speed", this.rate, this.rateSaid)),
+          html("div", { class: "options" }, this.slow.node, ...this.shows.map(({ node }) => node)),
+          this.note),
+        html("div", { class: "right" }, this.card.node, this.make, this.bars.node)),
+      this.values.node,
+      this.live,
+      this.help,
+    );
+  }
+
+  plain(label, does, name = null) {
+    return html("button", { type: "button", "aria-label": name, title: name, onclick: does }, label);
+  }
+
+  keys() {
+    const rows = KEYS.map(([key, does]) => html("tr", {},
+      html("th", { scope: "row", colspan: does ? null : 2 }, does ? html("kbd", {}, key) : key),
+      does ? html("td", {}, does) : null));
+    const close = html("button", { type: "button", onclick: () => this.help.close() }, "Close");
+    return html("dialog", { "aria-label": "Keys" }, html("h2", {}, "Keys"),
+      html("table", {}, html("tbody", {}, ...rows)), close);
+  }
+
+  listen() {
+    const { rewind, previous, play, next } = this.buttons;
+    rewind.node.addEventListener("click", () => this.restart());
+    previous.node.addEventListener("click", () => this.clock.previous());
+    play.node.addEventListener("click", () => this.toggle());
+    next.node.addEventListener("click", () => this.step());
+    this.time.addEventListener("input", () => {
+      this.clock.pause();
+      this.clock.seek(Number(this.time.value));
+    });
+    this.rate.addEventListener("input", () => this.setSpeed(2 ** Number(this.rate.value)));
+    this.slow.box.addEventListener("change", () => {
+      this.clock.slow = this.slow.box.checked;
+    });
+    for (const { box } of this.shows) box.addEventListener("change", () => this.draw());
+    this.menu.addEventListener("change", () => this.prepare(this.menu.value));
+    this.stage.picture.node.addEventListener("pointerdown", () => this.pause());
+    document.addEventListener("keydown", (event) => this.key(event));
+    addEventListener("popstate", () => this.open());
+    addEventListener("hashchange", () => this.open());
+    new ResizeObserver(() => this.resize()).observe(this.frame);
+  }
+
+  key(event) {
+    if (this.help.open) return;
+    const { target } = event;
+    const typing = target.matches?.("textarea, select, input:not([type=range], [type=checkbox])");
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && !typing) {
+      const letter = event.key.toLowerCase();
+      const does = letter === "z" && !event.shiftKey ? () => this.undo()
+        : letter === "y" || letter === "z" ? () => this.redo() : null;
+      if (does) {
+        event.preventDefault();
+        does();
+      }
+      return;
+    }
+    if (event.ctrlKey || event.metaKey || event.altKey || typing) return;
+    const does = {
+      ArrowRight: () => this.step(),
+      ArrowLeft: () => this.clock.previous(),
+      ".": () => this.clock.nudge(1),
+      ",": () => this.clock.nudge(-1),
+      Home: () => this.clock.rewind(),
+      End: () => this.clock.leap(this.clock.motion.end),
+      r: () => this.restart(),
+      s: () => this.slow.box.click(),
+      "+": () => this.faster(1),
+      "=": () => this.faster(1),
+      "-": () => this.faster(-1),
+      "?": () => this.help.showModal(),
+      " ": () => this.toggle(),
+    };
+    for (const { letter, box } of this.shows) does[letter.toLowerCase()] = () => box.click();
+    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const own = target.matches?.("input[type=range]") && target !== this.time
+      ? ["ArrowRight", "ArrowLeft", "Home", "End"] : [];
+    if (target.matches?.("button, input[type=checkbox]")) own.push(" ");
+    if (!(name in does) || own.includes(name)) return;
+    event.preventDefault();
+    does[name]();
+  }
+
+  // --- scenes ------------------------------------------------------------------------------------
+
+  // What the address says; a prepared scene where it says nothing.
+  open() {
+    const text = location.hash.slice(1);
+    if (text === this.address) return;
+    const told = new URLSearchParams(text);
+    const prepared = SCENES.find(({ id }) => id === told.get("scene")) ?? null;
+    const own = fromText(told);
+    const chosen = prepared ?? (own ? null : SCENES[0]);
+    this.prepared = chosen;
+    this.base = chosen ? fromRows(chosen) : own;
+    this.address = text;
+    this.begin(own ?? this.base);
+    if (text && !prepared && !own) this.say("The address holds no scene that can be read.");
+  }
+
+  // A prepared scene, as a page of its own in the history of the browser.
+  prepare(id) {
+    const chosen = SCENES.find((scene) => scene.id === id);
+    this.prepared = chosen;
+    this.base = fromRows(chosen);
+    this.begin(this.base);
+    this.address = `scene=${id}`;
+    history.pushState(null, "", `#${this.address}`);
+  }
+
+  // The scene as it was prepared, or as it was when the page was opened.
+  reset() {
+    this.history.put(this.base);
+    this.fitted = false;
+    this.renew();
+    this.say("The scene is as it was prepared. Undo takes this back.");
+  }
+
+  begin(scene) {
+    const wanted = new Set((this.prepared?.show ?? "velocities components trails").split(" "));
+    for (const { key, box } of this.shows) box.checked = wanted.has(key);
+    this.slow.box.checked = this.prepared?.slow ?? scene.spheres.length <= CROWD;
+    this.clock.slow = this.slow.box.checked;
+    this.menu.value = this.prepared?.id ?? "";
+    this.watch.textContent = this.prepared?.watch ?? "";
+    this.history.begin(scene);
+    this.stage.selected = null;
+    this.fitted = false;
+    this.take("move");
+    this.say("");
+    this.renew(true);
+  }
+
+  write() {
+    const scene = this.initial();
+    const mine = this.prepared ? `scene=${this.prepared.id}` : "";
+    const text = scene === this.base && mine ? mine : [mine, toText(scene)].filter(Boolean).join("&");
+    if (text === this.address || (scene === this.base && !this.address)) return;
+    this.address = text;
+    history.replaceState(null, "", `#${text}`);
+  }
+
+  // --- what the tools ask for --------------------------------------------------------------------
+
+  initial() {
+    return this.history.value;
+  }
+
+  // The scene as it is now.
+  current() {
+    const { now, motion } = this.clock;
+    return this.known && now > motion.start ? at(this.initial(), motion, now) : this.initial();
+  }
+
+  preview(scene) {
+    const shown = scene ?? this.current();
+    this.clock.pause();
+    this.stage.lay(still(shown), this.width, this.height);
+    this.stage.picture.show(0, null, false, this.options());
+    this.stage.hold(shown);
+    this.values.show(shown, "");
+  }
+
+  // Another scene: what is moved while the motion is under way begins where it is now.
+  commit(scene, key = null) {
+    this.pause();
+    const later = this.known && this.clock.now > 0;
+    const moved = later && scene.spheres.some((sphere, i) => sphere.position !== this.initial().spheres[i]?.position);
+    const when = seconds(this.clock.now);
+    this.history.put(scene, later ? null : key);
+    this.renew();
+    this.say(moved ? `The table as it was at ${when} is the new start. Undo brings the old one back.` : "");
+  }
+
+  choose(item) {
+    const same = item?.kind === this.stage.selected?.kind && item?.index === this.stage.selected?.index;
+    if (same) return;
+    this.stage.selected = item;
+    this.edits.remove.disabled = !item;
+    this.stage.hold(this.current());
+  }
+
+  refuse(text) {
+    this.say(text);
+  }
+
+  remove(kind, index) {
+    this.stage.selected = { kind, index };
+    this.tools.remove();
+  }
+
+  take(tool) {
+    this.tools.tool = tool;
+    this.stage.handles.dataset.tool = tool;
+    for (const node of this.toolButtons) {
+      node.setAttribute("aria-pressed", String(node.dataset.tool === tool));
+    }
+  }
+
+  undo() {
+    if (this.history.undo()) this.renew();
+    else this.say("There is nothing to undo.");
+  }
+
+  redo() {
+    if (this.history.redo()) this.renew();
+    else this.say("There is nothing to do again.");
+  }
+
+  say(text) {
+    this.note.textContent = text;
+  }
+
+  // --- the motion --------------------------------------------------------------------------------
+
+  // The scene as it is at its start, and its motion asked for.
+  renew(at_once = false) {
+    const scene = this.initial();
+    const { selected } = this.stage;
+    if (selected && !scene[selected.kind][selected.index]) this.stage.selected = null;
+    this.edits.remove.disabled = !this.stage.selected;
+    this.edits.undo.disabled = !this.history.past.length;
+    this.edits.redo.disabled = !this.history.future.length;
+    this.eager = false;
+    this.load(still(scene), false);
+    this.write();
+    clearTimeout(this.timer);
+    this.asking?.abort();
+    this.timer = setTimeout(() => this.request(scene), at_once ? 0 : SOON);
+  }
+
+  async request(scene) {
+    this.asking = new AbortController();
+    const { signal } = this.asking;
+    try {
+      const told = await ask("simulate", { scene }, { signal });
+      if (signal.aborted) return;
+      if (told.motion) {
+        this.load(told.motion, true);
+        if (told.stopped) this.say(`${told.stopped[0].toUpperCase()}${told.stopped.slice(1)}.`);
+        if (this.eager) this.clock.play();
+      } else this.say(`This cannot be: ${told.error.message}.`);
+    } catch (error) {
+      if (error.name === "AbortError") return;
+      this.say(error.wait ? `${error.message} It is asked again in ${error.wait} s.` : error.message);
+      if (error.wait) this.timer = setTimeout(() => this.request(scene), 1000 * error.wait);
+    }
+    this.eager = false;
+  }
+
+  load(motion, known) {
+    this.known = known;
+    this.clock.load(motion, 1);
+    this.time.min = motion.start;
+    this.time.max = motion.end || 1;
+    this.time.disabled = !known;
+    const { events } = motion;
+    this.marks.replaceChildren(...events.slice(0, MARKED).map((event, i) => {
+      const mark = html("span", { title: names(event) }, events.length > MANY ? "" : String(i + 1));
+      mark.style.setProperty("--share", event.time / this.clock.span);
+      return mark;
+    }));
+    this.bars.lay(motion);
+    this.values.lay(this.initial());
+    this.card.key = null;
+    this.live.textContent = "";
+    const told = motion.spheres.length > CROWD ? `${motion.spheres.length} spheres` : motion.spheres.map(({ name }) => name).join(", ");
+    this.stage.picture.node.setAttribute("aria-label", `A table seen from above, with ${told}.`);
+    this.lay();
+  }
+
+  resize() {
+    const width = Math.floor(this.frame.clientWidth);
+    if (!width || (width === this.width && innerHeight === this.seen)) return;
+    this.seen = innerHeight;
+    this.width = width;
+    this.height = Math.round(Math.max(200, Math.min(0.62 * width, 0.58 * innerHeight)));
+    this.fitted = false;
+    this.lay();
+  }
+
+  lay() {
+    if (!this.width) return;
+    if (!this.fitted) {
+      this.stage.fit(this.initial(), this.width, this.height);
+      this.fitted = true;
+    }
+    this.stage.lay(this.clock.motion, this.width, this.height);
+    this.draw();
+  }
+
+  fit() {
+    this.fitted = false;
+    this.lay();
+  }
+
+  zoom(factor) {
+    this.stage.zoom(factor);
+    this.lay();
+  }
+
+  pan(way) {
+    this.stage.pan(way);
+    this.lay();
+  }
+
+  // --- time --------------------------------------------------------------------------------------
+
+  toggle() {
+    if (this.clock.playing) this.clock.pause();
+    else if (this.known) this.clock.play();
+    else this.eager = true;
+  }
+
+  pause() {
+    this.clock.pause();
+    this.eager = false;
+  }
+
+  step() {
+    if (this.known) this.clock.next();
+  }
+
+  restart() {
+    this.clock.pause();
+    this.clock.seek(0);
+    this.toggle();
+  }
+
+  setSpeed(speed) {
+    this.clock.speed = speed;
+    this.rateSaid.textContent = `${Number(speed.toPrecision(2))}×`;
+    this.rate.setAttribute("aria-valuetext", `${this.rateSaid.textContent} true speed`);
+  }
+
+  faster(sense) {
+    this.rate.value = String(Number(this.rate.value) + 0.5 * sense);
+    this.setSpeed(2 ** Number(this.rate.value));
+  }
+
+  sayPlaying() {
+    const { node, path } = this.buttons.play;
+    const { playing } = this.clock;
+    const label = playing ? "Pause" : "Play";
+    node.setAttribute("aria-label", label);
+    node.setAttribute("title", `${label} (Space)`);
+    path.setAttribute("d", playing ? ICONS.pause : ICONS.play);
+    const had = this.stage.focused();
+    if (playing && had) this.had = had;
+    this.frame.classList.toggle("playing", playing);
+    if (playing) return;
+    this.draw();
+    if (this.had && document.activeElement === document.body) this.stage.focus(this.had.kind, this.had.index);
+    this.had = null;
+  }
+
+  announce(event) {
+    const now = performance.now();
+    if (this.clock.playing && !this.clock.slow && now - this.announced < CALM) return;
+    this.announced = now;
+    const number = this.clock.motion.events.indexOf(event) + 1;
+    const speeds = event.bodies.map((name) =>
+      `speed of ${name} ${figures(size(event.before[name]))}, then ${figures(size(event.after[name]))}`);
+    this.live.textContent = [`${number}: ${names(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
+  }
+
+  // --- what is seen ------------------------------------------------------------------------------
+
+  options() {
+    return Object.fromEntries(this.shows.map(({ key, box }) => [key, box.checked]));
+  }
+
+  draw() {
+    if (!this.width) return;
+    const began = performance.now();
+    const { now, playing } = this.clock;
+    const { focus, moment, shown, number } = this.clock.scene();
+    // While a crowd moves fast nothing is looked at closely.
+    const close = this.clock.slow || !playing ? focus : null;
+    this.stage.picture.show(now, close, moment, this.options());
+    const crowd = this.initial().spheres.length > CROWD;
+    const soon = playing && (crowd || !this.clock.slow) && began - (this.looked ?? -SELDOM) < SELDOM;
+    if (!soon) {
+      this.looked = began;
+      this.shown = shown;
+      this.card.show(shown, number, moment ? shown.time : now);
+      this.make.disabled = shown?.kind !== "impact";
+      this.bars.show(now, playing);
+      const scene = this.current();
+      const when = now > 0 ? ` at ${seconds(now)}` : " at the start";
+      if (playing) this.values.show(scene, when);
+      else {
+        this.values.showAll(scene, when);
+        this.stage.hold(scene);
+      }
+    }
+    this.time.value = String(now);
+    this.time.setAttribute("aria-valuetext", seconds(now));
+    this.reading.textContent = seconds(now);
+    if (playing) this.work.push(performance.now() - began);
+  }
+
+  // --- beyond the page ---------------------------------------------------------------------------
+
+  async question() {
+    const event = this.shown;
+    if (event?.kind !== "impact") return;
+    const scene = this.initial();
+    const impact = {
+      spheres: event.bodies.map((name) => ({
+        name, mass: scene.spheres.find((sphere) => sphere.name === name).mass, velocity: event.before[name],
+      })),
+      wall: event.wall,
+      line: event.line,
+      e: event.e,
+    };
+    try {
+      const { statement } = await ask("statement", { impact });
+      location.href = `./#${new URLSearchParams({ statement })}`;
+    } catch (error) {
+      this.say(error.message);
+    }
+  }
+
+  async copy() {
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.say("The link to this scene is copied.");
+    } catch {
+      this.say("The link is in the address bar: it could not be copied from here.");
+    }
+  }
+}
+
+const root = document.getElementById("lab");
+root.lab = new Lab(root);

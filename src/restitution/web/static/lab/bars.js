@@ -1,0 +1,171 @@
+// Momentum and kinetic energy as bars: what is conserved, and what is lost.
+
+import { svg, html } from "../player/elements.js";
+import { pieceAt } from "../player/motion.js";
+import { dot, figures } from "../player/numbers.js";
+import { COLOURS, CROWD } from "../player/picture.js";
+
+const WIDTH = 400; // units of the picture; it is as wide as its place
+const TALL = 26;
+const SELDOM = 200; // ms between two looks at a crowd, while it moves
+
+const sum = (list) => list.reduce((total, x) => total + x, 0);
+const near = (x, most) => (Math.abs(x) < 1e-9 * most ? 0 : x);
+
+export class Bars {
+  constructor() {
+    this.rows = ["x", "y", "energy"].map((kind) => this.row(kind));
+    this.node = html(
+      "section",
+      { class: "bars" },
+      html("h2", {}, "Momentum and kinetic energy"),
+      ...this.rows.map(({ node }) => node),
+      html("p", { class: "key" }, "A colour for each sphere; hatched: ",
+        "what the walls have taken, and kinetic energy lost. The thick line is the total."),
+    );
+  }
+
+  row(kind) {
+    const title = html("h3", {});
+    const said = html("p", { class: "said" });
+    const picture = svg("svg", {
+      role: "img", viewBox: `0 0 ${WIDTH} ${TALL}`, preserveAspectRatio: "none",
+    });
+    return { kind, title, said, picture, node: html("div", { class: "bar-row" }, title, picture, said) };
+  }
+
+  // For another motion: the scale is that of its largest values.
+  lay(motion) {
+    this.motion = motion;
+    this.key = null;
+    const count = motion.spheres.length;
+    this.start = this.amounts(motion.start);
+    let most = [0, 1].map((k) => this.reach(this.start[k]));
+    let energy = sum(this.start[2]);
+    const now = motion.spheres.map((s) => [s.mass, s.pieces[0][4], s.pieces[0][5]]);
+    const index = new Map(motion.spheres.map(({ name }, i) => [name, i]));
+    // From event to event only few velocities change.
+    for (const event of motion.events) {
+      for (const name of event.bodies) {
+        const i = index.get(name);
+        [now[i][1], now[i][2]] = event.after[name];
+      }
+      most = most.map((m, k) => Math.max(m, this.reach(now.map((s) => s[0] * s[k + 1]))));
+    }
+    this.most = Math.max(...most) || 1;
+    this.energy = energy || 1;
+    for (const row of this.rows) {
+      row.parts = motion.spheres.map((_, i) => svg("rect", {
+        class: `share body${i % COLOURS}`, y: 3, height: TALL - 6,
+      }));
+      row.rest = svg("rect", { class: "rest", y: 3, height: TALL - 6 });
+      row.zero = svg("path", { class: "zero", d: `M${row.kind === "energy" ? 0.5 : WIDTH / 2} 0v${TALL}` });
+      row.mark = svg("rect", { class: "total", y: 0, width: 3, height: TALL });
+      row.picture.replaceChildren(hatching(row.kind), ...row.parts, row.rest, row.zero, row.mark);
+      row.rest.style.fill = `url(#hatch-${row.kind})`;
+    }
+    this.count = count;
+  }
+
+  // How far a bar of shares of both signs reaches, and what is missing to its total.
+  reach(shares) {
+    const plus = sum(shares.filter((x) => x > 0));
+    const minus = -sum(shares.filter((x) => x < 0));
+    return Math.max(plus, minus, Math.abs(sum(shares)));
+  }
+
+  // Momentum along x and y, and kinetic energy, of each sphere.
+  amounts(t) {
+    const now = this.motion.spheres.map((sphere) => {
+      const piece = sphere.pieces[pieceAt(sphere, t)];
+      return { mass: sphere.mass, v: [piece[4], piece[5]] };
+    });
+    return [
+      now.map(({ mass, v }) => mass * v[0]),
+      now.map(({ mass, v }) => mass * v[1]),
+      now.map(({ mass, v }) => (mass * dot(v, v)) / 2),
+    ];
+  }
+
+  show(t, playing) {
+    const { spheres } = this.motion;
+    const time = performance.now();
+    if (playing && spheres.length > CROWD && time - this.shown < SELDOM) return;
+    this.shown = time;
+    const key = spheres.map((sphere) => pieceAt(sphere, t)).join();
+    if (key === this.key) return;
+    this.key = key;
+    const shares = this.amounts(t);
+    this.rows.forEach((row, k) => {
+      if (row.kind === "energy") this.showEnergy(row, shares[k]);
+      else this.showMomentum(row, shares[k], sum(this.start[k]));
+    });
+  }
+
+  showMomentum(row, shares, before) {
+    const scale = (WIDTH / 2 - 4) / Math.max(this.most, Math.abs(before));
+    const middle = WIDTH / 2;
+    let right = 0;
+    let left = 0;
+    shares.forEach((share, i) => {
+      const from = share > 0 ? right : left + share;
+      if (share > 0) right += share;
+      else left += share;
+      place(row.parts[i], middle + scale * from, scale * Math.abs(share));
+    });
+    const total = near(sum(shares), this.most);
+    const walls = near(before - total, this.most);
+    // What the walls have taken lies between the spheres' total and that of all.
+    const from = Math.min(total, before);
+    place(row.rest, middle + scale * from, scale * Math.abs(walls));
+    row.mark.setAttribute("x", middle + scale * total - 1.5);
+    const axis = row.kind === "x" ? "i" : "j";
+    row.title.replaceChildren("Momentum along ", html("b", {}, axis));
+    const told = `${figures(total)} N s`;
+    const rest = walls
+      ? `${told}; the walls have taken ${figures(walls)} N s of ${figures(near(before, this.most))} N s`
+      : `${told}, conserved`;
+    row.said.textContent = rest;
+    row.picture.setAttribute("aria-label", `Momentum along ${axis}: ${rest}.${this.each(shares, "N s")}`);
+  }
+
+  showEnergy(row, shares) {
+    const scale = (WIDTH - 4) / this.energy;
+    let from = 0;
+    shares.forEach((share, i) => {
+      place(row.parts[i], scale * from, scale * share);
+      from += share;
+    });
+    const lost = near(sum(this.start[2]) - from, this.energy);
+    place(row.rest, scale * from, Math.max(0, scale * lost));
+    row.mark.setAttribute("x", Math.max(0, scale * from - 1.5));
+    const told = lost
+      ? `${figures(from)} J; ${figures(lost)} J lost of ${figures(this.energy)} J ` +
+        `(${figures((100 * lost) / this.energy)} %)`
+      : `${figures(from)} J, conserved`;
+    row.title.replaceChildren("Kinetic energy");
+    row.said.textContent = told;
+    row.picture.setAttribute("aria-label", `Kinetic energy: ${told}.${this.each(shares, "J")}`);
+  }
+
+  // In words: the share of each, where they are few.
+  each(shares, unit) {
+    if (this.count > CROWD) return "";
+    const told = this.motion.spheres.map(({ name }, i) => `${name} ${figures(shares[i])} ${unit}`);
+    return ` ${told.join(", ")}.`;
+  }
+}
+
+function place(rectangle, x, width) {
+  rectangle.setAttribute("x", x);
+  rectangle.setAttribute("width", width);
+}
+
+function hatching(kind) {
+  return svg("defs", {}, svg(
+    "pattern",
+    { id: `hatch-${kind}`, width: 6, height: 6, patternUnits: "userSpaceOnUse",
+      patternTransform: "rotate(45)" },
+    svg("path", { class: "stroke", d: "M0 0V6" }),
+  ));
+}

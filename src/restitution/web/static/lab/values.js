@@ -1,0 +1,370 @@
+// The values table: it mirrors the picture, and whatever stands in it can be typed anew.
+
+import { html, reachable } from "../player/elements.js";
+import { size } from "../player/numbers.js";
+import { COLOURS } from "../player/picture.js";
+import { isName, overlaps, withSphere, withWall } from "./scene.js";
+
+const DEGREE = Math.PI / 180;
+
+// A number as people type it: 1.5, 1,5, −2, 3/4; NaN where it is none.
+export function typed(text) {
+  const [over, under, ...more] = text.trim().replace("−", "-").replace(",", ".").split("/");
+  const number = (part) => (/^-?(\d+\.?\d*|\.\d+)$/.test(part.trim()) ? Number(part) : NaN);
+  if (more.length) return NaN;
+  return under === undefined ? number(over) : number(over) / number(under);
+}
+
+const shown = (x) => String(Number((Math.abs(x) < 5e-7 ? 0 : x).toPrecision(4))).replace("-", "−");
+const turn = (v) => (size(v) < 1e-12 ? 0 : Math.atan2(v[1], v[0]) / DEGREE);
+const polar = (speed, degrees) => [
+  speed * Math.cos(degrees * DEGREE), speed * Math.sin(degrees * DEGREE),
+].map((x) => (Math.abs(x) < 1e-15 * speed ? 0 : x));
+const put = (pair, k, x) => pair.map((old, i) => (i === k ? x : old));
+
+// What a column shows of a sphere, and the sphere with another value there.
+const COLUMNS = {
+  mass: ["mass", "kg", (s) => s.mass, (s, x) => ({ mass: x })],
+  radius: ["radius", "m", (s) => s.radius, (s, x) => ({ radius: x })],
+  x: ["x", "m", (s) => s.position[0], (s, x) => ({ position: put(s.position, 0, x) })],
+  y: ["y", "m", (s) => s.position[1], (s, x) => ({ position: put(s.position, 1, x) })],
+  vx: ["velocity i", "m s⁻¹", (s) => s.velocity[0], (s, x) => ({ velocity: put(s.velocity, 0, x) })],
+  vy: ["velocity j", "m s⁻¹", (s) => s.velocity[1], (s, x) => ({ velocity: put(s.velocity, 1, x) })],
+  speed: ["speed", "m s⁻¹", (s) => size(s.velocity), (s, x) => ({ velocity: polar(x, turn(s.velocity)) })],
+  direction: ["direction from i", "°", (s) => turn(s.velocity), (s, x) => ({ velocity: polar(size(s.velocity), x) })],
+};
+const SHOWN = {
+  components: ["mass", "radius", "x", "y", "vx", "vy"],
+  polar: ["mass", "radius", "x", "y", "speed", "direction"],
+};
+const POSITIVE = ["mass", "radius"];
+
+// Fields of one number, a slider with it for coefficients.
+export function coefficient(label, value, change) {
+  const slider = html("input", {
+    type: "range", min: 0, max: 1, step: 0.01, value, "aria-label": `${label}, slider`,
+    oninput: () => change(Number(slider.value)),
+  });
+  const field = html("input", {
+    class: "number", inputmode: "decimal", value: shown(value), "aria-label": label,
+    onchange: () => {
+      const e = typed(field.value);
+      const right = e >= 0 && e <= 1;
+      field.setAttribute("aria-invalid", String(!right));
+      change(right ? e : null);
+    },
+  });
+  const set = (e) => {
+    if (document.activeElement !== slider) slider.value = e;
+    if (document.activeElement !== field || typed(field.value) !== e) field.value = shown(e);
+    field.removeAttribute("aria-invalid");
+  };
+  return { slider, field, set, node: html("span", { class: "coefficient" }, slider, field) };
+}
+
+// `lab` as in tools.js, with `initial()`, the scene at the start, to which masses, names and
+// coefficients belong; `lab.remove(kind, index)` takes a body away.
+export class ValuesTable {
+  constructor(lab) {
+    this.lab = lab;
+    this.form = html(
+      "select",
+      { onchange: () => this.lay(this.lab.current(), true) },
+      html("option", { value: "components" }, "components i and j"),
+      html("option", { value: "polar" }, "speed and direction"),
+    );
+    this.follow = html("input", { type: "checkbox" });
+    this.time = html("span", { class: "when" });
+    this.ballScroll = html("div", { class: "scroll", role: "group", "aria-label": "Spheres" });
+    this.wallScroll = html("div", { class: "scroll", role: "group", "aria-label": "Walls" });
+    this.e = coefficient("e between spheres", 1, (e) => this.setE(e));
+    this.allWalls = coefficient("e of all walls", 1, (e) => this.setWalls(e));
+    this.pairs = html("div", { class: "pairs" });
+    this.seconds = html("input", {
+      class: "number", inputmode: "decimal", "aria-label": "Duration in seconds",
+      onchange: () => this.setSeconds(),
+    });
+    this.node = html(
+      "section",
+      { class: "editor" },
+      html("h2", {}, "Values", this.time),
+      html(
+        "div",
+        { class: "fields" },
+        html("label", {}, "Velocity as ", this.form),
+        html("label", { class: "tick" }, this.follow, "Size follows mass"),
+      ),
+      this.ballScroll,
+      html(
+        "div",
+        { class: "fields" },
+        html("span", { class: "field" }, html("span", {}, "e", html("span", { class: "unit" }, " between spheres")), this.e.node),
+        html("span", { class: "field" }, html("span", {}, "e", html("span", { class: "unit" }, " of all walls")), this.allWalls.node),
+        html("label", {}, "Followed for ", this.seconds, html("span", { class: "unit" }, " s")),
+      ),
+      this.pairs,
+      this.wallScroll,
+    );
+  }
+
+  // Makes the rows anew where there are others.
+  lay(scene, anew = false) {
+    const key = [this.form.value, scene.spheres.length, scene.walls.length].join();
+    if (anew || key !== this.key) {
+      this.key = key;
+      this.makeBalls(scene);
+      this.makeWalls(scene);
+    }
+    this.makePairs(scene);
+    this.show(scene, "");
+    reachable(this.ballScroll);
+    reachable(this.wallScroll);
+  }
+
+  makeBalls(scene) {
+    const columns = SHOWN[this.form.value];
+    const heads = columns.map((key) => {
+      const [label, unit] = COLUMNS[key];
+      return html("th", { scope: "col" }, label, html("span", { class: "unit" }, ` ${unit}`));
+    });
+    this.balls = scene.spheres.map((_, i) => ({
+      name: this.nameField("spheres", i),
+      cells: columns.map((key) => this.field((text) => this.setSphere(i, key, text))),
+      away: this.away("spheres", i),
+    }));
+    this.columns = columns;
+    this.ballScroll.replaceChildren(html(
+      "table",
+      {},
+      html("caption", { class: "unseen" }, "Spheres"),
+      html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "sphere"), ...heads, html("td", {}))),
+      html("tbody", {}, ...this.balls.map(({ name, cells, away }, i) => html(
+        "tr", { class: `body${i % COLOURS}` },
+        html("th", { scope: "row", class: "who" }, name),
+        ...cells.map((cell) => html("td", {}, cell)),
+        html("td", {}, away),
+      ))),
+    ));
+  }
+
+  makeWalls(scene) {
+    const ends = [["start", 0], ["start", 1], ["end", 0], ["end", 1]];
+    this.walls = scene.walls.map((_, i) => ({
+      name: this.nameField("walls", i),
+      cells: ends.map(([end, k]) => this.field((text) => this.setWall(i, end, k, text))),
+      e: coefficient("e", 1, (e) => this.setWallE(i, e)),
+      away: this.away("walls", i),
+    }));
+    this.wallScroll.hidden = !scene.walls.length;
+    const heads = ["from x", "y", "to x", "y"].map((label) =>
+      html("th", { scope: "col" }, label, html("span", { class: "unit" }, " m")));
+    this.wallScroll.replaceChildren(html(
+      "table",
+      {},
+      html("caption", { class: "unseen" }, "Walls"),
+      html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "wall"), ...heads,
+        html("th", { scope: "col" }, "e"), html("td", {}))),
+      html("tbody", {}, ...this.walls.map(({ name, cells, e, away }) => html(
+        "tr", {},
+        html("th", { scope: "row" }, name),
+        ...cells.map((cell) => html("td", {}, cell)),
+        html("td", {}, e.node),
+        html("td", {}, away),
+      ))),
+    ));
+  }
+
+  makePairs(scene) {
+    const key = JSON.stringify([scene.pairs.map(([a, b]) => [a, b]), scene.spheres.map(({ name }) => name)]);
+    if (key === this.pairKey) return;
+    this.pairKey = key;
+    this.pairE = scene.pairs.map(([a, b], i) => coefficient(`e of ${a} and ${b}`, 1, (e) => this.setPair(i, e)));
+    const names = scene.spheres.map(({ name }) => name);
+    const choose = (label, usual) => html("select", { "aria-label": label },
+      ...names.map((name) => html("option", { value: name, selected: name === names[usual] }, name)));
+    const [first, second] = [choose("First sphere of the pair", 0), choose("Second sphere of the pair", 1)];
+    const add = html("button", { type: "button", onclick: () => this.addPair(first.value, second.value) }, "Set its own e");
+    this.pairs.hidden = names.length < 3;
+    this.pairs.replaceChildren(
+      ...scene.pairs.map(([a, b], i) => html(
+        "span", { class: "field" }, html("span", {}, `e of ${a} and ${b}`), this.pairE[i].node,
+        html("button", { type: "button", class: "away", "aria-label": `No e of its own for ${a} and ${b}`,
+          onclick: () => this.removePair(i) }, "×"),
+      )),
+      html("span", { class: "field" }, "A pair:", first, second, add),
+    );
+  }
+
+  field(change) {
+    const field = html("input", {
+      class: "number", inputmode: "decimal",
+      onchange: () => {
+        if (!change(field.value)) field.setAttribute("aria-invalid", "true");
+      },
+      onkeydown: (event) => event.key === "Enter" && field.dispatchEvent(new Event("change")),
+      onfocus: () => this.lab.pause(),
+    });
+    return field;
+  }
+
+  nameField(kind, i) {
+    const field = html("input", {
+      class: "name", maxlength: 12, autocomplete: "off",
+      onchange: () => {
+        if (!this.setName(kind, i, field.value.trim())) field.setAttribute("aria-invalid", "true");
+      },
+      onfocus: () => {
+        this.lab.pause();
+        this.lab.choose({ kind, index: i });
+      },
+    });
+    return field;
+  }
+
+  away(kind, i) {
+    return html("button", { type: "button", class: "away", onclick: () => this.lab.remove(kind, i) }, "×");
+  }
+
+  // Puts the numbers of a scene into the fields, but for the one that is being typed in.
+  show(scene, when) {
+    this.time.textContent = when;
+    const set = (field, text) => {
+      if (field.value !== text && document.activeElement !== field) {
+        field.value = text;
+        field.removeAttribute("aria-invalid");
+      }
+    };
+    scene.spheres.forEach((sphere, i) => {
+      const { name, cells } = this.balls[i];
+      set(name, sphere.name);
+      cells.forEach((field, k) => set(field, shown(COLUMNS[this.columns[k]][2](sphere))));
+    });
+  }
+
+  // Puts the rest there as well: what does not change while it plays.
+  showAll(scene, when) {
+    this.show(scene, when);
+    const label = (field, text) => field.setAttribute("aria-label", text);
+    scene.spheres.forEach(({ name }, i) => {
+      const row = this.balls[i];
+      label(row.name, `name of ${name}`);
+      label(row.away, `Take ${name} away`);
+      row.cells.forEach((field, k) => label(field, `${COLUMNS[this.columns[k]][0]} of ${name}, ${COLUMNS[this.columns[k]][1]}`));
+    });
+    scene.walls.forEach(({ name, start, end, e }, i) => {
+      const row = this.walls[i];
+      row.name.value = name;
+      [...start, ...end].forEach((x, k) => {
+        if (document.activeElement !== row.cells[k]) row.cells[k].value = shown(x);
+        label(row.cells[k], `${["start x", "start y", "end x", "end y"][k]} of ${name}, m`);
+      });
+      row.e.set(e);
+      label(row.name, `name of ${name}`);
+      label(row.away, `Take ${name} away`);
+      label(row.e.field, `e of ${name}`);
+      label(row.e.slider, `e of ${name}, slider`);
+    });
+    this.e.set(scene.e);
+    scene.pairs.forEach(([, , e], i) => this.pairE[i].set(e));
+    if (scene.walls.length) this.allWalls.set(scene.walls[0].e);
+    this.seconds.value = shown(scene.seconds);
+  }
+
+  // --- what was typed ----------------------------------------------------------------------------
+
+  refuse(text) {
+    this.lab.refuse(text);
+    return false;
+  }
+
+  setSphere(i, key, text) {
+    const scene = POSITIVE.includes(key) ? this.lab.initial() : this.lab.current();
+    const sphere = scene.spheres[i];
+    const [label, , get, change] = COLUMNS[key];
+    const x = typed(text);
+    if (!Number.isFinite(x)) return this.refuse(`The ${label} of ${sphere.name} is a number, such as 1.5 or 3/4.`);
+    if (text.trim() === shown(get(sphere))) return true;
+    if (POSITIVE.includes(key) && x <= 0) return this.refuse(`The ${label} of ${sphere.name} is positive.`);
+    if (key === "speed" && x < 0) return this.refuse("A speed is not negative; the direction says which way.");
+    const made = change(sphere, x);
+    if (key === "mass" && this.follow.checked) {
+      made.radius = Number((sphere.radius * Math.cbrt(x / sphere.mass)).toPrecision(4));
+    }
+    const next = { ...sphere, ...made };
+    const met = overlaps(scene, i, next.position, next.radius);
+    if (met && (made.position || made.radius)) return this.refuse(`${sphere.name} would overlap ${met} there.`);
+    this.lab.commit(withSphere(scene, i, made));
+    return true;
+  }
+
+  setWall(i, end, k, text) {
+    const scene = this.lab.current();
+    const x = typed(text);
+    const { name } = scene.walls[i];
+    if (!Number.isFinite(x)) return this.refuse(`Where ${name} is, is told in numbers.`);
+    const next = withWall(scene, i, { [end]: put(scene.walls[i][end], k, x) });
+    return this.settle(next, name);
+  }
+
+  settle(next, name) {
+    for (const [i, { position, radius }] of next.spheres.entries()) {
+      if (overlaps(next, i, position, radius) === name) {
+        return this.refuse(`${name} would go through ${next.spheres[i].name}.`);
+      }
+    }
+    this.lab.commit(next);
+    return true;
+  }
+
+  setName(kind, i, name) {
+    const scene = this.lab.initial();
+    if (name === scene[kind][i].name) return true;
+    if (!isName(name)) return this.refuse("A name is a capital letter, then letters or digits.");
+    const taken = [...scene.spheres, ...scene.walls].some((body) => body.name === name);
+    if (taken) return this.refuse(`There is a ${name} already.`);
+    this.lab.commit((kind === "spheres" ? withSphere : withWall)(scene, i, { name }));
+    return true;
+  }
+
+  coefficient(e, change, key) {
+    if (e === null) this.refuse("A coefficient of restitution lies between 0 and 1.");
+    else this.lab.commit(change(this.lab.initial()), key);
+  }
+
+  setE(e) {
+    this.coefficient(e, (scene) => ({ ...scene, e }), "e");
+  }
+
+  setWalls(e) {
+    this.coefficient(e, (scene) => ({ ...scene, walls: scene.walls.map((wall) => ({ ...wall, e })) }), "walls");
+  }
+
+  setWallE(i, e) {
+    this.coefficient(e, (scene) => withWall(scene, i, { e }), `wall ${i}`);
+  }
+
+  setPair(i, e) {
+    const change = (scene) => ({
+      ...scene, pairs: scene.pairs.map((pair, k) => (k === i ? [pair[0], pair[1], e] : pair)),
+    });
+    this.coefficient(e, change, `pair ${i}`);
+  }
+
+  addPair(a, b) {
+    const scene = this.lab.initial();
+    const same = ([c, d]) => (a === c && b === d) || (a === d && b === c);
+    if (a === b) this.refuse("A pair is of two different spheres.");
+    else if (!scene.pairs.some(same)) this.lab.commit({ ...scene, pairs: [...scene.pairs, [a, b, scene.e]] });
+  }
+
+  removePair(i) {
+    const scene = this.lab.initial();
+    this.lab.commit({ ...scene, pairs: scene.pairs.filter((_, k) => k !== i) });
+  }
+
+  setSeconds() {
+    const x = typed(this.seconds.value);
+    if (x > 0 && x <= 120) this.lab.commit({ ...this.lab.initial(), seconds: x });
+    else this.refuse("A motion is followed for up to 120 s.");
+  }
+}
