@@ -203,12 +203,12 @@ export class Picture {
   }
 
   // The name of a sphere stands where it is furthest from paths, arrows and neighbours: within the
-  // circle if there is room, else beside it.
+  // circle if there is room, else beside it. Returns where something more can be said of it.
   nameAt(i, place, ways) {
     if (this.crowded) {
       this.names[i].setAttribute("x", place[0]);
       this.names[i].setAttribute("y", place[1]);
-      return;
+      return plus(place, [0, this.discs[i].r + 12]);
     }
     const used = ways.filter((way) => size(way) > 1e-9);
     const turns = [3, 1, 5, 7, 2, 6, 4, 0].map((eighth) => (eighth * Math.PI) / 4);
@@ -220,8 +220,10 @@ export class Picture {
     const best = turns.reduce((a, b) => (room(b) > room(a) + 1e-9 ? b : a));
     const { r } = this.discs[i];
     const far = r >= 22 && room(best) > 0.6 ? 0.62 * r : r + 11;
-    this.names[i].setAttribute("x", place[0] + far * Math.cos(best));
-    this.names[i].setAttribute("y", place[1] - far * Math.sin(best));
+    const [x, y] = [place[0] + far * Math.cos(best), place[1] - far * Math.sin(best)];
+    this.names[i].setAttribute("x", x);
+    this.names[i].setAttribute("y", y);
+    return [x, y + (Math.sin(best) > 0.1 ? -15 : 15)];
   }
 
   // Directions in which something is drawn at a sphere, y up.
@@ -295,7 +297,7 @@ export class Picture {
       this.discs[i].node.setAttribute("cy", place[1]);
       this.trails[i].setAttribute("d", trails ? this.trail(sphere, index, place) : "M0 0");
       const takesPart = focus?.kind !== "arrival" && focus?.bodies.includes(sphere.name);
-      this.nameAt(i, place, this.ways(sphere, index, focus, moment, coming, components));
+      const spot = this.nameAt(i, place, this.ways(sphere, index, focus, moment, coming, components));
       const { velocity, came } = this.arrows[i];
       const leaves = velocities && !(coming && takesPart);
       if (leaves) this.pointTo(velocity, place, this.tip(place, [piece[4], piece[5]]));
@@ -311,14 +313,14 @@ export class Picture {
         const k = (sphere.mass ?? 0) / this.usual;
         this.pointTo(this.momenta[i], place, this.tip(place, [k * piece[4], k * piece[5]]));
       } else this.hide(this.momenta[i]);
-      this.sayOf(i, speeds ? index : null, place);
+      this.sayOf(i, speeds ? index : null, spot);
     });
     this.shares(impulses && !coming && focus?.impulse && focus.kind === "impact" ? focus : null);
     this.closely(places, components ? focus : null, moment, coming);
   }
 
-  // Beneath a sphere, its speed.
-  sayOf(i, index, place) {
+  // Its speed, next to its name.
+  sayOf(i, index, spot) {
     const text = this.speeds[i];
     if (this.told[i] !== index) {
       this.told[i] = index;
@@ -326,8 +328,8 @@ export class Picture {
       text.textContent = piece ? figures(size([piece[4], piece[5]])) : "";
     }
     if (index === null) return;
-    text.setAttribute("x", place[0]);
-    text.setAttribute("y", place[1] + this.discs[i].r + 12);
+    text.setAttribute("x", spot[0]);
+    text.setAttribute("y", spot[1]);
   }
 
   // The impulses on both bodies, equal and opposite, as long as the velocities that they would

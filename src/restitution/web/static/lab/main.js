@@ -19,6 +19,7 @@ const MANY = 40; // events, beyond which the timeline does not number them
 const MARKED = 300; // events, beyond which it does not mark them
 const CROWD = 12; // spheres, beyond which tables follow seldom
 const SELDOM = 250; // ms between two such looks
+const ROWS = 3; // of the table of a crowd, that follow in one frame
 const SOON = 120; // ms without another edit, after which the server is asked
 const CALM = 1500; // ms between two impacts that are announced, where they follow fast
 const SHOWS = [
@@ -60,6 +61,7 @@ class Lab {
       turned: () => this.sayPlaying(),
     });
     this.history = new History(null);
+    this.looked = -Infinity;
     this.work = []; // ms of each frame's work, for those who measure
     this.build();
     this.listen();
@@ -75,7 +77,7 @@ class Lab {
       html("option", { value: "", hidden: true }, "A scene of your own"),
     );
     this.watch = html("p", { class: "watch", id: "watch" });
-    this.toolButtons = [["move", "Move"], ["sphere", "Add spheres"], ["wall", "Draw walls"]].map(([tool, label]) =>
+    this.toolButtons = [["move", "Move and throw"], ["wall", "Draw walls"]].map(([tool, label]) =>
       html("button", { type: "button", "data-tool": tool, "aria-pressed": "false",
         onclick: () => this.take(tool) }, label));
     this.edits = {
@@ -508,26 +510,30 @@ class Lab {
     // While a crowd moves fast nothing is looked at closely.
     const close = this.clock.slow || !playing ? focus : null;
     this.stage.picture.show(now, close, moment, this.options());
-    const crowd = this.initial().spheres.length > CROWD;
-    const soon = playing && (crowd || !this.clock.slow) && began - (this.looked ?? -SELDOM) < SELDOM;
-    if (!soon) {
+    // The tables are costly: while it plays they follow seldom, and those of a crowd row by row.
+    const crowd = playing && this.initial().spheres.length > CROWD;
+    if (crowd) this.values.follow(this.current(), ROWS, ` at ${seconds(now)}`);
+    if (!playing || began - this.looked >= SELDOM || (close && !crowd)) {
       this.looked = began;
       this.shown = shown;
-      this.card.show(shown, number, moment ? shown.time : now);
       this.make.disabled = shown?.kind !== "impact";
+      if (!crowd || this.clock.slow) this.card.show(shown, number, moment ? shown.time : now);
       this.bars.show(now, playing);
-      const scene = this.current();
-      const when = now > 0 ? ` at ${seconds(now)}` : " at the start";
-      if (playing) this.values.show(scene, when);
-      else {
-        this.values.showAll(scene, when);
-        this.stage.hold(scene);
-      }
+      if (!playing) this.look();
+      else if (!crowd) this.values.show(this.current(), ` at ${seconds(now)}`);
     }
     this.time.value = String(now);
     this.time.setAttribute("aria-valuetext", seconds(now));
     this.reading.textContent = seconds(now);
     if (playing) this.work.push(performance.now() - began);
+  }
+
+  // The tables and handles of what stands still.
+  look() {
+    const { now } = this.clock;
+    const scene = this.current();
+    this.values.showAll(scene, now > 0 ? ` at ${seconds(now)}` : " at the start");
+    this.stage.hold(scene);
   }
 
   // --- beyond the page ---------------------------------------------------------------------------

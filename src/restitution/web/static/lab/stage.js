@@ -103,7 +103,7 @@ export class Stage {
     this.grid.replaceChildren(
       svg("path", { class: "lines", d: path }),
       svg("path", { class: "scale", d: `M10 ${y - 5}v5h${long}v-5` }),
-      svg("text", { class: "number", x: 10 + long / 2, y: y - 10 }, `${figures(step)} m`),
+      svg("text", { class: "number", x: 10 + long / 2, y: y - 10 }, `${step} m`),
     );
   }
 

@@ -50,11 +50,7 @@ export class Tools {
     else if (kind === "tip") made = this.dragTip(scene, index, start);
     else if (kind === "wall") made = this.dragWall(scene, index, start);
     else if (kind) made = this.dragEnd(scene, index, kind, start);
-    else if (this.tool === "sphere") {
-      this.addSphere(stage.place(start));
-      event.preventDefault();
-      return;
-    } else {
+    else {
       this.lab.choose(null);
       if (event.pointerType !== "touch") made = this.panning(start);
     }

@@ -73,7 +73,7 @@ export class ValuesTable {
       html("option", { value: "components" }, "components i and j"),
       html("option", { value: "polar" }, "speed and direction"),
     );
-    this.follow = html("input", { type: "checkbox" });
+    this.sizes = html("input", { type: "checkbox" });
     this.time = html("span", { class: "when" });
     this.ballScroll = html("div", { class: "scroll", role: "group", "aria-label": "Spheres" });
     this.wallScroll = html("div", { class: "scroll", role: "group", "aria-label": "Walls" });
@@ -92,7 +92,7 @@ export class ValuesTable {
         "div",
         { class: "fields" },
         html("label", {}, "Velocity as ", this.form),
-        html("label", { class: "tick" }, this.follow, "Size follows mass"),
+        html("label", { class: "tick" }, this.sizes, "Size follows mass"),
       ),
       this.ballScroll,
       html(
@@ -228,17 +228,26 @@ export class ValuesTable {
   // Puts the numbers of a scene into the fields, but for the one that is being typed in.
   show(scene, when) {
     this.time.textContent = when;
+    scene.spheres.forEach((sphere, i) => this.showBall(sphere, this.balls[i]));
+  }
+
+  showBall(sphere, { name, cells }) {
     const set = (field, text) => {
-      if (field.value !== text && document.activeElement !== field) {
-        field.value = text;
-        field.removeAttribute("aria-invalid");
-      }
+      if (field.value === text || document.activeElement === field) return;
+      field.value = text;
+      field.removeAttribute("aria-invalid");
     };
-    scene.spheres.forEach((sphere, i) => {
-      const { name, cells } = this.balls[i];
-      set(name, sphere.name);
-      cells.forEach((field, k) => set(field, shown(COLUMNS[this.columns[k]][2](sphere))));
-    });
+    set(name, sphere.name);
+    cells.forEach((field, k) => set(field, shown(COLUMNS[this.columns[k]][2](sphere))));
+  }
+
+  // A few rows at a time, in turn.
+  follow(scene, rows, when) {
+    this.time.textContent = when;
+    for (let n = 0; n < rows; n += 1) {
+      this.turn = ((this.turn ?? 0) + 1) % this.balls.length;
+      this.showBall(scene.spheres[this.turn], this.balls[this.turn]);
+    }
   }
 
   // Puts the rest there as well: what does not change while it plays.
@@ -287,7 +296,7 @@ export class ValuesTable {
     if (POSITIVE.includes(key) && x <= 0) return this.refuse(`The ${label} of ${sphere.name} is positive.`);
     if (key === "speed" && x < 0) return this.refuse("A speed is not negative; the direction says which way.");
     const made = change(sphere, x);
-    if (key === "mass" && this.follow.checked) {
+    if (key === "mass" && this.sizes.checked) {
       made.radius = Number((sphere.radius * Math.cbrt(x / sphere.mass)).toPrecision(4));
     }
     const next = { ...sphere, ...made };
