@@ -7,6 +7,7 @@ import { COLOURS, CROWD } from "../player/picture.js";
 
 const WIDTH = 400; // units of the picture; it is as wide as its place
 const TALL = 26;
+const LANE = 15; // of that: the shares of the spheres, above their total and what is missing to it
 const SELDOM = 200; // ms between two looks at a crowd, while it moves
 
 const sum = (list) => list.reduce((total, x) => total + x, 0);
@@ -20,8 +21,8 @@ export class Bars {
       { class: "bars" },
       html("h2", {}, "Momentum and kinetic energy"),
       ...this.rows.map(({ node }) => node),
-      html("p", { class: "key" }, "A colour for each sphere; hatched: ",
-        "what the walls have taken, and kinetic energy lost. The thick line is the total."),
+      html("p", { class: "key" }, "Above a colour for each sphere, below ",
+        "their total; hatched what the walls have taken, and the kinetic energy lost."),
     );
   }
 
@@ -56,12 +57,12 @@ export class Bars {
     this.energy = energy || 1;
     for (const row of this.rows) {
       row.parts = motion.spheres.map((_, i) => svg("rect", {
-        class: `share body${i % COLOURS}`, y: 3, height: TALL - 6,
+        class: `share body${i % COLOURS}`, y: 1, height: LANE,
       }));
-      row.rest = svg("rect", { class: "rest", y: 3, height: TALL - 6 });
+      row.sum = svg("rect", { class: "sum", y: LANE + 3, height: TALL - LANE - 4 });
+      row.rest = svg("rect", { class: "rest", y: LANE + 3, height: TALL - LANE - 4 });
       row.zero = svg("path", { class: "zero", d: `M${row.kind === "energy" ? 0.5 : WIDTH / 2} 0v${TALL}` });
-      row.mark = svg("rect", { class: "total", y: 0, width: 3, height: TALL });
-      row.picture.replaceChildren(hatching(row.kind), ...row.parts, row.rest, row.zero, row.mark);
+      row.picture.replaceChildren(hatching(row.kind), ...row.parts, row.sum, row.rest, row.zero);
       row.rest.style.fill = `url(#hatch-${row.kind})`;
     }
     this.count = count;
@@ -118,7 +119,7 @@ export class Bars {
     // What the walls have taken lies between the spheres' total and that of all.
     const from = Math.min(total, before);
     place(row.rest, middle + scale * from, scale * Math.abs(walls));
-    row.mark.setAttribute("x", middle + scale * total - 1.5);
+    place(row.sum, middle + scale * Math.min(0, total), scale * Math.abs(total));
     const axis = row.kind === "x" ? "i" : "j";
     row.title.replaceChildren("Momentum along ", html("b", {}, axis));
     const told = `${figures(total)} N s`;
@@ -138,7 +139,7 @@ export class Bars {
     });
     const lost = near(sum(this.start[2]) - from, this.energy);
     place(row.rest, scale * from, Math.max(0, scale * lost));
-    row.mark.setAttribute("x", Math.max(0, scale * from - 1.5));
+    place(row.sum, 0, scale * from);
     const told = lost
       ? `${figures(from)} J; ${figures(lost)} J lost of ${figures(this.energy)} J ` +
         `(${figures((100 * lost) / this.energy)} %)`

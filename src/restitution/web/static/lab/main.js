@@ -16,7 +16,7 @@ import { Tools } from "./tools.js";
 import { ValuesTable } from "./values.js";
 
 const MANY = 40; // events, beyond which the timeline does not number them
-const MARKED = 300; // events, beyond which it does not mark them
+const MARKED = 300; // events, beyond which it has no marks at all
 const CROWD = 12; // spheres, beyond which tables follow seldom
 const SELDOM = 250; // ms between two such looks
 const ROWS = 3; // of the table of a crowd, that follow in one frame
@@ -387,7 +387,7 @@ class Lab {
     this.time.max = motion.end || 1;
     this.time.disabled = !known;
     const { events } = motion;
-    this.marks.replaceChildren(...events.slice(0, MARKED).map((event, i) => {
+    this.marks.replaceChildren(...(events.length > MARKED ? [] : events).map((event, i) => {
       const mark = html("span", { title: names(event) }, events.length > MANY ? "" : String(i + 1));
       mark.style.setProperty("--share", event.time / this.clock.span);
       return mark;
@@ -517,7 +517,7 @@ class Lab {
       this.looked = began;
       this.shown = shown;
       this.make.disabled = shown?.kind !== "impact";
-      if (!crowd || this.clock.slow) this.card.show(shown, number, moment ? shown.time : now);
+      this.card.show(shown, number, moment ? shown.time : now);
       this.bars.show(now, playing);
       if (!playing) this.look();
       else if (!crowd) this.values.show(this.current(), ` at ${seconds(now)}`);
