@@ -41,8 +41,9 @@ export class Bars {
     this.key = null;
     const count = motion.spheres.length;
     this.start = this.amounts(motion.start);
-    let most = [0, 1].map((k) => this.reach(this.start[k]));
-    let energy = sum(this.start[2]);
+    let most = [0, 1].map((k) => this.reach(this.start[k], sum(this.start[k])));
+    const starts = most.map((_, k) => sum(this.start[k]));
+    const energy = sum(this.start[2]);
     const now = motion.spheres.map((s) => [s.mass, s.pieces[0][4], s.pieces[0][5]]);
     const index = new Map(motion.spheres.map(({ name }, i) => [name, i]));
     // From event to event only few velocities change.
@@ -51,7 +52,7 @@ export class Bars {
         const i = index.get(name);
         [now[i][1], now[i][2]] = event.after[name];
       }
-      most = most.map((m, k) => Math.max(m, this.reach(now.map((s) => s[0] * s[k + 1]))));
+      most = most.map((m, k) => Math.max(m, this.reach(now.map((s) => s[0] * s[k + 1]), starts[k])));
     }
     this.most = Math.max(...most) || 1;
     this.energy = energy || 1;
@@ -68,11 +69,12 @@ export class Bars {
     this.count = count;
   }
 
-  // How far a bar of shares of both signs reaches, and what is missing to its total.
-  reach(shares) {
+  // How far the bars reach: of shares of both signs, and of what the walls have taken.
+  reach(shares, before) {
     const plus = sum(shares.filter((x) => x > 0));
     const minus = -sum(shares.filter((x) => x < 0));
-    return Math.max(plus, minus, Math.abs(sum(shares)));
+    const walls = before - (plus - minus);
+    return Math.max(plus, minus, Math.abs(walls), Math.abs(before));
   }
 
   // Momentum along x and y, and kinetic energy, of each sphere.
@@ -104,7 +106,7 @@ export class Bars {
   }
 
   showMomentum(row, shares, before) {
-    const scale = (WIDTH / 2 - 4) / Math.max(this.most, Math.abs(before));
+    const scale = (WIDTH / 2 - 4) / this.most;
     const middle = WIDTH / 2;
     let right = 0;
     let left = 0;
@@ -116,10 +118,10 @@ export class Bars {
     });
     const total = near(sum(shares), this.most);
     const walls = near(before - total, this.most);
-    // What the walls have taken lies between the spheres' total and that of all.
-    const from = Math.min(total, before);
-    place(row.rest, middle + scale * from, scale * Math.abs(walls));
+    // Of one sign, what the walls have taken stands behind the total; of the other, opposite it.
+    const from = total * walls > 0 ? total : 0;
     place(row.sum, middle + scale * Math.min(0, total), scale * Math.abs(total));
+    place(row.rest, middle + scale * Math.min(from, from + walls), scale * Math.abs(walls));
     const axis = row.kind === "x" ? "i" : "j";
     row.title.replaceChildren("Momentum along ", html("b", {}, axis));
     const told = `${figures(total)} N s`;

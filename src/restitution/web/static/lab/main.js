@@ -15,7 +15,6 @@ import { Stage } from "./stage.js";
 import { Tools } from "./tools.js";
 import { ValuesTable } from "./values.js";
 
-const MANY = 40; // events, beyond which the timeline does not number them
 const MARKED = 300; // events, beyond which it has no marks at all
 const CROWD = 12; // spheres, beyond which tables follow seldom
 const SELDOM = 250; // ms between two such looks
@@ -30,6 +29,8 @@ const SHOWS = [
   ["impulses", "Impulses", "I"],
   ["trails", "Trails", "T"],
 ];
+const HINT = "Drag a sphere to move it, the tip of its arrow to throw it; one at rest shows its tip when " +
+  "it is chosen. A double click adds a sphere.";
 const KEYS = [
   ["Space", "play or pause"],
   ["→  ←", "next, previous impact"],
@@ -259,7 +260,7 @@ class Lab {
     this.stage.selected = null;
     this.fitted = false;
     this.take("move");
-    this.say("");
+    this.say(HINT);
     this.renew(true);
   }
 
@@ -387,11 +388,7 @@ class Lab {
     this.time.max = motion.end || 1;
     this.time.disabled = !known;
     const { events } = motion;
-    this.marks.replaceChildren(...(events.length > MARKED ? [] : events).map((event, i) => {
-      const mark = html("span", { title: names(event) }, events.length > MANY ? "" : String(i + 1));
-      mark.style.setProperty("--share", event.time / this.clock.span);
-      return mark;
-    }));
+    this.markEvents(events);
     this.bars.lay(motion);
     this.values.lay(this.initial());
     this.card.key = null;
@@ -399,6 +396,20 @@ class Lab {
     const told = motion.spheres.length > CROWD ? `${motion.spheres.length} spheres` : motion.spheres.map(({ name }) => name).join(", ");
     this.stage.picture.node.setAttribute("aria-label", `A table seen from above, with ${told}.`);
     this.lay();
+  }
+
+  // Where on the time the impacts are, numbered where there is room.
+  markEvents(events) {
+    let last = -Infinity;
+    const made = (events.length > MARKED ? [] : events).map((event, i) => {
+      const share = event.time / this.clock.span;
+      const room = (share - last) * (this.width || 300) > 9 * String(i + 1).length + 4;
+      if (room) last = share;
+      const mark = html("span", { title: names(event) }, room ? String(i + 1) : "");
+      mark.style.setProperty("--share", share);
+      return mark;
+    });
+    this.marks.replaceChildren(...made);
   }
 
   resize() {

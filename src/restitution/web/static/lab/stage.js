@@ -29,7 +29,7 @@ export class Stage {
   // A view of a whole scene, with room for its arrows.
   fit(scene, width, height) {
     const [left, bottom, right, top] = bounds(still(scene));
-    const margin = Math.min(44, 0.05 * width + 8);
+    const margin = 42; // for the names of walls
     const k = Math.min(
       (width - 2 * margin) / Math.max(right - left, 0.5),
       (height - 2 * margin) / Math.max(top - bottom, 0.5),
@@ -157,9 +157,10 @@ export class Stage {
       `${name}: mass ${figures(mass)} kg, at ${said(position)} m, velocity ${said(velocity)} m/s`);
     ball.classList.toggle("selected", chosen);
     const end = this.tipOf(place, velocity, radius);
+    const long = size(velocity) * this.view.arrow > radius * this.view.k;
     tip.setAttribute("transform", `translate(${end[0]} ${end[1]})`);
     tip.setAttribute("aria-label", `Velocity of ${name}: ${said(velocity)} m/s`);
-    tip.setAttribute("visibility", chosen || scene.spheres.length <= FEW ? "visible" : "hidden");
+    tip.setAttribute("visibility", chosen || (long && scene.spheres.length <= FEW) ? "visible" : "hidden");
     tip.setAttribute("tabindex", chosen ? 0 : -1);
   }
 

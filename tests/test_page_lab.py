@@ -1,0 +1,475 @@
+"""The Lab in a real browser: it is edited, played, weighed, shared and turned into questions."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+
+HEAD_ON = "spheres=A,2,0.1,0.5,0.5,2,0;B,1,0.1,1.5,0.5,0,0&e=0.5&seconds=2"
+"""A, 2 kg at 2 m/s, strikes B, 1 kg at rest, e = 1/2: by hand A goes on at 1, B at 2 m/s.
+Kinetic energy 4 J before, 3 J after; momentum 4 N s; they meet at 0.4 s."""
+
+WALL = "spheres=P,1,0.1,1,0.6,3,-4&walls=W,0,0,4,0,0.5&e=1&seconds=0.5"
+"""P comes down on a wall: 3i - 4j becomes 3i + 2j; 12.5 J become 6.5 J; the wall takes -6j N s."""
+
+
+@pytest.fixture
+def lab(page, served):
+    """Opens the Lab with a scene, and minds what it says and asks for behind the scenes."""
+    said: list[str] = []
+    hosts: set[str] = set()
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: hosts.add("/".join(request.url.split("/")[:3])))
+    page.emulate_media(reduced_motion="reduce")  # steps jump
+    page.set_viewport_size({"width": 1280, "height": 900})
+
+    def open_(fragment: str):
+        page.goto(f"{served}/lab#{fragment}")
+        ready(page)
+        return page
+
+    yield open_
+    assert said == []
+    assert hosts - {"blob:"} <= {served}
+
+
+def ready(page):
+    page.wait_for_function("document.getElementById('lab').lab?.known")
+
+
+def scene(page) -> dict:
+    return page.evaluate("document.getElementById('lab').lab.initial()")
+
+
+def sphere(page, name: str) -> dict:
+    return next(each for each in scene(page)["spheres"] if each["name"] == name)
+
+
+def clock(page) -> float:
+    return float(page.locator(".clock").inner_text().removesuffix("s").replace("−", "-"))
+
+
+def place(page, kind: str, index: int = 0) -> tuple[float, float]:
+    """The middle of a handle on the screen."""
+    box = page.locator(f'[data-kind="{kind}"][data-index="{index}"]').bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def drag(page, start, by, steps=8):
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(start[0] + by[0], start[1] + by[1], steps=steps)
+    page.mouse.up()
+
+
+def scale(page) -> float:
+    """Pixels to a metre."""
+    return page.evaluate("document.getElementById('lab').lab.stage.view.k")
+
+
+def said(page, row: int) -> str:
+    return page.locator(".bar-row .said").nth(row).inner_text()
+
+
+# --- editing --------------------------------------------------------------------------------------
+
+
+def test_a_sphere_is_dragged_and_never_onto_another(lab):
+    page = lab(HEAD_ON)
+    k = scale(page)
+    drag(page, place(page, "sphere"), (0.3 * k, -0.2 * k))
+    x, y = sphere(page, "A")["position"]
+    assert (x, y) == pytest.approx((0.8, 0.7), abs=0.02)
+    drag(page, place(page, "sphere"), ((1.5 - x) * k, (y - 0.5) * k))  # onto B
+    x, y = sphere(page, "A")["position"]
+    assert math.dist((x, y), (1.5, 0.5)) >= 0.2 * (1 - 1e-9)
+    ready(page)
+    assert "cannot" not in page.locator(".note").inner_text()
+
+
+def test_a_sphere_is_thrown_by_its_arrow(lab):
+    page = lab(HEAD_ON)
+    arrow = page.evaluate("document.getElementById('lab').lab.stage.view.arrow")
+    drag(page, place(page, "tip"), (0, -arrow))  # 1 m/s more along j
+    assert sphere(page, "A")["velocity"] == pytest.approx([2, 1], abs=0.05)
+    # One at rest is chosen first, then its handle is there.
+    page.locator('[data-kind="sphere"][data-index="1"]').click()
+    drag(page, place(page, "tip", 1), (arrow, 0), steps=20)
+    vx, vy = sphere(page, "B")["velocity"]
+    assert vx > 0.5
+    assert abs(vy) < vx
+
+
+def test_the_keyboard_alone_moves_throws_adds_and_takes_away(lab):
+    page = lab(HEAD_ON)
+    step = page.evaluate("document.getElementById('lab').lab.stage.step")
+    for _ in range(40):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.dataset?.kind") == "sphere":
+            break
+    assert page.evaluate("document.activeElement.getAttribute('aria-label')").startswith("A: mass")
+    page.keyboard.press("ArrowUp")
+    page.keyboard.press("Shift+ArrowLeft")
+    assert sphere(page, "A")["position"] == pytest.approx([0.5 - 10 * step, 0.5 + step])
+    page.keyboard.press("Enter")
+    page.keyboard.press("Shift+ArrowDown")
+    vx, vy = sphere(page, "A")["velocity"]
+    assert vx == pytest.approx(2)
+    assert vy < 0
+    page.keyboard.press("0")
+    assert sphere(page, "A")["velocity"] == [0, 0]
+    page.get_by_role("button", name="Add a sphere").focus()
+    page.keyboard.press("Enter")
+    assert len(scene(page)["spheres"]) == 3
+    # The new one has the focus.
+    page.keyboard.press("Delete")
+    assert [each["name"] for each in scene(page)["spheres"]] == ["A", "B"]
+    page.get_by_role("button", name="Add a wall").focus()
+    page.keyboard.press("Enter")
+    before = scene(page)["walls"][0]
+    page.keyboard.press("ArrowUp")
+    after = scene(page)["walls"][0]
+    assert after["start"][1] > before["start"][1]
+    assert after["end"][1] > before["end"][1]
+    page.keyboard.press("Enter")
+    page.keyboard.press("ArrowUp")
+    assert scene(page)["walls"][0]["start"][1] > after["start"][1]
+    assert scene(page)["walls"][0]["end"] == after["end"]
+
+
+def test_a_double_click_adds_a_sphere_and_a_button_takes_it_away(lab):
+    page = lab(HEAD_ON)
+    k = scale(page)
+    x, y = place(page, "sphere")
+    page.mouse.dblclick(x, y - 0.4 * k)
+    assert sphere(page, "C")["position"] == pytest.approx([0.5, 0.9], abs=0.02)
+    page.get_by_role("button", name="Take C away").click()
+    assert [each["name"] for each in scene(page)["spheres"]] == ["A", "B"]
+
+
+def test_walls_are_drawn_and_their_ends_moved(lab):
+    page = lab(HEAD_ON)
+    k = scale(page)
+    page.get_by_role("button", name="Draw walls").click()
+    x, y = place(page, "sphere")
+    drag(page, (x, y + 0.2 * k), (1.0 * k, 0))
+    (wall,) = scene(page)["walls"]
+    assert wall["start"] == pytest.approx([0.5, 0.3], abs=0.02)
+    assert wall["end"] == pytest.approx([1.5, 0.3], abs=0.02)
+    # Another one from its end: it snaps, and the corner keeps together.
+    drag(page, (x + k - 3, y + 0.2 * k + 3), (0.2 * k, -0.15 * k))
+    first, second = scene(page)["walls"]
+    assert second["start"] == first["end"]
+    page.get_by_role("button", name="Move and throw").click()
+    drag(page, place(page, "start", 1), (0.1 * k, 0.05 * k))
+    first, second = scene(page)["walls"]
+    assert second["start"] == first["end"] == pytest.approx([1.6, 0.25], abs=0.03)
+    # No wall goes through a sphere.
+    page.get_by_role("button", name="Draw walls").click()
+    drag(page, (x - 0.3 * k, y), (0.6 * k, 0))
+    assert len(scene(page)["walls"]) == 2
+    assert "cannot go through" in page.locator(".note").inner_text()
+
+
+def test_the_values_table_mirrors_the_picture_and_is_typed_in(lab):
+    page = lab(HEAD_ON)
+    page.get_by_label("mass of B, kg").fill("3/4")
+    page.keyboard.press("Enter")
+    assert sphere(page, "B")["mass"] == 0.75
+    page.get_by_label("velocity j of A").fill("−1,5")
+    page.keyboard.press("Tab")
+    assert sphere(page, "A")["velocity"] == [2, -1.5]
+    page.get_by_label("Velocity as").select_option("speed and direction")
+    assert page.get_by_label("speed of A").input_value() == "2.5"
+    page.get_by_label("direction from i of A").fill("90")
+    page.keyboard.press("Tab")
+    assert sphere(page, "A")["velocity"] == pytest.approx([0, 2.5], abs=1e-12)
+    page.get_by_label("x of B").fill("0.6")
+    page.keyboard.press("Tab")
+    assert "B would overlap A" in page.locator(".note").inner_text()
+    assert sphere(page, "B")["position"] == [1.5, 0.5]
+    page.get_by_label("name of A").fill("Q1")
+    page.keyboard.press("Tab")
+    assert sphere(page, "Q1")["mass"] == 2
+    page.get_by_label("Size follows mass").check()
+    page.get_by_label("mass of Q1").fill("16")
+    page.keyboard.press("Tab")
+    assert sphere(page, "Q1")["radius"] == pytest.approx(0.2)
+    page.get_by_label("e between spheres", exact=True).fill("0.25")
+    page.keyboard.press("Tab")
+    assert scene(page)["e"] == 0.25
+    page.get_by_label("e between spheres", exact=True).fill("1.5")
+    page.keyboard.press("Tab")
+    assert scene(page)["e"] == 0.25
+    assert "between 0 and 1" in page.locator(".note").inner_text()
+
+
+def test_edits_are_undone_and_done_again(lab):
+    page = lab(HEAD_ON)
+    first = scene(page)
+    page.get_by_role("button", name="Add a sphere").click()
+    page.get_by_label("e between spheres, slider").press("ArrowLeft")
+    page.get_by_label("e between spheres, slider").press("ArrowLeft")
+    assert scene(page)["e"] == pytest.approx(0.48)
+    page.locator("h1").evaluate("document.activeElement.blur()")
+    page.keyboard.press("Control+z")  # both steps of the slider at once
+    assert scene(page)["e"] == 0.5
+    page.keyboard.press("Control+z")
+    assert scene(page) == first
+    page.keyboard.press("Control+y")
+    assert len(scene(page)["spheres"]) == 3
+    page.get_by_role("button", name="Undo").click()
+    assert scene(page) == first
+
+
+# --- playing --------------------------------------------------------------------------------------
+
+
+def test_play_pause_step_restart_and_reset(lab):
+    page = lab(HEAD_ON)
+    page.get_by_role("button", name="Next impact").click()
+    assert clock(page) == 0.4
+    page.get_by_role("button", name="Next impact").click()
+    assert clock(page) == 2
+    page.get_by_role("button", name="Previous impact").click()
+    assert clock(page) == 0.4
+    page.get_by_role("button", name=re.compile("Restart")).click()
+    page.wait_for_function("parseFloat(document.querySelector('.clock').textContent) > 0.05")
+    page.keyboard.press(" ")
+    stopped = clock(page)
+    assert 0.05 < stopped < 0.4
+    page.wait_for_timeout(150)
+    assert clock(page) == stopped
+    # Restart is not reset: what was edited stays, until it is put back.
+    page.keyboard.press("Home")
+    page.get_by_label("mass of A").fill("5")
+    page.keyboard.press("Tab")
+    ready(page)
+    page.get_by_role("button", name=re.compile("Restart")).click()
+    page.keyboard.press(" ")
+    assert sphere(page, "A")["mass"] == 5
+    page.get_by_role("button", name=re.compile("Reset")).click()
+    assert sphere(page, "A")["mass"] == 2
+    assert clock(page) == 0
+
+
+def test_it_is_slow_at_impacts_and_can_be_slow_all_the_time(lab):
+    page = lab(HEAD_ON)
+    rates = page.evaluate(
+        """() => { const { clock } = document.getElementById('lab').lab;
+        const at = clock.ease(0.4), away = clock.ease(1.5); return [at, away]; }"""
+    )
+    assert rates[0] <= 0.1
+    assert rates[1] == 1
+    page.get_by_label(re.compile("^Slow motion")).uncheck()
+    assert page.evaluate("document.getElementById('lab').lab.clock.ease(0.4)") == 1
+    page.keyboard.press("-")
+    assert float(page.locator(".rate .said").inner_text().rstrip("×")) < 1
+
+
+def test_what_is_moved_later_begins_there(lab):
+    page = lab(HEAD_ON)
+    page.keyboard.press("ArrowRight")
+    assert clock(page) == 0.4
+    k = scale(page)
+    drag(page, place(page, "sphere"), (0, -0.3 * k))
+    a, b = sphere(page, "A"), sphere(page, "B")
+    assert a["position"] == pytest.approx([1.3, 0.8], abs=0.02)
+    assert (a["velocity"], b["velocity"]) == ([1, 0], [2, 0])
+    assert "as it was at 0.40 s" in page.locator(".note").inner_text()
+    assert clock(page) == 0
+    page.keyboard.press("Control+z")
+    assert sphere(page, "A")["velocity"] == [2, 0]
+
+
+def test_toggles_show_and_hide(lab):
+    page = lab(HEAD_ON)
+    page.keyboard.press("ArrowRight")
+    shown = {
+        "Velocities": ".arrow.velocity:not([visibility])",
+        "Components": ".guide:not([d='M0 0'])",
+        "Momenta": ".arrow.momentum:not([visibility])",
+        "Impulses": ".arrow.share:not([visibility])",
+        "Trails": ".trail:not([d='M0 0'])",
+    }
+    for label, what in shown.items():
+        box = page.get_by_label(label, exact=True)
+        box.check()
+        assert page.locator(f".stage {what}").count() > 0, label
+        box.uncheck()
+        assert page.locator(f".stage {what}").count() == 0, label
+    page.get_by_label("Speeds", exact=True).check()
+    assert page.locator(".stage text.number", has_text=re.compile(r"^2$")).count() == 1
+    page.get_by_label("Impulses", exact=True).check()
+    assert page.locator(".stage .arrow.share:not([visibility])").count() == 2
+
+
+def test_impacts_are_announced_and_nothing_else(lab):
+    page = lab(HEAD_ON)
+    live = page.locator("[aria-live]")
+    page.keyboard.press(".")
+    assert live.inner_text() == ""
+    page.keyboard.press("ArrowRight")
+    assert live.inner_text().startswith("1: A hits B at 0.40 s")
+
+
+def test_numbers_before_and_after_stand_beside_the_picture(lab):
+    page = lab(WALL)
+    page.keyboard.press("ArrowRight")
+    card = page.locator(".card").inner_text()
+    assert "P towards W\t4\t−2" in card
+    assert "P parallel to W\t3\t3" in card
+    # By hand: tan α = 4/3, tan β = 2/3.
+    assert "α = 53.1°" in card
+    assert "β = 33.7°" in card
+    assert "= 0.500 = e" in card
+
+
+# --- what is conserved and what is lost -----------------------------------------------------------
+
+
+def test_bars_conserve_momentum_and_lose_energy_between_spheres(lab):
+    page = lab(HEAD_ON)
+    assert said(page, 0) == "4 N s, conserved"
+    assert said(page, 2) == "4 J, conserved"
+    page.keyboard.press("ArrowRight")
+    assert said(page, 0) == "4 N s, conserved"
+    assert said(page, 1) == "0 N s, conserved"
+    assert said(page, 2) == "3 J; 1 J lost of 4 J (25 %)"
+    label = page.locator(".bar-row svg").first.get_attribute("aria-label")
+    assert "A 2 N s, B 2 N s" in label
+    energy = page.locator(".bar-row").nth(2)
+    width = {
+        kind: float(energy.locator(f".{kind}").get_attribute("width")) for kind in ("sum", "rest")
+    }
+    assert width["rest"] / width["sum"] == pytest.approx(1 / 3)
+
+
+def test_walls_take_momentum(lab):
+    page = lab(WALL)
+    page.keyboard.press("ArrowRight")
+    assert said(page, 0) == "3 N s, conserved"
+    assert said(page, 1) == "2 N s; the walls have taken −6 N s of −4 N s"
+    assert said(page, 2) == "6.50 J; 6 J lost of 12.5 J (48 %)"
+
+
+# --- scenes, links, questions ---------------------------------------------------------------------
+
+
+def test_every_prepared_scene_opens_and_moves(lab):
+    page = lab("scene=snooker")
+    options = page.locator("#scenes option:not([hidden])").all()
+    ids = [each.get_attribute("value") for each in options]
+    assert ids[:6] == ["snooker", "corner", "newton", "angles", "gas", "break"]
+    for name in ids:
+        page.get_by_label("Scene").select_option(name)
+        ready(page)
+        assert len(page.locator(".watch").inner_text()) > 20
+        assert page.url.endswith(f"#scene={name}")
+        page.keyboard.press("ArrowRight")
+        assert clock(page) > 0
+    page.go_back()
+    page.wait_for_function("document.getElementById('scenes').value === 'break'")
+    page.go_forward()
+    page.wait_for_function("document.getElementById('scenes').value === 'empty'")
+
+
+def test_the_address_keeps_the_scene(lab):
+    page = lab("scene=angles")
+    page.get_by_label("mass of P").fill("7")
+    page.keyboard.press("Tab")
+    ready(page)
+    assert "spheres=" in page.url
+    edited = scene(page)
+    page.reload()
+    ready(page)
+    assert scene(page) == edited
+    page.get_by_role("button", name=re.compile("Reset")).click()
+    assert sphere(page, "P")["mass"] == 1
+    assert page.url.endswith("#scene=angles")
+
+
+def test_what_cannot_be_read_or_cannot_be_is_told(lab):
+    page = lab("spheres=A,1,0.1&e=1")
+    assert "no scene that can be read" in page.locator(".note").inner_text()
+    page.goto("about:blank")
+    page = page
+    page.goto(page.url)
+
+
+def test_bodies_that_overlap_are_told(page, served):
+    page.goto(f"{served}/lab#spheres=A,1,0.5,0,0,0,0;B,1,0.5,0.2,0,0,0&e=1&seconds=1")
+    page.locator(".note", has_text="A and B overlap").wait_for()
+
+
+def test_an_impact_becomes_a_question(lab, served):
+    page = lab(HEAD_ON)
+    page.keyboard.press("ArrowRight")
+    page.get_by_role("button", name="Make a question of this impact").click()
+    page.wait_for_url(f"{served}/#statement=*")
+    told = page.evaluate("new URLSearchParams(location.hash.slice(1)).get('statement')")
+    assert "sphere A: mass 2, velocity 2i" in told
+    assert "sphere B: mass 1, at rest" in told
+    assert "A hits B: " in told
+
+
+# --- for everyone ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(lab, page, scheme):
+    page.emulate_media(color_scheme=scheme, reduced_motion="reduce")
+    lab("scene=angles")
+    page.keyboard.press("ArrowRight")
+    page.locator('[data-kind="sphere"]').first.focus()
+    found = Axe().run(page)
+    assert found.violations_count == 0, found.generate_report()
+
+
+@pytest.mark.parametrize(("width", "height"), [(320, 640), (360, 740), (1280, 800), (1920, 1080)])
+def test_nothing_is_wider_than_the_screen(lab, page, width, height):
+    lab("scene=snooker")
+    page.set_viewport_size({"width": width, "height": height})
+    page.wait_for_timeout(100)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    small = page.evaluate(
+        """[...document.querySelectorAll("#lab button, #lab select, .handle .hit")]
+        .map((node) => node.getBoundingClientRect()).filter((box) => box.width && box.height)
+        .filter((box) => Math.max(box.width, box.height) < 24).length"""
+    )
+    assert small == 0
+
+
+def test_text_may_be_twice_as_large(lab, page):
+    lab("scene=snooker")
+    page.evaluate("document.documentElement.style.fontSize = '200%'")
+    page.wait_for_timeout(100)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1280
+
+
+def test_little_motion_is_wanted_by_some(lab):
+    page = lab(HEAD_ON)
+    page.keyboard.press("ArrowRight")
+    assert clock(page) == 0.4
+
+
+def test_a_frame_of_fifty_spheres_costs_little(lab, page):
+    """Work of the page in one frame, arrows and trails on; 16 ms are all that there are."""
+    balls = ";".join(
+        f"S{n},1,0.08,{0.3 + 0.4 * (n % 10):.2f},{0.3 + 0.4 * (n // 10):.2f},"
+        f"{math.cos(n):.3f},{math.sin(n):.3f}"
+        for n in range(50)
+    )
+    walls = "walls=B,0,0,4.2,0,1;R,4.2,0,4.2,2.2,1;T,4.2,2.2,0,2.2,1;L,0,2.2,0,0,1"
+    lab(f"spheres={balls}&{walls}&e=1&seconds=6")
+    assert page.get_by_label("Velocities", exact=True).is_checked()
+    assert page.get_by_label("Trails", exact=True).is_checked()
+    page.keyboard.press(" ")
+    page.wait_for_function("document.getElementById('lab').lab.work.length > 60")
+    page.keyboard.press(" ")
+    work = sorted(page.evaluate("document.getElementById('lab').lab.work"))
+    assert work[len(work) // 2] < 8
