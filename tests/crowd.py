@@ -69,9 +69,7 @@ async def _student(
         report.lost.append(f"{name}: {error!r}")
 
 
-async def _asked(
-    client: httpx.AsyncClient, what: str, text: str, report: Report
-) -> httpx.Response:
+async def _asked(client: httpx.AsyncClient, what: str, text: str, report: Report) -> httpx.Response:
     """The answer, after as many refusals as there are."""
     while True:
         reply = await client.post(f"/api/{what}", json={"statement": text})

@@ -198,7 +198,9 @@ def test_an_end_of_line_is_never_taken_for_a_choice(open_):
     page = open_(WALL)
     field = page.locator("#statement")
     field.fill("")
-    text = "sphere P: mass m, velocity u i\nwall W: along 60°\nP hits W: e = e\nfind energy\nfind e\n"
+    text = (
+        "sphere P: mass m, velocity u i\nwall W: along 60°\nP hits W: e = e\nfind energy\nfind e\n"
+    )
     field.press_sequentially(text)
     assert typed(page) == text
 
@@ -516,8 +518,12 @@ def test_the_page_never_scrolls_sideways(open_, width):
 def test_the_vocabulary_is_that_of_the_language():
     words = vocabulary()
     assert {each["word"] for each in words["quantities"]} == set(SIGNATURES)
-    known = " ".join(e["word"] + " " + e["about"] for es in words["properties"].values() for e in es)
-    assert [word for word in PROPERTY_WORDS if word not in known.split() and word + ":" not in known] == []
+    known = " ".join(
+        e["word"] + " " + e["about"] for es in words["properties"].values() for e in es
+    )
+    assert [
+        word for word in PROPERTY_WORDS if word not in known.split() and word + ":" not in known
+    ] == []
 
 
 def test_every_example_of_a_line_reads():

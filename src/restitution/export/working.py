@@ -138,6 +138,7 @@ def picture(scene: Scene) -> Object:
     }
 
 
+# What each item asks, in words; one that has none is shown as it was typed.
 _Names = Mapping[tuple[str | None, int], Tree]
 
 
@@ -180,7 +181,7 @@ def _without_steps(solution: Solution, names: _Names) -> list[Object]:
 def _answers(part: PartSolution, names: _Names) -> list[Object]:
     return [
         {
-            "item": names.get((part.part.label, number), item.text),
+            "item": names.get((part.part.label, number), ["code", {}, item.text]),
             "values": [_value(item, answer) for answer in item.distinct],
             "holds": item.holds,
             "counterexample": None

@@ -174,4 +174,3 @@ def vocabulary() -> dict[str, Any]:
 def _line(word: str) -> dict[str, str]:
     about, begin, example = _LINES[word]
     return {"word": word, "about": about, "begin": begin, "example": example}
-

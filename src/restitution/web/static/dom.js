@@ -7,7 +7,7 @@ const MATH = "http://www.w3.org/1998/Math/MathML";
 // What the server sends as ["name", {attributes}, child, …], a child being such a list or a text.
 const KNOWN = new Set(
   ("article section h1 h2 h3 h4 p span em strong b i ol ul li table tbody thead tr td th div var " +
-    "sub sup br wbr").split(" "),
+    "sub sup code br wbr").split(" "),
 );
 const MATHS = new Set(
   ("math mrow mi mn mo mtext mspace mfrac msqrt mroot msub msup msubsup mover munder munderover " +

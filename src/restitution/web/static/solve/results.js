@@ -20,7 +20,8 @@ function answered({ item, values, holds, counterexample, error, rejected }) {
   return html(
     "li",
     {},
-    html("code", {}, item),
+    html("span", { class: "item" }, grown(item)),
+    " ",
     ...(holds === null ? equals(values) : [verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
