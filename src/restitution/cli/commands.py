@@ -438,9 +438,10 @@ def serve(
         from restitution.web import Settings
         from restitution.web.serving import serve as run
     except ModuleNotFoundError as error:
-        if (error.name or "").startswith("restitution"):
+        missing = (error.name or "").partition(".")[0]
+        if missing == "restitution":
             raise
-        say(f"the page needs {error.name}: pip install 'restitution[web]'")
+        say(f"the page needs {missing}: pip install 'restitution[web]'")
         raise typer.Exit(UNREADABLE) from None
     names = tuple(name.lower() for name in trusted or ())
     settings = Settings(time_limit=time_limit, hosts=names)

@@ -33,7 +33,8 @@ class _Grower(HTMLParser):
         self.open.pop()
 
     def handle_data(self, data: str) -> None:
-        self.open[-1].append(data)
+        if data.strip() or "\n" not in data:  # blank lines between elements say nothing
+            self.open[-1].append(data)
 
 
 def trees(markup: str) -> list[Tree]:

@@ -25,6 +25,8 @@ from restitution.web.work import Made
 _log = logging.getLogger(__name__)
 _T = TypeVar("_T")
 
+_METHODS = ["GET", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"]
+
 _CHECKING = 5.0
 """Seconds for reading a statement: its length is limited, so that it takes far less."""
 
@@ -67,7 +69,7 @@ def routes() -> list[Route]:
         Route("/health", _health),
         Route("/api/check", _check, methods=["POST"]),
         *(Route(f"/api/{name}", _doing(task), methods=["POST"]) for name, task in _TASKS.items()),
-        Route("/api/{path:path}", _unknown),
+        Route("/api/{path:path}", _unknown, methods=_METHODS),
     ]
 
 

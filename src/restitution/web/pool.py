@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import math
 import multiprocessing
 import os
@@ -11,12 +12,15 @@ import sys
 import threading
 import time
 from collections.abc import AsyncIterator, Callable, Sequence
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import asynccontextmanager, suppress
 from typing import Any
 
 from pebble import ProcessExpired, ProcessPool
 
 from restitution.killable import LostError, limit_memory, portable
+
+_log = logging.getLogger(__name__)
 
 _GRACE = 2.0
 """Seconds after the limit of the work itself at which its process is killed."""
@@ -26,6 +30,9 @@ _TASKS = 500
 
 _SPENT = 75
 """The exit status of a process that would rather not begin another task."""
+
+_AFTERWARDS = 2
+"""Seconds after which to ask again when all processes are told to end, the server among them."""
 
 _LONGEST_WAIT = 30
 """Seconds after which a client is told to come back, at most."""
@@ -42,35 +49,14 @@ class BusyError(Exception):
 @asynccontextmanager
 async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Pool]:
     """So many processes, which begin at once, and are killed in the end."""
-    forks = not sys.platform.startswith("win")
-    context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
-    if forks:
-        # Libraries are loaded there, and a process that was killed is soon there again.
-        context.set_forkserver_preload([_LOADED])
-    processes: Any = ProcessPool(workers, _TASKS, limit_memory, context=context)
-    start = asyncio.create_task(asyncio.to_thread(_start, processes))
+    made = Pool(workers, waiting, patience)
     try:
-        yield Pool(processes, workers, waiting, patience, start)
+        yield made
     finally:
-        with suppress(Exception):  # told to whoever asked
-            await start
-        processes.stop()
-        await asyncio.to_thread(processes.join)
+        await made.close()
 
 
 _LOADED = "restitution.web.loaded"
-
-
-def _start(processes: Any) -> None:
-    """Have all begin, which lasts until the libraries are loaded."""
-    mask = getattr(signal, "pthread_sigmask", None)
-    # Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
-    kept = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
-    try:
-        processes.schedule(limit_memory).result()
-    finally:
-        if mask:
-            mask(signal.SIG_SETMASK, kept)
 
 
 class Pool:
@@ -79,22 +65,16 @@ class Pool:
     ``patience`` is how many seconds anyone waits in it.
     """
 
-    def __init__(
-        self,
-        processes: Any,
-        workers: int,
-        waiting: int,
-        patience: float,
-        start: asyncio.Task[None],
-    ) -> None:
-        self._processes = processes
+    def __init__(self, workers: int, waiting: int, patience: float) -> None:
         self._workers = workers
         self._most = workers + waiting
         self._patience = patience
-        self._start = start
         self._under_way = 0
         self._usual = 0.1  # seconds that a task takes, about
         self._free = asyncio.Semaphore(workers)
+        self._crew = _Crew(workers)
+        self._parting: list[asyncio.Task[None]] = []
+        self._closed = False
 
     async def run(self, function: Callable[..., Any], *arguments: Any, limit: float) -> Any:
         """What the function returns, which has an attribute ``tired``: see `_serve`.
@@ -106,7 +86,6 @@ class Pool:
             raise BusyError(self.again)
         self._under_way += 1
         try:
-            await asyncio.shield(self._start)
             await self._turn()
             try:
                 return await self._done(function, arguments, limit)
@@ -114,6 +93,11 @@ class Pool:
                 self._free.release()
         finally:
             self._under_way -= 1
+
+    async def close(self) -> None:
+        """Kill the processes."""
+        self._closed = True
+        await asyncio.gather(self._crew.dismissed(), *self._parting)
 
     @property
     def again(self) -> int:
@@ -128,19 +112,66 @@ class Pool:
             raise BusyError(self.again) from None
 
     async def _done(self, function: Callable[..., Any], arguments: Any, limit: float) -> Any:
+        crew = self._crew
         for _ in range(self._workers + 1):
             began = time.monotonic()
-            future = self._processes.schedule(
-                _serve, args=(function, arguments), timeout=limit + _GRACE
-            )
             try:
-                return await asyncio.wrap_future(future)
+                return await crew.done(function, arguments, limit + _GRACE)
             except ProcessExpired as error:
+                if abs(error.exitcode) == signal.SIGTERM:
+                    raise BusyError(_AFTERWARDS) from error
                 if error.exitcode != _SPENT:
                     raise LostError("the process that solves ended without an answer") from error
+            except (BrokenProcessPool, RuntimeError) as error:
+                self._replace(crew)
+                raise BusyError(_AFTERWARDS) from error
             finally:
                 self._usual += 0.1 * (time.monotonic() - began - self._usual)
         raise LostError("no process took the work")
+
+    def _replace(self, crew: _Crew) -> None:
+        """Other processes in place of those from which nothing can come any more."""
+        if crew is self._crew and not self._closed:
+            _log.error("all processes were lost; others are begun")
+            self._crew = _Crew(self._workers)
+            self._parting.append(asyncio.create_task(crew.dismissed()))
+
+
+class _Crew:
+    """The processes, from their beginning to their end."""
+
+    def __init__(self, workers: int) -> None:
+        forks = not sys.platform.startswith("win")
+        context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
+        if forks:
+            # Libraries are loaded there, and a process that was killed is soon there again.
+            context.set_forkserver_preload([_LOADED])
+        self._processes: Any = ProcessPool(workers, _TASKS, limit_memory, context=context)
+        self._begun = asyncio.create_task(asyncio.to_thread(self._begin))
+
+    def _begin(self) -> None:
+        """Have all begin, which lasts until the libraries are loaded."""
+        mask = getattr(signal, "pthread_sigmask", None)
+        # Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
+        kept = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
+        try:
+            self._processes.schedule(limit_memory).result()
+        finally:
+            if mask:
+                mask(signal.SIG_SETMASK, kept)
+
+    async def done(self, function: Callable[..., Any], arguments: Any, seconds: float) -> Any:
+        """What the function returns or raises; killed after so many seconds."""
+        await asyncio.shield(self._begun)
+        future = self._processes.schedule(_serve, args=(function, arguments), timeout=seconds)
+        return await asyncio.wrap_future(future)
+
+    async def dismissed(self) -> None:
+        """Nothing; the processes have ended."""
+        with suppress(Exception):  # told to whoever asked
+            await self._begun
+        self._processes.stop()
+        await asyncio.to_thread(self._processes.join)
 
 
 _tired = threading.Event()
