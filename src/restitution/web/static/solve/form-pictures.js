@@ -30,9 +30,9 @@ const DRAWN = {
   walls: () => [ground(10, 50, 74), slope, arrow(14, 22, 36, 48), arrow(40, 48, 80, 32)],
   spheres: () => [disc(43, 32), disc(57, 32), arrow(12, 48, 35, 36), arrow(88, 14, 65, 27)],
   chain: () => [disc(34, 32), disc(48, 32), arrow(4, 32, 26, 32), arrow(57, 32, 78, 32), upright(84, 12, 54)],
-  angle: () => [
+  angle: (wall) => [
     ground(14, 50, 96), line(20, 50, 55, 50), arrow(20, 14, 54, 48),
-    svg("path", { d: "M33 50A22 22 0 0 1 39.4 34.4", class: "thin" }), word(22, 44, "α", "letter"), word(92, 46, "W", "name"),
+    svg("path", { d: "M33 50A22 22 0 0 1 39.4 34.4", class: "thin" }), word(22, 44, "α", "letter"), word(84, 46, wall, "name"),
   ],
   between: () => [
     ground(10, 50, 74), slope, svg("path", { d: "M60 50A14 14 0 0 1 81 37.8", class: "thin" }),
@@ -47,5 +47,5 @@ const DRAWN = {
   ],
 };
 
-export const picture = (name) =>
-  svg("svg", { viewBox: "0 0 104 62", class: "hint-picture", "aria-hidden": "true", focusable: "false" }, ...DRAWN[name]().flat());
+export const picture = (name, named) =>
+  svg("svg", { viewBox: "0 0 104 62", class: "hint-picture", "aria-hidden": "true", focusable: "false" }, ...DRAWN[name](named).flat());

@@ -112,6 +112,7 @@ export function factsOf(answers) {
 // Why a field cannot go into a statement as it is, or null.
 export function objection(text) {
   if (/[#:\\\n]/.test(text ?? "")) return "Leave out the signs # : and \\, which mean something else in a statement.";
+  if (/\d\s*(kg|m ?\/ ?s|m ?s ?(\^ ?-? ?1|⁻¹)|N ?s|J|rad)\s*$/.test(text ?? "")) return "Leave out the unit: all is in kg, m/s, N s and J.";
   return null;
 }
 

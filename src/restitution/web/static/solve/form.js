@@ -18,15 +18,16 @@ export function mountForm(element, { onStatement }) {
 
   const body = html("div", { class: "fields" });
   const text = html("code", {});
-  const trouble = html("p", { class: "trouble", id: "form-trouble", role: "status" });
+  const trouble = html("p", { class: "trouble", role: "status" });
   const root = html("form", { class: "filling", autocomplete: "off", novalidate: true },
     html("p", { class: "intro" },
-      "Fill in what the question tells; the statement grows beside it and goes into the editor. ",
+      "Fill in what the question tells; the statement grows as you do, and goes into the editor. ",
       "The form starts afresh each time: it does not read what stands in the editor."),
-    body,
-    html("section", { class: "written", "aria-label": "The statement" },
-      html("h3", {}, "The statement"), html("pre", { tabindex: 0 }, text), trouble,
-      html("button", { type: "submit", class: "main" }, "Put it into the editor")));
+    html("div", { class: "layout" },
+      body,
+      html("section", { class: "written", "aria-labelledby": "form-written" },
+        html("h3", { id: "form-written" }, "The statement"), html("pre", { tabindex: 0 }, text), trouble,
+        html("button", { type: "submit", class: "main" }, "Put it into the editor"))));
 
   root.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -179,8 +180,9 @@ export function mountForm(element, { onStatement }) {
     ];
     const mode = told[`${name}Velocity`];
     const by = {
-      components: () => [row(field(told, `${name}X`, "i component"), field(told, `${name}Y`, "j component"))],
-      wall: () => [picture("angle"), row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, `Angle to ${struck}`, { hint: "such as 60° or alpha" }))],
+      components: () => [row(...["i", "j"].map((axis) =>
+        field(told, name + (axis === "i" ? "X" : "Y"), [html("b", {}, axis), " component"])))],
+      wall: () => [picture("angle", struck), row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, `Angle to ${struck}`, { hint: "such as 60° or alpha" }))],
       speed: () => [row(field(told, `${name}Speed`, "Speed"),
         field(told, `${name}Angle`, "Direction from i", { hint: "anticlockwise: 60°, alpha, or alpha from -i" }))],
     }[mode];
@@ -232,7 +234,7 @@ export function mountForm(element, { onStatement }) {
       html("input", { type: "checkbox", name: "asked", value: item, checked: told.asked.includes(item) }), html("span", {}, label)));
     const made = group("What is to be found?",
       html("div", { class: "boxes" }, ...boxes), html("p", { class: "problem", id: "problem-asked" }),
-      field(told, "letters", "Letters to be found", { optional: true, hint: "such as alpha, k" }));
+      field(told, "letters", "Letters to be found", { hint: "such as alpha, k" }));
     made.classList.add("asked");
     made.dataset.offered = offered.map((each) => each.item).join();
     return made;
