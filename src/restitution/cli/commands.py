@@ -515,14 +515,16 @@ def show_examples(
         typer.Argument(metavar="[NAME]", help="Print this one.", autocompletion=_complete_example),
     ] = None,
 ) -> None:
-    """List the examples by name and title, or print one."""
+    """List the examples by topic, name and title, or print one."""
     from restitution import examples
+    from restitution.examples.topics import TOPICS
 
     if name is None:
-        names = examples.names()
-        longest = max(len(each) for each in names)
-        for each in names:
-            typer.echo(f"{each:<{longest}}  {examples.title(each)}")
+        longest = max(len(each) for each in examples.names())
+        for topic, names in TOPICS.items():
+            typer.echo(topic)
+            for each in names:
+                typer.echo(f"  {each:<{longest}}  {examples.title(each)}")
         return
     try:
         typer.echo(examples.text(name), nl=False)

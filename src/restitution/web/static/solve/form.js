@@ -85,30 +85,35 @@ export function mountForm(element, { onStatement }) {
     try {
       const { errors } = await ask("check", { statement }, { signal: asking.signal });
       const told = errors.map(({ message, line, column }) => [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]);
-      mark([...linesOf(now()).notes, ...told]);
+      mark(linesOf(now()).notes, told);
     } catch {
       // Gone on typing, or a server that is busy: the editor tells that.
     }
   }
 
-  // Shows notes [field, text] at their fields, and what belongs to no field below the statement.
-  function mark(notes) {
+  // Shows what is missing and what is wrong, each as [field, text], at its field; what belongs to no
+  // field stands below the statement.
+  function mark(missing, wrong = []) {
     const objections = [...body.querySelectorAll("input[type=text]")]
       .map((field) => [field.name, objection(field.value)]).filter(([, said]) => said);
-    const said = new Map();
-    for (const [name, message] of [...objections, ...notes]) if (!said.has(name)) said.set(name, message);
-    const rest = [];
-    for (const place of body.querySelectorAll(".problem")) place.textContent = "";
+    for (const place of body.querySelectorAll(".problem")) {
+      place.textContent = "";
+      place.classList.remove("missing");
+    }
     for (const field of body.querySelectorAll("[aria-invalid]")) field.removeAttribute("aria-invalid");
-    for (const [name, message] of said) {
+    const rest = [];
+    const put = ([name, message], isWrong) => {
       const place = name && body.querySelector(`#problem-${name}`);
       if (!place) {
-        rest.push(message);
-        continue;
+        if (isWrong) rest.push(message);
+      } else if (!place.textContent) {
+        place.textContent = message;
+        place.classList.toggle("missing", !isWrong);
+        if (isWrong) body.querySelector(`input[type=text][name="${name}"]`)?.setAttribute("aria-invalid", "true");
       }
-      place.textContent = message;
-      body.querySelector(`[name="${name}"]:not([type=checkbox])`)?.setAttribute("aria-invalid", "true");
-    }
+    };
+    for (const each of [...objections, ...wrong]) put(each, true);
+    for (const each of missing) put(each, false);
     trouble.textContent = rest.join(" ");
   }
 
@@ -184,7 +189,7 @@ export function mountForm(element, { onStatement }) {
         field(told, name + (axis === "i" ? "X" : "Y"), [html("b", {}, axis), " component"])))],
       wall: () => [picture("angle", struck), row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, `Angle to ${struck}`, { hint: "such as 60° or alpha" }))],
       speed: () => [row(field(told, `${name}Speed`, "Speed"),
-        field(told, `${name}Angle`, "Direction from i", { hint: "anticlockwise: 60°, alpha, or alpha from -i" }))],
+        field(told, `${name}Angle`, "Direction from i", { hint: "anticlockwise: 60°, -alpha, or alpha from -i" }))],
     }[mode];
     return group(`Sphere ${name}`,
       field(told, `${name}Mass`, "Mass", { optional: true, hint: "a number or a letter, such as 2 or 3m" }),
@@ -192,7 +197,7 @@ export function mountForm(element, { onStatement }) {
   }
 
   function centres(told) {
-    const ways = [...WAYS, ["offset", "by the distance between the paths"], ["unknown", "not known"]];
+    const ways = [...WAYS, ["offset", "as the distance between the paths tells"], ["unknown", "not known"]];
     return group("The line of centres", picture(told.line === "offset" ? "offset" : "line"),
       choice(told, "line", "It lies", ways), ...way(told, "line", told.line),
       ...(told.line === "offset"
