@@ -125,6 +125,16 @@ def mistaken(page: Page, address: str) -> None:
     at(page, address, "wall W: along i\nsphere P: velocty 5i - 3j\nP hits V\nfind speed(P)\n")
 
 
+def opened(button: str) -> View:
+    """Solve with what a button opens."""
+
+    def view(page: Page, address: str) -> None:
+        at(page, address, "")
+        page.get_by_role("button", name=button).click()
+
+    return view
+
+
 VIEWS: dict[str, View] = {
     "solve": lambda page, address: at(page, address, ""),
     "vectors": of_example("two-spheres-with-vectors"),
@@ -132,6 +142,8 @@ VIEWS: dict[str, View] = {
     "rejected": of_example("rejected-root"),
     "parts": of_example("collide-again"),
     "mistakes": mistaken,
+    "examples": opened("Examples"),
+    "form": opened("Fill in a form"),
 }
 
 

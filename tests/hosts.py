@@ -8,8 +8,6 @@ from typing import Any
 import httpx
 from playwright.sync_api import Page, Route
 
-from restitution.web.safety import HEADERS
-
 _HTML = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{name}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
@@ -30,10 +28,11 @@ def hosted(page: Page, served: str, name: str, function: str) -> None:
     ``function`` is the one that mounts it; every call that it makes is kept with its name.
     """
     static = static_of(served)
+    guards = {"Content-Security-Policy": httpx.get(served).headers["Content-Security-Policy"]}
 
     def host(route: Route) -> None:
         body = _HTML.format(name=name, static=static)
-        route.fulfill(body=body, content_type="text/html; charset=utf-8", headers=HEADERS)
+        route.fulfill(body=body, content_type="text/html; charset=utf-8", headers=guards)
 
     page.route(f"{served}/host", host)
     page.goto(f"{served}/host")

@@ -271,6 +271,9 @@ def test_it_fits_a_small_phone(form: Page, kind: str) -> None:
         "all => all.filter((each) => each.getBoundingClientRect().height < 38).length"
     )
     assert small == 0
+    form.evaluate("document.documentElement.style.fontSize = '200%'")
+    form.set_viewport_size({"width": 640, "height": 600})
+    assert form.evaluate("document.documentElement.scrollWidth") <= 640
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
