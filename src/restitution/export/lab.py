@@ -40,6 +40,7 @@ LONGEST = 120.0
 """Seconds of a motion, at most."""
 
 _LARGEST = 1e6
+_LEAST_MASS = 1e-6
 _LONGEST_NAME = 12
 # What a page says was rounded on its way: by so much of itself a sphere may be smaller.
 _LEEWAY = 1e-7
@@ -200,6 +201,8 @@ def _pair(told: object, what: str) -> tuple[float, float]:
 _WHOLE = 12
 # Within so many radians of one of them a line of centres is taken to be along it.
 _NEAR = math.radians(1.5)
+# Places after the point, at most: what is smaller is nothing.
+_PLACES = 12
 
 
 @dataclass(frozen=True)
@@ -238,7 +241,7 @@ def _rounded(impact: Mapping[str, Any], figures: int, tidy: bool) -> _Hit:
         raise StatementError("an impact is that of two spheres, or of one and a wall")
     masses = [_number(s.get("mass"), f"the mass of {n}") for n, s in zip(names, spheres)]
     for name, mass in zip(names, masses):
-        if mass <= 0:
+        if mass < _LEAST_MASS:
             raise ImpossibleError(f"the mass of {name} is {mass:g}: a mass is positive")
     told = [_pair(s.get("velocity"), f"the velocity of {n}") for n, s in zip(names, spheres)]
     # What is rounded is rounded by the fastest: to the last digit that counts beside it.
@@ -253,20 +256,23 @@ def _rounded(impact: Mapping[str, Any], figures: int, tidy: bool) -> _Hit:
     size = math.hypot(x, y)
     line = _tidy(x, y) if tidy else Vector(*(_near(c / size, 1.0, figures) for c in (x, y)))
     simple = tuple(_simple(mass) for mass in masses)
-    return _Hit(names, simple, tuple(velocities), wall, line, _simple(e))
+    return _Hit(names, simple, tuple(velocities), wall, line, _simple(e, 0.1))
 
 
 def _near(x: float, largest: float, figures: int) -> Fraction:
     """A number, to as many figures as the largest beside it is given."""
     if largest == 0:
         return Fraction(0)
-    digits = figures - 1 - math.floor(math.log10(largest))
+    digits = min(figures - 1 - math.floor(math.log10(largest)), _PLACES)
     return round(Fraction(x) * Fraction(10) ** digits) / Fraction(10) ** digits
 
 
-def _simple(x: float) -> Fraction:
-    """A number to 3 figures, or a fraction such as 2/3 that is meant by more."""
-    short = _near(x, abs(x), 3)
+def _simple(x: float, least: float = 0.0) -> Fraction:
+    """A number to 3 figures, or a fraction such as 2/3 that is meant by more.
+
+    One that is less than ``least`` has as many places as that.
+    """
+    short = _near(x, max(abs(x), least), 3)
     if abs(float(short) - x) > 1e-9 * abs(x):
         fraction = Fraction(x).limit_denominator(12)
         if fraction and abs(float(fraction) - x) < 1e-6 * abs(x):

@@ -236,9 +236,9 @@ class Lab {
     const chosen = SCENES.find((scene) => scene.id === id);
     this.prepared = chosen;
     this.base = fromRows(chosen);
-    this.begin(this.base);
     this.address = `scene=${id}`;
     history.pushState(null, "", `#${this.address}`);
+    this.begin(this.base);
   }
 
   // The scene as it was prepared, or as it was when the page was opened.
