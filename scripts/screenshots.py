@@ -135,6 +135,18 @@ def opened(button: str) -> View:
     return view
 
 
+def in_the_lab(scene: str, impacts: int = 0) -> View:
+    """The Lab with a prepared scene, at its start or at an impact."""
+
+    def view(page: Page, address: str) -> None:
+        page.goto(f"{address}/lab#scene={scene}")
+        page.wait_for_load_state("networkidle")
+        for _ in range(impacts):
+            page.keyboard.press("ArrowRight")
+
+    return view
+
+
 VIEWS: dict[str, View] = {
     "solve": lambda page, address: at(page, address, ""),
     "vectors": of_example("two-spheres-with-vectors"),
@@ -144,6 +156,13 @@ VIEWS: dict[str, View] = {
     "mistakes": mistaken,
     "examples": opened("Examples"),
     "form": opened("Fill in a form"),
+    "lab": in_the_lab("snooker"),
+    "lab-impact": in_the_lab("snooker", 1),
+    "lab-corner": in_the_lab("corner", 1),
+    "lab-newton": in_the_lab("newton", 2),
+    "lab-angles": in_the_lab("angles", 2),
+    "lab-gas": in_the_lab("gas", 9),
+    "lab-break": in_the_lab("break", 12),
 }
 
 

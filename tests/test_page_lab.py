@@ -362,7 +362,7 @@ def test_walls_take_momentum(lab):
     page = lab(WALL)
     page.keyboard.press("ArrowRight")
     assert said(page, 0) == "3 N s, conserved"
-    assert said(page, 1) == "2 N s; the walls have taken −6 N s of −4 N s"
+    assert said(page, 1) == "2 N s and −6 N s taken by the walls: together −4 N s"
     assert said(page, 2) == "6.50 J; 6 J lost of 12.5 J (48 %)"
 
 

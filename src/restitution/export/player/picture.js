@@ -9,6 +9,7 @@ import { cross, dot, figures, plus, size } from "./numbers.js";
 export const COLOURS = 6;
 export const CROWD = 12; // spheres, beyond which those without room for their names have none
 const TRAIL = 30; // pieces that are seen of where a sphere has been
+const ARC = 34; // px: the radius of an angle
 const DOT = 5; // px: the radius of a sphere of negligible size
 
 export class Picture {
@@ -54,6 +55,11 @@ export class Picture {
       cameacross: this.arrowhead("component came"),
       texts: [0, 1, 2, 3].map(() => this.add("text", "number")),
     }));
+    this.arcs = ["α", "β"].map((letter) => {
+      const arc = { path: this.add("path", "arc"), text: this.add("text", "angle") };
+      arc.text.append(letter);
+      return arc;
+    });
     this.blow = this.arrowhead("blow");
     this.blows = [0, 1].map(() => this.arrowhead("blow share"));
     this.speeds = motion.spheres.map((_, i) => this.add("text", `number body${i % COLOURS}`));
@@ -283,7 +289,7 @@ export class Picture {
   // The picture at a time. `focus` is the event that is looked at closely, or null. Before it the
   // velocities of its bodies are drawn as they arrive at the centres, out of the way of what is
   // struck; at its very moment both are seen, the earlier one faint.
-  show(t, focus, moment, { velocities, components, trails, momenta, impulses, speeds }) {
+  show(t, focus, moment, { velocities, components, trails, momenta, impulses, speeds, angles }) {
     const { spheres } = this.motion;
     const places = spheres.map((sphere) => this.at(placeAt(sphere, t)));
     if (focus?.kind === "impact" && !focus.wall) this.apart(places, focus, t);
@@ -317,6 +323,7 @@ export class Picture {
     });
     this.shares(impulses && !coming && focus?.impulse && focus.kind === "impact" ? focus : null);
     this.closely(places, components ? focus : null, moment, coming);
+    this.angles(places, angles && focus?.wall ? focus : null, moment, coming);
   }
 
   // Its speed, next to its name.
@@ -340,6 +347,31 @@ export class Picture {
       const from = this.at(event.place);
       const share = (k ? 1 : -1) / this.usual;
       this.pointTo(arrow, from, this.tip(from, event.impulse.map((x) => share * x)));
+    });
+  }
+
+  // The angles that a path makes with the wall: α where it comes from, β where it goes to.
+  angles(places, event, moment, coming) {
+    const seen = [event && (coming || moment), event && !coming];
+    this.arcs.forEach(({ path, text }, k) => {
+      const v = seen[k] ? (k ? event.after : event.before)[event.bodies[0]] : [0, 0];
+      const beside = seen[k] ? across(event, v) : 0;
+      const shown = Math.abs(beside) > 0.02 * size(v);
+      text.setAttribute("visibility", shown ? "visible" : "hidden");
+      path.setAttribute("d", "M0 0");
+      if (!shown) return;
+      const sense = k ? 1 : -1; // what arrives is looked at from where it comes
+      const wall = plus([0, 0], [-event.line[1], event.line[0]], sense * Math.sign(beside));
+      const way = plus([0, 0], v, sense);
+      const from = Math.atan2(wall[1], wall[0]);
+      const turn = Math.atan2(cross(wall, way), dot(wall, way));
+      const place = places[this.index(event.bodies[0])];
+      const at = (angle, r) => plus(place, [Math.cos(angle), -Math.sin(angle)], r).join(" ");
+      const sweep = turn > 0 ? 0 : 1;
+      path.setAttribute("d", `M${at(from, ARC)}A${ARC} ${ARC} 0 0 ${sweep} ${at(from + turn, ARC)}`);
+      const [x, y] = at(from + turn / 2, ARC + 11).split(" ");
+      text.setAttribute("x", x);
+      text.setAttribute("y", y);
     });
   }
 

@@ -126,7 +126,7 @@ export class Bars {
     row.title.replaceChildren("Momentum along ", html("b", {}, axis));
     const told = `${figures(total)} N s`;
     const rest = walls
-      ? `${told}; the walls have taken ${figures(walls)} N s of ${figures(near(before, this.most))} N s`
+      ? `${told} and ${figures(walls)} N s taken by the walls: together ${figures(near(before, this.most))} N s`
       : `${told}, conserved`;
     row.said.textContent = rest;
     row.picture.setAttribute("aria-label", `Momentum along ${axis}: ${rest}.${this.each(shares, "N s")}`);

@@ -417,7 +417,7 @@ class Lab {
     if (!width || (width === this.width && innerHeight === this.seen)) return;
     this.seen = innerHeight;
     this.width = width;
-    this.height = Math.round(Math.max(200, Math.min(0.62 * width, 0.58 * innerHeight)));
+    this.height = Math.round(Math.max(200, Math.min(0.62 * width, 0.54 * innerHeight)));
     this.fitted = false;
     this.lay();
   }
@@ -510,7 +510,8 @@ class Lab {
   // --- what is seen ------------------------------------------------------------------------------
 
   options() {
-    return Object.fromEntries(this.shows.map(({ key, box }) => [key, box.checked]));
+    const chosen = Object.fromEntries(this.shows.map(({ key, box }) => [key, box.checked]));
+    return { ...chosen, angles: chosen.components };
   }
 
   draw() {

@@ -19,6 +19,12 @@ export class Tools {
     this.lab = lab;
     this.tool = "move";
     const { handles } = stage;
+    // A finger on the empty table scrolls the page, one on a handle drags it. (In SVG touch-action
+    // alone does not say so everywhere.)
+    const held = (event) => {
+      if (this.tool === "wall" || this.told(event.target)[0]) event.preventDefault();
+    };
+    handles.addEventListener("touchstart", held, { passive: false });
     handles.addEventListener("pointerdown", (event) => this.down(event));
     handles.addEventListener("pointermove", (event) => this.drag?.move(event));
     handles.addEventListener("pointerup", (event) => this.up(event));
