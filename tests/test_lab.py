@@ -230,7 +230,7 @@ def test_a_question_is_read_and_solved(impact):
     # One impact of the bodies told, whose numbers are those of the Lab, rounded.
     (hit,) = [step for _, step in problem.steps() if isinstance(step, Impact)]
     names = [each["name"] for each in impact["spheres"]]
-    assert [hit.first, hit.second] == [*names, impact["wall"]][:2]
+    assert {hit.first, hit.second} == {*[*names, impact["wall"]][:2]}
     assert any(isinstance(step, Find) for _, step in problem.steps())
 
 
@@ -278,6 +278,21 @@ def test_a_sloping_wall():
     )
     (wall,) = r.parse(sloping).walls
     assert wall.along is not None
+
+
+def test_who_catches_up_is_the_one_that_hits():
+    statement = lab.question(
+        {
+            "spheres": [
+                {"name": "A", "mass": 1, "velocity": [0.5, 0]},
+                {"name": "B", "mass": 1, "velocity": [1, 0]},
+            ],
+            "wall": None,
+            "line": [-1, 0],
+            "e": 0.5,
+        }
+    )
+    assert "B hits A: e = 0.5, along i" in statement
 
 
 def test_what_stops_dead_has_no_deflection():

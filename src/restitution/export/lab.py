@@ -256,6 +256,9 @@ def _rounded(impact: Mapping[str, Any], figures: int, tidy: bool) -> _Hit:
     size = math.hypot(x, y)
     line = _tidy(x, y) if tidy else Vector(*(_near(c / size, 1.0, figures) for c in (x, y)))
     simple = tuple(_simple(mass) for mass in masses)
+    if wall is None and velocities[0].dot(line) <= 0:
+        # The second catches up with the first: it is the one that hits.
+        names, simple, velocities, line = names[::-1], simple[::-1], velocities[::-1], -line
     return _Hit(names, simple, tuple(velocities), wall, line, _simple(e, 0.1))
 
 
