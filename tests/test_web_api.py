@@ -179,6 +179,17 @@ def test_sheet(client):
     assert refused.json()["error"]["line"] == 2
 
 
+def test_packed_only_for_those_who_can_unpack(client):
+    for what in ("solve", "explain"):
+        packed = said(client, what, STATEMENT)
+        assert packed.headers["content-encoding"] == "gzip"
+        plain = client.post(
+            f"/api/{what}", json={"statement": STATEMENT}, headers={"Accept-Encoding": "identity"}
+        )
+        assert "content-encoding" not in plain.headers
+        assert plain.json() == packed.json()
+
+
 def test_the_same_question_has_the_same_bytes(client):
     with ThreadPoolExecutor(8) as threads:
         own = f"{STATEMENT}\n# asked by a whole class\n"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gzip
 import json
 import logging
 from collections.abc import Awaitable, Callable, Mapping
@@ -112,7 +113,7 @@ async def _check(request: Request) -> Response:
         found: Made = await _while_wanted(request, made)
         return found
 
-    return await _answered(reply)
+    return await _answered(request, reply)
 
 
 def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
@@ -129,7 +130,7 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
             made = staff.replies.get(key, lambda: _worked(staff, task, about, others))
             return await _while_wanted(request, made)
 
-        return await _answered(reply)
+        return await _answered(request, reply)
 
     return do
 
@@ -151,7 +152,7 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
     return found
 
 
-async def _answered(reply: Callable[[], Awaitable[Made]]) -> Response:
+async def _answered(request: Request, reply: Callable[[], Awaitable[Made]]) -> Response:
     try:
         made = await reply()
     except RefusedError as error:
@@ -170,7 +171,13 @@ async def _answered(reply: Callable[[], Awaitable[Made]]) -> Response:
         return refusal(500, "internal", "this statement could not be read; please report it", {})
     if made.fault:
         _log.error("%s", made.fault)
-    return Response(made.content, made.status, media_type=made.kind)
+    if not made.packed:
+        return Response(made.content, made.status, media_type=made.kind)
+    headers = {"Vary": "Accept-Encoding"}
+    if "gzip" not in request.headers.get("accept-encoding", ""):
+        return Response(gzip.decompress(made.content), made.status, headers, made.kind)
+    headers["Content-Encoding"] = "gzip"
+    return Response(made.content, made.status, headers, made.kind)
 
 
 async def _while_wanted(request: Request, work: Awaitable[_T]) -> _T:

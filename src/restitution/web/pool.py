@@ -146,7 +146,7 @@ class _Crew:
         if forks:
             # Libraries are loaded there, and a process that was killed is soon there again.
             context.set_forkserver_preload([_LOADED])
-        self._processes: Any = ProcessPool(workers, _TASKS, limit_memory, context=context)
+        self._processes: Any = ProcessPool(workers, _TASKS, _settled, context=context)
         self._begun = asyncio.create_task(asyncio.to_thread(self._begin))
 
     def _begin(self) -> None:
@@ -155,7 +155,7 @@ class _Crew:
         # Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
         kept = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
         try:
-            self._processes.schedule(limit_memory).result()
+            self._processes.schedule(_ready).result()
         finally:
             if mask:
                 mask(signal.SIG_SETMASK, kept)
@@ -173,6 +173,22 @@ class _Crew:
         self._processes.stop()
         await asyncio.to_thread(self._processes.join)
 
+
+def _settled() -> None:
+    """In a process that begins: it takes no more than its share of memory, and yields to others.
+
+    So the server itself, which has little to do, is never kept waiting by those who solve.
+    """
+    limit_memory()
+    if hasattr(os, "nice"):
+        os.nice(_POLITE)
+
+
+def _ready() -> None:
+    """Nothing; who comes to do it has begun."""
+
+
+_POLITE = 5
 
 _tired = threading.Event()
 """Set in a process whose work was broken off: a library may have been left half done."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,7 +21,8 @@ class Made:
     """A reply: JSON, or a PDF.
 
     ``tired`` tells that the work was broken off, so that its process should end, and that another
-    time more may come of it. ``fault`` is the traceback of a failure of the program.
+    time more may come of it. ``fault`` is the traceback of a failure of the program. What is
+    ``packed`` is so by gzip: done here, it keeps nobody waiting whom the server answers meanwhile.
     """
 
     content: bytes
@@ -28,6 +30,7 @@ class Made:
     status: int = 200
     tired: bool = False
     fault: str = ""
+    packed: bool = False
 
 
 def checked(statement: str) -> Made:
@@ -142,7 +145,7 @@ def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:
         tired = error.kind == TimeLimitError.kind
         return _json(_nothing(found) if whole else {**found, **beside}, tired)
     if isinstance(reply.content, str):
-        return Made(reply.content.rstrip("\n").encode(), tired=reply.tired)
+        return _packed(reply.content.rstrip("\n").encode(), reply.tired)
     return replace(_json(reply.content, reply.tired), fault=reply.fault)
 
 
@@ -154,4 +157,13 @@ def _require_part(problem: Problem, label: str | None) -> None:
 
 
 def _json(content: contract.Object, tired: bool = False) -> Made:
-    return Made(contract.to_json(content).encode(), tired=tired)
+    return _packed(contract.to_json(content).encode(), tired)
+
+
+def _packed(text: bytes, tired: bool) -> Made:
+    if len(text) < _SMALL:
+        return Made(text, tired=tired)
+    return Made(gzip.compress(text, 6, mtime=0), tired=tired, packed=True)
+
+
+_SMALL = 1000  # bytes, of which packing spares few
