@@ -28,12 +28,16 @@ class Report:
 
 
 async def crowd(
-    address: str, statements: Mapping[str, str], names: Sequence[str], within: float
+    address: str,
+    statements: Mapping[str, str],
+    names: Sequence[str],
+    within: float,
+    own: float = 2 / 3,
 ) -> Report:
     """A client for each of the names of statements, all of them begun ``within`` so many seconds.
 
-    Each adds a comment of its own to two statements in three, as if they were its own; the third
-    is what the whole class was told to type. Health is asked for four times a second throughout.
+    A share of them adds a comment of its own, so that nobody else asks just the same; the others
+    have what the whole class was told to type. Health is asked for four times a second throughout.
     """
     report = Report()
     draw = random.Random(17)
@@ -42,8 +46,10 @@ async def crowd(
         probing = asyncio.create_task(_probe(client, report))
         students = []
         for number, name in enumerate(names):
-            own = f"{statements[name]}\n# {number}\n" if number % 3 else statements[name]
-            students.append(_student(client, draw.uniform(0, within), name, own, report))
+            text = statements[name]
+            if draw.random() < own:
+                text += f"\n# {number}\n"
+            students.append(_student(client, draw.uniform(0, within), name, text, report))
         await asyncio.gather(*students)
         probing.cancel()
     return report

@@ -64,7 +64,7 @@ def test_a_class_loses_no_answer(served):
     right = {name: answer(name) for name in ORDINARY}
     statements = {**{name: examples.text(name) for name in ORDINARY}, "slow": SLOW}
     names = [ORDINARY[number % len(ORDINARY)] for number in range(198)]
-    report = asyncio.run(crowd(served, statements, [*names, "slow", "slow"], within=3))
+    report = asyncio.run(crowd(served, statements, [*names, "slow", "slow"], 3, 0.2))
     assert report.lost == []
     assert len(report.answers) == 200
     for name, shown in report.answers:
