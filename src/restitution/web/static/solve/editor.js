@@ -88,6 +88,7 @@ export function makeEditor(root, words, { onInput }) {
   });
 
   root.classList.add("live");
+  field.rows = 1; // as high as the layer
   draw();
 
   return {

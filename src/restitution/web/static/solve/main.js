@@ -165,6 +165,10 @@ $("unfold").addEventListener("click", () => {
   $("unfold").setAttribute("aria-expanded", String(open));
 });
 $("language").addEventListener("click", help);
+$("filling").addEventListener("submit", () => {
+  form();
+  editor.focus();
+});
 $("new").addEventListener("click", () => {
   replace("");
   editor.focus();
