@@ -246,6 +246,7 @@ def test_play_pause_step_restart_and_reset(lab):
     assert clock(page) == 2
     page.get_by_role("button", name="Previous impact").click()
     assert clock(page) == 0.4
+    page.emulate_media(reduced_motion="no-preference")
     page.get_by_role("button", name=re.compile("Restart")).click()
     until(page, "parseFloat(document.querySelector('.clock').textContent) > 0.05")
     page.get_by_role("button", name="Pause").click()
@@ -253,6 +254,7 @@ def test_play_pause_step_restart_and_reset(lab):
     assert 0.05 < stopped < 0.4
     page.wait_for_timeout(150)
     assert clock(page) == stopped
+    page.emulate_media(reduced_motion="reduce")
     # Restart is not reset: what was edited stays, until it is put back.
     page.keyboard.press("Home")
     page.get_by_label("mass of A").fill("5")
@@ -278,6 +280,16 @@ def test_it_is_slow_at_impacts_and_can_be_slow_all_the_time(lab):
     assert page.evaluate("document.getElementById('lab').lab.clock.ease(0.4)") == 1
     page.keyboard.press("-")
     assert float(page.locator(".rate .said").inner_text().rstrip("×")) < 1
+
+
+def test_who_wants_little_motion_sees_steps(lab):
+    page = lab(HEAD_ON)
+    page.keyboard.press(" ")
+    until(page, "document.querySelector('.clock').textContent === '0.40 s'")
+    page.wait_for_timeout(300)
+    assert clock(page) == 0.4
+    until(page, "document.querySelector('.clock').textContent === '2.00 s'")
+    page.get_by_role("button", name="Play", exact=True).wait_for()
 
 
 def test_what_is_moved_later_begins_there(lab):
@@ -468,6 +480,7 @@ def test_a_frame_of_fifty_spheres_costs_little(lab, page):
     lab(f"spheres={balls}&{walls}&e=1&seconds=6")
     assert page.get_by_label("Velocities", exact=True).is_checked()
     assert page.get_by_label("Trails", exact=True).is_checked()
+    page.emulate_media(reduced_motion="no-preference")
     page.keyboard.press(" ")
     until(page, "document.getElementById('lab').lab.work.length > 60")
     page.keyboard.press(" ")

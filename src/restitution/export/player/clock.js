@@ -5,6 +5,7 @@ import { smooth } from "./numbers.js";
 const HOLD = 900; // ms that slow motion rests at an impact
 const SLOWEST = 0.1; // of the usual rate, at an impact
 const GLIDE = 450; // ms that a step takes
+const STAY = 1800; // ms at each impact, for those who want little motion: they see steps
 
 // `moved()` is called when the time has changed, `met(event)` when an event is passed or stepped
 // to, `turned()` when it begins or ceases to play. `base` is how many seconds of the motion pass
@@ -57,6 +58,7 @@ export class Clock {
     const passed = Math.max(0, Math.min(now - this.last, 100));
     this.last = now;
     if (this.hold > 0) this.hold -= passed;
+    else if (this.calm.matches) this.stride();
     else this.advance(passed / 1000);
     if (this.playing) this.request = requestAnimationFrame((next) => this.frame(next));
   }
@@ -77,6 +79,15 @@ export class Clock {
       this.seek(this.motion.end);
       this.pause();
     } else this.seek(to);
+  }
+
+  // To the next impact at once, and to the end after the last.
+  stride() {
+    const met = this.motion.events[this.after(this.now + 1e-9 * this.span)];
+    this.hold = STAY / Math.max(0.25, this.speed);
+    if (met) this.told.met(met);
+    this.seek(met ? met.time : this.motion.end);
+    if (!met) this.pause();
   }
 
   // How much slower time goes near an impact.

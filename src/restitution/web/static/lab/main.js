@@ -372,13 +372,20 @@ class Lab {
         this.load(told.motion, true);
         if (told.stopped) this.say(`${told.stopped[0].toUpperCase()}${told.stopped.slice(1)}.`);
         if (this.eager) this.clock.play();
-      } else this.say(`This cannot be: ${told.error.message}.`);
+      } else this.blame(told.error);
     } catch (error) {
       if (error.name === "AbortError") return;
       this.say(error.wait ? `${error.message} It is asked again in ${error.wait} s.` : error.message);
       if (error.wait) this.timer = setTimeout(() => this.request(scene), 1000 * error.wait);
     }
     this.eager = false;
+  }
+
+  // Says why there is no motion, and shows with whom it is.
+  blame({ message, bodies }) {
+    const index = this.initial().spheres.findIndex(({ name }) => bodies.includes(name));
+    if (index >= 0) this.choose({ kind: "spheres", index });
+    this.say(`This cannot be: ${message}.`);
   }
 
   load(motion, known) {

@@ -62,6 +62,9 @@ export function coefficient(label, value, change) {
   return { slider, field, set, node: html("span", { class: "coefficient" }, slider, field) };
 }
 
+const labelled = (label, what, node) =>
+  html("span", { class: "field" }, html("span", {}, label, html("span", { class: "unit" }, what)), node);
+
 // `lab` as in tools.js, with `initial()`, the scene at the start, to which masses, names and
 // coefficients belong; `lab.remove(kind, index)` takes a body away.
 export class ValuesTable {
@@ -90,20 +93,28 @@ export class ValuesTable {
       html("h2", {}, "Values", this.time),
       html(
         "div",
-        { class: "fields" },
-        html("label", {}, "Velocity as ", this.form),
-        html("label", { class: "tick" }, this.sizes, "Size follows mass"),
+        {},
+        html(
+          "div",
+          { class: "fields" },
+          html("label", {}, "Velocity as ", this.form),
+          html("label", { class: "tick" }, this.sizes, "Size follows mass"),
+        ),
+        this.ballScroll,
       ),
-      this.ballScroll,
       html(
         "div",
-        { class: "fields" },
-        html("span", { class: "field" }, html("span", {}, "e", html("span", { class: "unit" }, " between spheres")), this.e.node),
-        html("span", { class: "field" }, html("span", {}, "e", html("span", { class: "unit" }, " of all walls")), this.allWalls.node),
-        html("label", {}, "Followed for ", this.seconds, html("span", { class: "unit" }, " s")),
+        {},
+        html(
+          "div",
+          { class: "fields" },
+          labelled("e", " between spheres", this.e.node),
+          labelled("e", " of all walls", this.allWalls.node),
+          html("label", {}, "Followed for ", this.seconds, html("span", { class: "unit" }, " s")),
+        ),
+        this.pairs,
+        this.wallScroll,
       ),
-      this.pairs,
-      this.wallScroll,
     );
   }
 
