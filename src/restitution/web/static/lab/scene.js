@@ -7,6 +7,8 @@
 import { pieceAt, placeAt } from "../player/motion.js";
 import { cross, dot, plus, size } from "../player/numbers.js";
 
+export const MOST_SPHERES = 60; // what the server takes
+export const MOST_WALLS = 40;
 const DIGITS = 12; // as many as a motion has
 
 const short = (x) => String(Number(Number(x).toPrecision(DIGITS)));
@@ -56,7 +58,9 @@ export function fromText(parameters) {
       e: numbered(parameters.get("e") ?? "1"),
       seconds: numbered(parameters.get("seconds") ?? "10"),
     });
-    return scene.spheres.length ? scene : null;
+    const { spheres, walls } = scene;
+    const some = spheres.length > 0 && spheres.length <= MOST_SPHERES;
+    return some && walls.length <= MOST_WALLS ? scene : null;
   } catch {
     return null;
   }

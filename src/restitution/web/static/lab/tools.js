@@ -2,7 +2,7 @@
 
 import { plus, size } from "../player/numbers.js";
 import {
-  crosses, freeName, nearest, overlaps, roomNear, rounded, withCorner, withSphere, withWall, without,
+  crosses, freeName, MOST_SPHERES, MOST_WALLS, nearest, overlaps, roomNear, rounded, withCorner, withSphere, withWall, without,
 } from "./scene.js";
 
 const SNAP = 12; // px within which a new wall begins or ends at an old one
@@ -204,7 +204,9 @@ export class Tools {
 
   addSphere(place = null) {
     const scene = this.lab.current();
-    if (scene.spheres.length >= 60) return this.lab.refuse("There is room for 60 spheres.");
+    if (scene.spheres.length >= MOST_SPHERES) {
+      return this.lab.refuse(`There is room for ${MOST_SPHERES} spheres.`);
+    }
     const radii = scene.spheres.map(({ radius }) => radius).sort((a, b) => a - b);
     const radius = radii[radii.length >> 1] ?? 0.1;
     const name = freeName(scene);
@@ -229,7 +231,9 @@ export class Tools {
   }
 
   addWall(scene = this.lab.current(), start = null, end = null) {
-    if (scene.walls.length >= 40) return this.lab.refuse("There is room for 40 walls.");
+    if (scene.walls.length >= MOST_WALLS) {
+      return this.lab.refuse(`There is room for ${MOST_WALLS} walls.`);
+    }
     const name = freeName(scene, true);
     const e = scene.walls.at(-1)?.e ?? 1;
     const wall = start ? { name, start, end, e } : this.someWall(scene, name, e);
