@@ -62,7 +62,8 @@ export class Bars {
       }));
       row.sum = svg("rect", { class: "sum", y: LANE + 3, height: TALL - LANE - 4 });
       row.rest = svg("rect", { class: "rest", y: LANE + 3, height: TALL - LANE - 4 });
-      row.zero = svg("path", { class: "zero", d: `M${row.kind === "energy" ? 0.5 : WIDTH / 2} 0v${TALL}` });
+      const zero = row.kind === "energy" ? 0.5 : WIDTH / 2;
+      row.zero = svg("path", { class: "zero", d: `M${zero} 0v${TALL}` });
       row.picture.replaceChildren(hatching(row.kind), ...row.parts, row.sum, row.rest, row.zero);
       row.rest.style.fill = `url(#hatch-${row.kind})`;
     }
@@ -118,6 +119,7 @@ export class Bars {
     });
     const total = near(sum(shares), this.most);
     const walls = near(before - total, this.most);
+    const all = near(before, this.most);
     // Of one sign, what the walls have taken stands behind the total; of the other, opposite it.
     const from = total * walls > 0 ? total : 0;
     place(row.sum, middle + scale * Math.min(0, total), scale * Math.abs(total));
@@ -126,7 +128,7 @@ export class Bars {
     row.title.replaceChildren("Momentum along ", html("b", {}, axis));
     const told = `${figures(total)} N s`;
     const rest = walls
-      ? `${told} and ${figures(walls)} N s taken by the walls: together ${figures(near(before, this.most))} N s`
+      ? `${told} and ${figures(walls)} N s taken by the walls: together ${figures(all)} N s`
       : `${told}, conserved`;
     row.said.textContent = rest;
     row.picture.setAttribute("aria-label", `Momentum along ${axis}: ${rest}.${this.each(shares, "N s")}`);

@@ -29,8 +29,9 @@ const SHOWS = [
   ["impulses", "Impulses", "I"],
   ["trails", "Trails", "T"],
 ];
-const HINT = "Drag a sphere to move it, the tip of its arrow to throw it; one at rest shows its tip when " +
-  "it is chosen. A double click adds a sphere.";
+const HINT =
+  "Drag a sphere to move it, the tip of its arrow to throw it; one at rest shows its tip when it " +
+  "is chosen. A double click adds a sphere.";
 const KEYS = [
   ["Space", "play or pause"],
   ["→  ←", "next, previous impact"],
@@ -267,7 +268,8 @@ class Lab {
   write() {
     const scene = this.initial();
     const mine = this.prepared ? `scene=${this.prepared.id}` : "";
-    const text = scene === this.base && mine ? mine : [mine, toText(scene)].filter(Boolean).join("&");
+    const whole = [mine, toText(scene)].filter(Boolean).join("&");
+    const text = scene === this.base && mine ? mine : whole;
     if (text === this.address || (scene === this.base && !this.address)) return;
     this.address = text;
     history.replaceState(null, "", `#${text}`);
@@ -298,7 +300,8 @@ class Lab {
   commit(scene, key = null) {
     this.pause();
     const later = this.known && this.clock.now > 0;
-    const moved = later && scene.spheres.some((sphere, i) => sphere.position !== this.initial().spheres[i]?.position);
+    const old = this.initial().spheres;
+    const moved = later && scene.spheres.some(({ position }, i) => position !== old[i]?.position);
     const when = seconds(this.clock.now);
     this.history.put(scene, later ? null : key);
     this.renew();
@@ -306,8 +309,8 @@ class Lab {
   }
 
   choose(item) {
-    const same = item?.kind === this.stage.selected?.kind && item?.index === this.stage.selected?.index;
-    if (same) return;
+    const { selected } = this.stage;
+    if (item?.kind === selected?.kind && item?.index === selected?.index) return;
     this.stage.selected = item;
     this.edits.remove.disabled = !item;
     this.stage.hold(this.current());
@@ -375,7 +378,8 @@ class Lab {
       } else this.blame(told.error);
     } catch (error) {
       if (error.name === "AbortError") return;
-      this.say(error.wait ? `${error.message} It is asked again in ${error.wait} s.` : error.message);
+      const again = error.wait ? ` It is asked again in ${error.wait} s.` : "";
+      this.say(error.message + again);
       if (error.wait) this.timer = setTimeout(() => this.request(scene), 1000 * error.wait);
     }
     this.eager = false;
@@ -400,7 +404,8 @@ class Lab {
     this.values.lay(this.initial());
     this.card.key = null;
     this.live.textContent = "";
-    const told = motion.spheres.length > CROWD ? `${motion.spheres.length} spheres` : motion.spheres.map(({ name }) => name).join(", ");
+    const all = motion.spheres.map(({ name }) => name);
+    const told = all.length > CROWD ? `${all.length} spheres` : all.join(", ");
     this.stage.picture.node.setAttribute("aria-label", `A table seen from above, with ${told}.`);
     this.lay();
   }
@@ -500,7 +505,8 @@ class Lab {
     this.frame.classList.toggle("playing", playing);
     if (playing) return;
     this.draw();
-    if (this.had && document.activeElement === document.body) this.stage.focus(this.had.kind, this.had.index);
+    const free = document.activeElement === document.body;
+    if (this.had && free) this.stage.focus(this.had.kind, this.had.index);
     this.had = null;
   }
 
@@ -509,8 +515,10 @@ class Lab {
     if (this.clock.playing && !this.clock.slow && now - this.announced < CALM) return;
     this.announced = now;
     const number = this.clock.motion.events.indexOf(event) + 1;
-    const speeds = event.bodies.map((name) =>
-      `speed of ${name} ${figures(size(event.before[name]))}, then ${figures(size(event.after[name]))}`);
+    const speeds = event.bodies.map((name) => {
+      const [before, after] = [event.before, event.after].map((v) => figures(size(v[name])));
+      return `speed of ${name} ${before}, then ${after}`;
+    });
     this.live.textContent = [`${number}: ${names(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
   }
 
@@ -561,9 +569,10 @@ class Lab {
     const event = this.shown;
     if (event?.kind !== "impact") return;
     const scene = this.initial();
+    const massOf = (name) => scene.spheres.find((sphere) => sphere.name === name).mass;
     const impact = {
       spheres: event.bodies.map((name) => ({
-        name, mass: scene.spheres.find((sphere) => sphere.name === name).mass, velocity: event.before[name],
+        name, mass: massOf(name), velocity: event.before[name],
       })),
       wall: event.wall,
       line: event.line,

@@ -7,6 +7,7 @@ import { Picture } from "../player/picture.js";
 import { still, tidyStep } from "./scene.js";
 
 const TARGET = 14; // px: nothing that can be dragged has a smaller radius
+const GRIP = 6; // px: the radius of what is seen of a handle
 const BEYOND = 13; // px from a sphere at which a short arrow is taken hold of
 const FEW = 12; // spheres whose arrows can all be taken hold of
 
@@ -57,9 +58,9 @@ export class Stage {
     this.picture.lay(motion, width, height, this.view);
     this.picture.ground.append(this.grid);
     this.drawGrid();
-    for (const [name, value] of [["viewBox", `0 0 ${width} ${height}`], ["width", width], ["height", height]]) {
-      this.handles.setAttribute(name, value);
-    }
+    this.handles.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.handles.setAttribute("width", width);
+    this.handles.setAttribute("height", height);
   }
 
   at(point) {
@@ -125,16 +126,18 @@ export class Stage {
         class: `handle ${kind}`, tabindex: 0, role: "button", "aria-roledescription": what,
         "data-kind": kind, "data-index": i,
       }, ...shapes);
-    const point = (kind, i, what, r) =>
-      handle(kind, i, what, svg("circle", { class: "hit", r: TARGET }), svg("circle", { class: "grip", r }));
+    const shapes = (name, r, grip) => [
+      svg(name, { class: "hit", r }), svg(name, { class: "grip", r: grip }),
+    ];
+    const point = (kind, i, what) => handle(kind, i, what, ...shapes("circle", TARGET, GRIP));
     this.bars = scene.walls.map((_, i) => ({
-      bar: handle("wall", i, "wall", svg("path", { class: "hit" }), svg("path", { class: "grip" })),
-      start: point("start", i, "end of a wall", 6),
-      end: point("end", i, "end of a wall", 6),
+      bar: handle("wall", i, "wall", ...shapes("path")),
+      start: point("start", i, "end of a wall"),
+      end: point("end", i, "end of a wall"),
     }));
     this.balls = scene.spheres.map((_, i) => ({
-      ball: handle("sphere", i, "sphere", svg("circle", { class: "hit" }), svg("circle", { class: "grip" })),
-      tip: point("tip", i, "tip of a velocity", 6),
+      ball: handle("sphere", i, "sphere", ...shapes("circle")),
+      tip: point("tip", i, "tip of a velocity"),
     }));
     this.draft = svg("path", { class: "draft", d: "M0 0" });
     this.handles.replaceChildren(
@@ -160,7 +163,8 @@ export class Stage {
     const long = size(velocity) * this.view.arrow > radius * this.view.k;
     tip.setAttribute("transform", `translate(${end[0]} ${end[1]})`);
     tip.setAttribute("aria-label", `Velocity of ${name}: ${said(velocity)} m/s`);
-    tip.setAttribute("visibility", chosen || (long && scene.spheres.length <= FEW) ? "visible" : "hidden");
+    const seen = chosen || (long && scene.spheres.length <= FEW);
+    tip.setAttribute("visibility", seen ? "visible" : "hidden");
     tip.setAttribute("tabindex", chosen ? 0 : -1);
   }
 

@@ -2,7 +2,8 @@
 
 import { plus, size } from "../player/numbers.js";
 import {
-  crosses, freeName, MOST_SPHERES, MOST_WALLS, nearest, overlaps, roomNear, rounded, withCorner, withSphere, withWall, without,
+  crosses, freeName, MOST_SPHERES, MOST_WALLS, nearest, overlaps, roomNear, rounded, withCorner,
+  withSphere, withWall, without,
 } from "./scene.js";
 
 const SNAP = 12; // px within which a new wall begins or ends at an old one
@@ -33,7 +34,8 @@ export class Tools {
     handles.addEventListener("keydown", (event) => this.key(event));
     handles.addEventListener("focusin", (event) => {
       const [kind, index] = this.told(event.target);
-      if (kind) this.lab.choose({ kind: kind === "sphere" || kind === "tip" ? "spheres" : "walls", index });
+      const of = kind === "sphere" || kind === "tip" ? "spheres" : "walls";
+      if (kind) this.lab.choose({ kind: of, index });
     });
   }
 
@@ -156,7 +158,8 @@ export class Tools {
 
   corner(scene, from, to) {
     const next = withCorner(scene, from, to);
-    const moved = next.walls.filter((wall, k) => wall.start !== scene.walls[k].start || wall.end !== scene.walls[k].end);
+    const moved = next.walls.filter(({ start, end }, k) =>
+      start !== scene.walls[k].start || end !== scene.walls[k].end);
     const long = moved.every(({ start, end }) => size(plus(end, start, -1)) > 1e-6);
     return long && this.free(scene, moved) ? next : null;
   }
@@ -250,7 +253,7 @@ export class Tools {
     for (let n = 0; n < 200; n += 1) {
       const far = (0.02 * Math.sqrt(n) * this.stage.width) / k;
       const by = plus(middle, [Math.cos(2.4 * n), Math.sin(2.4 * n)], far);
-      const ends = [plus(by, [-long, 0]), plus(by, [long, 0])].map((p) => rounded(p, this.stage.step));
+      const ends = [-long, long].map((x) => rounded(plus(by, [x, 0]), this.stage.step));
       const wall = { name, start: ends[0], end: ends[1], e };
       if (this.free(scene, [wall])) return wall;
     }
@@ -295,16 +298,17 @@ export class Tools {
     const { step, speedStep } = this.stage;
     const key = `${kind} ${i}`;
     if (kind === "tip") {
-      const velocity = plus(scene.spheres[i].velocity, way, speedStep).map((x) => rounded([x], speedStep / 1000)[0]);
+      const velocity = rounded(plus(scene.spheres[i].velocity, way, speedStep), speedStep / 1000);
       this.lab.commit(withSphere(scene, i, { velocity }), key);
       return;
     }
     if (kind === "sphere") {
       const { name, position, radius } = scene.spheres[i];
-      const to = plus(position, way, step).map((x) => rounded([x], step / 1000)[0]);
+      const to = rounded(plus(position, way, step), step / 1000);
       const met = overlaps(scene, i, to, radius);
-      if (met || crosses(scene, position, to)) this.lab.refuse(`${name} cannot go there: ${met ?? "a wall"} is in its way.`);
-      else this.lab.commit(withSphere(scene, i, { position: to }), key);
+      if (met || crosses(scene, position, to)) {
+        this.lab.refuse(`${name} cannot go there: ${met ?? "a wall"} is in its way.`);
+      } else this.lab.commit(withSphere(scene, i, { position: to }), key);
       return;
     }
     const wall = scene.walls[i];

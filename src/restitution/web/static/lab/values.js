@@ -1,66 +1,9 @@
 // The values table: it mirrors the picture, and whatever stands in it can be typed anew.
 
 import { html, reachable } from "../player/elements.js";
-import { size } from "../player/numbers.js";
 import { COLOURS } from "../player/picture.js";
+import { coefficient, COLUMNS, POSITIVE, put, shown, SHOWN, typed } from "./fields.js";
 import { isName, overlaps, withSphere, withWall } from "./scene.js";
-
-const DEGREE = Math.PI / 180;
-
-// A number as people type it: 1.5, 1,5, −2, 3/4; NaN where it is none.
-export function typed(text) {
-  const [over, under, ...more] = text.trim().replace("−", "-").replace(",", ".").split("/");
-  const number = (part) => (/^-?(\d+\.?\d*|\.\d+)$/.test(part.trim()) ? Number(part) : NaN);
-  if (more.length) return NaN;
-  return under === undefined ? number(over) : number(over) / number(under);
-}
-
-const shown = (x) => String(Number((Math.abs(x) < 5e-7 ? 0 : x).toPrecision(4))).replace("-", "−");
-const turn = (v) => (size(v) < 1e-12 ? 0 : Math.atan2(v[1], v[0]) / DEGREE);
-const polar = (speed, degrees) => [
-  speed * Math.cos(degrees * DEGREE), speed * Math.sin(degrees * DEGREE),
-].map((x) => (Math.abs(x) < 1e-15 * speed ? 0 : x));
-const put = (pair, k, x) => pair.map((old, i) => (i === k ? x : old));
-
-// What a column shows of a sphere, and the sphere with another value there.
-const COLUMNS = {
-  mass: ["mass", "kg", (s) => s.mass, (s, x) => ({ mass: x })],
-  radius: ["radius", "m", (s) => s.radius, (s, x) => ({ radius: x })],
-  x: ["x", "m", (s) => s.position[0], (s, x) => ({ position: put(s.position, 0, x) })],
-  y: ["y", "m", (s) => s.position[1], (s, x) => ({ position: put(s.position, 1, x) })],
-  vx: ["velocity i", "m s⁻¹", (s) => s.velocity[0], (s, x) => ({ velocity: put(s.velocity, 0, x) })],
-  vy: ["velocity j", "m s⁻¹", (s) => s.velocity[1], (s, x) => ({ velocity: put(s.velocity, 1, x) })],
-  speed: ["speed", "m s⁻¹", (s) => size(s.velocity), (s, x) => ({ velocity: polar(x, turn(s.velocity)) })],
-  direction: ["direction from i", "°", (s) => turn(s.velocity), (s, x) => ({ velocity: polar(size(s.velocity), x) })],
-};
-const SHOWN = {
-  components: ["mass", "radius", "x", "y", "vx", "vy"],
-  polar: ["mass", "radius", "x", "y", "speed", "direction"],
-};
-const POSITIVE = ["mass", "radius"];
-
-// Fields of one number, a slider with it for coefficients.
-export function coefficient(label, value, change) {
-  const slider = html("input", {
-    type: "range", min: 0, max: 1, step: 0.01, value, "aria-label": `${label}, slider`,
-    oninput: () => change(Number(slider.value)),
-  });
-  const field = html("input", {
-    class: "number", inputmode: "decimal", value: shown(value), "aria-label": label,
-    onchange: () => {
-      const e = typed(field.value);
-      const right = e >= 0 && e <= 1;
-      field.setAttribute("aria-invalid", String(!right));
-      change(right ? e : null);
-    },
-  });
-  const set = (e) => {
-    if (document.activeElement !== slider) slider.value = e;
-    if (document.activeElement !== field || typed(field.value) !== e) field.value = shown(e);
-    field.removeAttribute("aria-invalid");
-  };
-  return { slider, field, set, node: html("span", { class: "coefficient" }, slider, field) };
-}
 
 const labelled = (label, what, node) =>
   html("span", { class: "field" }, html("span", {}, label, html("span", { class: "unit" }, what)), node);
@@ -127,7 +70,7 @@ export class ValuesTable {
       this.makeWalls(scene);
     }
     this.makePairs(scene);
-    this.show(scene, "");
+    this.showAll(scene, this.time.textContent);
     reachable(this.ballScroll);
     reachable(this.wallScroll);
   }
@@ -186,15 +129,18 @@ export class ValuesTable {
   }
 
   makePairs(scene) {
-    const key = JSON.stringify([scene.pairs.map(([a, b]) => [a, b]), scene.spheres.map(({ name }) => name)]);
+    const names = scene.spheres.map(({ name }) => name);
+    const key = JSON.stringify([scene.pairs.map(([a, b]) => [a, b]), names]);
     if (key === this.pairKey) return;
     this.pairKey = key;
-    this.pairE = scene.pairs.map(([a, b], i) => coefficient(`e of ${a} and ${b}`, 1, (e) => this.setPair(i, e)));
-    const names = scene.spheres.map(({ name }) => name);
+    this.pairE = scene.pairs.map(([a, b], i) =>
+      coefficient(`e of ${a} and ${b}`, 1, (e) => this.setPair(i, e)));
     const choose = (label, usual) => html("select", { "aria-label": label },
       ...names.map((name) => html("option", { value: name, selected: name === names[usual] }, name)));
-    const [first, second] = [choose("First sphere of the pair", 0), choose("Second sphere of the pair", 1)];
-    const add = html("button", { type: "button", onclick: () => this.addPair(first.value, second.value) }, "Set its own e");
+    const first = choose("First sphere of the pair", 0);
+    const second = choose("Second sphere of the pair", 1);
+    const does = () => this.addPair(first.value, second.value);
+    const add = html("button", { type: "button", onclick: does }, "Set its own e");
     this.pairs.hidden = names.length < 3;
     this.pairs.replaceChildren(
       ...scene.pairs.map(([a, b], i) => html(
@@ -265,11 +211,12 @@ export class ValuesTable {
   showAll(scene, when) {
     this.show(scene, when);
     const label = (field, text) => field.setAttribute("aria-label", text);
+    const heads = this.columns.map((key) => COLUMNS[key]);
     scene.spheres.forEach(({ name }, i) => {
       const row = this.balls[i];
       label(row.name, `name of ${name}`);
       label(row.away, `Take ${name} away`);
-      row.cells.forEach((field, k) => label(field, `${COLUMNS[this.columns[k]][0]} of ${name}, ${COLUMNS[this.columns[k]][1]}`));
+      row.cells.forEach((field, k) => label(field, `${heads[k][0]} of ${name}, ${heads[k][1]}`));
     });
     scene.walls.forEach(({ name, start, end, e }, i) => {
       const row = this.walls[i];
@@ -302,17 +249,20 @@ export class ValuesTable {
     const sphere = scene.spheres[i];
     const [label, , get, change] = COLUMNS[key];
     const x = typed(text);
-    if (!Number.isFinite(x)) return this.refuse(`The ${label} of ${sphere.name} is a number, such as 1.5 or 3/4.`);
+    const what = `The ${label} of ${sphere.name}`;
+    if (!Number.isFinite(x)) return this.refuse(`${what} is a number, such as 1.5 or 3/4.`);
     if (text.trim() === shown(get(sphere))) return true;
-    if (POSITIVE.includes(key) && x <= 0) return this.refuse(`The ${label} of ${sphere.name} is positive.`);
-    if (key === "speed" && x < 0) return this.refuse("A speed is not negative; the direction says which way.");
+    if (POSITIVE.includes(key) && x <= 0) return this.refuse(`${what} is positive.`);
+    if (key === "speed" && x < 0) return this.refuse("A speed is not negative: turn the direction.");
     const made = change(sphere, x);
     if (key === "mass" && this.sizes.checked) {
       made.radius = Number((sphere.radius * Math.cbrt(x / sphere.mass)).toPrecision(4));
     }
     const next = { ...sphere, ...made };
     const met = overlaps(scene, i, next.position, next.radius);
-    if (met && (made.position || made.radius)) return this.refuse(`${sphere.name} would overlap ${met} there.`);
+    if (met && (made.position || made.radius)) {
+      return this.refuse(`${sphere.name} would overlap ${met} there.`);
+    }
     this.lab.commit(withSphere(scene, i, made));
     return true;
   }
@@ -356,7 +306,8 @@ export class ValuesTable {
   }
 
   setWalls(e) {
-    this.coefficient(e, (scene) => ({ ...scene, walls: scene.walls.map((wall) => ({ ...wall, e })) }), "walls");
+    const change = (scene) => ({ ...scene, walls: scene.walls.map((wall) => ({ ...wall, e })) });
+    this.coefficient(e, change, "walls");
   }
 
   setWallE(i, e) {
@@ -374,7 +325,9 @@ export class ValuesTable {
     const scene = this.lab.initial();
     const same = ([c, d]) => (a === c && b === d) || (a === d && b === c);
     if (a === b) this.refuse("A pair is of two different spheres.");
-    else if (!scene.pairs.some(same)) this.lab.commit({ ...scene, pairs: [...scene.pairs, [a, b, scene.e]] });
+    else if (!scene.pairs.some(same)) {
+      this.lab.commit({ ...scene, pairs: [...scene.pairs, [a, b, scene.e]] });
+    }
   }
 
   removePair(i) {
