@@ -36,9 +36,11 @@ Object = dict[str, Any]
 _T = TypeVar("_T")
 
 # Shares of the time for all pieces that each may take of what is left.
-_PICTURES = 0.6
-_WORKING = 0.8
+_PICTURES = 0.5
+_WORKING = 0.6
 _EXACT = 0.5
+# The part of its time after which a piece that goes on is broken off once more.
+_AGAIN = 0.1
 
 
 @dataclass(frozen=True)
@@ -74,7 +76,8 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     told: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        told, unexplained = clock.piece(1.0, lambda: working(solution, explanation, names or {}))
+        told, untold = clock.piece(1.0, lambda: working(solution, explanation, names or {}))
+        unexplained = unexplained or untold
         latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
     motion, still = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
     warnings = solution.warnings if explanation is None else explanation.warnings
@@ -104,20 +107,28 @@ class _Clock:
         return None if self._end is None else max(self._end - time.monotonic(), 0.0) * part
 
     def piece(self, part: float, make: Callable[[], _T]) -> tuple[_T | None, str | None]:
-        """A piece, made in its part of the time left; or None and the reason why it is not."""
+        """A piece, made in its part of the time left; and the reason why it, or some of it, is not.
+
+        What makes it may have given up only some of it when the time was over, and gone on.
+        """
         limit = self.share(part)
         out_of_time = TimeLimitError("there was no time left for it")
         if limit is not None and limit <= 0.01:
             return None, out_of_time.message
+        end = None if limit is None else time.monotonic() + limit
         try:
-            with soft_limit(limit, limit or 0, out_of_time):
-                return make(), None
+            with soft_limit(limit, (limit or 0) * _AGAIN, out_of_time):
+                made = make()
         except RestitutionError as error:
             self.tired = self.tired or error is out_of_time
             return None, error.message
         except Exception as error:  # noqa: BLE001 - the other pieces are right without it
             self.faults.append(traceback.format_exc())
             return None, f"internal error: {type(error).__name__}"
+        if end is not None and time.monotonic() >= end:
+            self.tired = True
+            return made, "there was no time left for all of it"
+        return made, None
 
 
 def pictured(solution: Solution, event: int | None = None) -> Object:
