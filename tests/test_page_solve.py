@@ -464,6 +464,18 @@ def test_what_is_printed(open_):
 # --- when the server cannot -----------------------------------------------------------------------
 
 
+def test_a_slow_question_is_said_to_be_solved(open_):
+    page = open_(WALL)
+    held = []
+    page.route("**/api/explain", lambda route: held.append(route))
+    page.locator("#statement").fill(CORNER)
+    page.locator("#notice", has_text="Solving").wait_for()
+    assert "speedofP" not in answers(page)
+    held.pop().continue_()
+    page.locator("#answers", has_text="speed of P").wait_for()
+    assert page.locator("#notice").is_hidden()
+
+
 def test_a_busy_server_is_asked_again(open_):
     page = open_(WALL)
     refused = []

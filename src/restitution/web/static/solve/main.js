@@ -16,6 +16,7 @@ const $ = (id) => document.getElementById(id);
 const { words, sheet } = JSON.parse($("told").textContent);
 const SETTLED = 500; // ms after the last key at which the address is written
 const PATIENCE = 500; // ms for which mistakes are not shown while one types on
+const SLOW = 1200; // ms after which it is said that the solution takes its time
 
 const example = $("statement").defaultValue;
 const results = $("results");
@@ -67,7 +68,8 @@ function show(state) {
   clearTimeout(pending);
   results.setAttribute("aria-busy", String(state.kind === "waiting"));
   results.classList.toggle("stale", state.kind !== "solved" && state.kind !== "empty");
-  if (state.kind !== "waiting") notice.clear();
+  if (state.kind === "waiting") pending = setTimeout(notice.solving, SLOW);
+  else notice.clear();
   const shown = { empty: showNothing, wrong: showMistakes, solved: showSolved, refused: showRefusal };
   shown[state.kind]?.(state);
   share.update();

@@ -1,4 +1,4 @@
-// What is said when the server does not answer a statement, and trying again.
+// What is said when the server takes its time, or does not answer a statement; trying again.
 
 import { html } from "../dom.js";
 
@@ -24,6 +24,11 @@ export function makeNotice(root, again) {
 
   return {
     clear,
+    solving() {
+      clear();
+      root.append(html("p", {}, "Solving …"));
+      root.hidden = false;
+    },
     refused({ status, message, wait }) {
       clear();
       if (status === 503) {
