@@ -467,7 +467,11 @@ def test_what_is_printed(open_):
 def test_a_slow_question_is_said_to_be_solved(open_):
     page = open_(WALL)
     held = []
-    page.route("**/api/explain", lambda route: held.append(route))
+
+    def hold(route):
+        held.append(route)
+
+    page.route("**/api/explain", hold)
     page.locator("#statement").fill(CORNER)
     page.locator("#notice", has_text="Solving").wait_for()
     assert "speedofP" not in answers(page)
