@@ -68,7 +68,7 @@ def edits(address: str, repeat: int) -> None:
     print("| edit to reply, ms | median | 95 % | longest |\n|---|---:|---:|---:|")
     for title, which in (("first seen", 1), ("edited", 2)):
         times = [row[which] for row in rows]
-        print(f"| {title} | {_figures(times)} |")
+        print(f"| {title} | {figures(times)} |")
     for name, first, later in sorted(rows, key=lambda row: -row[2])[:8]:
         print(f"| {name} | {later * 1e3:.0f} (first {first * 1e3:.0f}) | | |")
 
@@ -94,12 +94,12 @@ def lesson(address: str, students: int, within: float) -> None:
         ("check", report.checks),
         ("health", report.health),
     ):
-        print(f"| {title} | {_figures(times)} |")
+        print(f"| {title} | {figures(times)} |")
     for each in report.lost:
         print(each)
 
 
-def _figures(times: list[float]) -> str:
+def figures(times: list[float]) -> str:
     most = quantiles(times, n=20)[-1]
     return " | ".join(f"{each * 1e3:.0f}" for each in (median(times), most, max(times)))
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import threading
-import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -35,20 +33,9 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
 @pytest.fixture(scope="session")
 def served() -> Iterator[str]:
     """The page, served on a free port of this machine: its address, without a slash at its end."""
-    import uvicorn
+    from serving import serving
 
-    from restitution.web import Settings, create_app
-    from restitution.web.serving import address_of, config, listening
+    from restitution.web import Settings
 
-    with listening("127.0.0.1", 0) as door:
-        server = uvicorn.Server(config(create_app(Settings(workers=2))))
-        thread = threading.Thread(target=server.run, args=([door],))
-        thread.start()
-        try:
-            while not server.started:
-                assert thread.is_alive(), "the server did not start"
-                time.sleep(0.02)
-            yield address_of(door).rstrip("/")
-        finally:
-            server.should_exit = True
-            thread.join(20)
+    with serving(Settings(workers=2)) as address:
+        yield address

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import httpx
 import pytest
+from loops import completed
 from pypdf import PdfReader
 from test_hostile import STATEMENTS as HOSTILE
 
@@ -444,7 +445,7 @@ def test_processes_are_killed_replaced_and_freed(monkeypatch):
             first.cancel()
             assert (await asyncio.wait_for(second, 20)).content != fresh.content
 
-    asyncio.run(story())
+    completed(story())
 
 
 async def losing_all() -> None:
@@ -481,7 +482,7 @@ def test_nobody_waits_for_ever(monkeypatch):
                 await work.run(whose, limit=20)
             first.cancel()
 
-    asyncio.run(story())
+    completed(story())
 
 
 def test_one_solve_for_all_who_ask_the_same():
@@ -521,7 +522,7 @@ def test_one_solve_for_all_who_ask_the_same():
         alone.cancel()
         await asyncio.wait_for(cancelled.wait(), 5)
 
-    asyncio.run(story())
+    completed(story())
 
 
 def test_what_was_broken_off_is_not_kept():
@@ -535,7 +536,7 @@ def test_what_was_broken_off_is_not_kept():
         assert (await replies.get("a", make)).content == b"cut"
         assert (await replies.get("a", make)).content == b"whole"
 
-    asyncio.run(story())
+    completed(story())
 
 
 # --- the command ----------------------------------------------------------------------------------

@@ -5,22 +5,19 @@ How long they take is measured by ``benchmarks/web.py``; here no time is asserte
 
 from __future__ import annotations
 
-import asyncio
 import json
-import threading
-import time
 from collections.abc import Iterator
 
 import pytest
-import uvicorn
 from crowd import crowd
+from loops import completed
+from serving import serving
 
 from restitution import examples
 from restitution.export import contract
 from restitution.language import parse
 from restitution.solve import solve
-from restitution.web import Settings, create_app
-from restitution.web.serving import address_of, config, listening
+from restitution.web import Settings
 
 ORDINARY = ("corner", "two-spheres-with-vectors", "rejected-root", "find-e-at-a-wall", "bank-shot")
 # Beyond what is solved in the time that this server gives.
@@ -40,18 +37,8 @@ SLOW = "\n".join(
 def narrow() -> Iterator[str]:
     """A server that has little room: one process, three places, two seconds for a question."""
     settings = Settings(workers=1, waiting=3, patience=2.0, time_limit=2.0)
-    with listening("127.0.0.1", 0) as door:
-        server = uvicorn.Server(config(create_app(settings)))
-        thread = threading.Thread(target=server.run, args=([door],))
-        thread.start()
-        try:
-            while not server.started:
-                assert thread.is_alive(), "the server did not start"
-                time.sleep(0.02)
-            yield address_of(door).rstrip("/")
-        finally:
-            server.should_exit = True
-            thread.join(20)
+    with serving(settings) as address:
+        yield address
 
 
 def answer(name: str) -> dict:
@@ -64,7 +51,7 @@ def test_a_class_loses_no_answer(served):
     right = {name: answer(name) for name in ORDINARY}
     statements = {**{name: examples.text(name) for name in ORDINARY}, "slow": SLOW}
     names = [ORDINARY[number % len(ORDINARY)] for number in range(198)]
-    report = asyncio.run(crowd(served, statements, [*names, "slow", "slow"], 3, 0.2))
+    report = completed(crowd(served, statements, [*names, "slow", "slow"], 3, 0.2))
     assert report.lost == []
     assert len(report.answers) == 200
     for name, shown in report.answers:
@@ -76,7 +63,7 @@ def test_whoever_is_told_to_wait_and_waits_is_answered(narrow):
     right = {name: answer(name) for name in ORDINARY}
     statements = {name: examples.text(name) for name in ORDINARY}
     names = [ORDINARY[number % len(ORDINARY)] for number in range(24)]
-    report = asyncio.run(crowd(narrow, statements, names, within=0.2))
+    report = completed(crowd(narrow, statements, names, within=0.2))
     assert report.lost == []
     assert report.waits > 0
     assert all(shown["answer"] == right[name] for name, shown in report.answers)
@@ -84,7 +71,7 @@ def test_whoever_is_told_to_wait_and_waits_is_answered(narrow):
 
 def test_what_takes_too_long_says_so_and_harms_nobody(narrow):
     statements = {"slow": SLOW, "corner": examples.text("corner")}
-    report = asyncio.run(crowd(narrow, statements, ["slow", "corner"], within=0.1))
+    report = completed(crowd(narrow, statements, ["slow", "corner"], within=0.1))
     assert report.lost == []
     told = dict(report.answers)
     items = [item for part in told["slow"]["answer"]["parts"] for item in part["items"]]

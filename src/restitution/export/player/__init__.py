@@ -35,7 +35,10 @@ mount(
 );
 """
 # The modules, each after those that it imports.
-_MODULES = ("elements", "controls", "numbers", "motion", "clock", "picture", "tables", "player")
+_MODULES = (
+    *("elements", "controls", "keys", "numbers", "motion", "clock", "picture", "tables"),
+    *("transport", "player"),
+)
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./\w+\.js";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:class|const|function) )", re.MULTILINE)
 _HEIGHT = 720  # pixels that a notebook gives it

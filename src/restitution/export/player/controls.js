@@ -10,11 +10,14 @@ export const ICONS = {
   next: "M11 4v16l10-8zM7.500 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z",
 };
 
-export function button(icon, label, shortcut) {
+export function button(icon, label, shortcut, does) {
   const path = svg("path", { d: ICONS[icon] });
   const made = html(
     "button",
-    { type: "button", "aria-label": label, title: `${label} (${shortcut})`, "data-do": icon },
+    {
+      type: "button", "aria-label": label, title: `${label} (${shortcut})`, "data-do": icon,
+      onclick: does,
+    },
     svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", focusable: "false" }, path),
   );
   return { node: made, path };

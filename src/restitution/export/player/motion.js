@@ -1,6 +1,6 @@
 // A motion, looked up: where everything is at a time, and what it takes up.
 
-import { cross, dot, plus, size } from "./numbers.js";
+import { cross, dot, figures, plus, seconds, size } from "./numbers.js";
 
 export function pieceAt(sphere, t, before = false) {
   const { pieces } = sphere;
@@ -86,6 +86,15 @@ export function names(event) {
   if (event.kind === "blow") return `${event.bodies[0]} receives an impulse`;
   if (event.kind === "arrival") return `${event.bodies[0]} reaches ${event.target ?? "the point"}`;
   return `${event.bodies[0]} hits ${event.wall ?? event.bodies[1]}`;
+}
+
+// What is said aloud of an event, the first being number 1.
+export function spoken(event, number) {
+  const speeds = event.bodies.map((name) => {
+    const [before, after] = [event.before, event.after].map((v) => figures(size(v[name])));
+    return `speed of ${name} ${before}, then ${after}`;
+  });
+  return [`${number}: ${names(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
 }
 
 // Components of a velocity along the line of centres and across it.

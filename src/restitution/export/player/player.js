@@ -12,14 +12,15 @@
 // ever made of text: every text of the data becomes a text node.
 
 import { Clock } from "./clock.js";
-import { button, check, ICONS } from "./controls.js";
+import { check } from "./controls.js";
 import { html, mathematics, reachable } from "./elements.js";
-import { bounds, names } from "./motion.js";
-import { figures, seconds, size } from "./numbers.js";
+import { listOfKeys, obey } from "./keys.js";
+import { bounds, names, spoken } from "./motion.js";
 import { Picture } from "./picture.js";
 import { Card, Values } from "./tables.js";
+import { Transport } from "./transport.js";
 
-const MANY = 30; // events, beyond which they are not counted one by one
+const MANY = 30; // events, beyond which not all are told in the description
 const LEGEND =
   "Dashed: components along the line of centres, or perpendicular to the wall, and across it. " +
   "At an impact: faint as it was before, full as it is after.";
@@ -40,7 +41,11 @@ export class Player {
     this.clock = new Clock({
       moved: () => this.draw(),
       met: (event) => this.announce(event),
-      turned: () => this.sayPlaying(),
+      turned: () => this.transport.turn(),
+    });
+    this.transport = new Transport(this.clock, {
+      start: { label: "Back to the start", key: "Home", does: () => this.clock.rewind() },
+      of: "the usual speed",
     });
     this.picture = new Picture();
     this.card = new Card();
@@ -56,22 +61,11 @@ export class Player {
     this.title = html(heading, { class: "title" });
     this.drawn = html("p", { class: "drawn" });
     this.choice = html("select", { "aria-label": "Which motion" });
-    this.time = html("input", { type: "range", step: "any", "aria-label": "Time" });
-    this.marks = html("div", { class: "marks", "aria-hidden": "true" });
-    this.reading = html("span", { class: "clock" });
-    this.buttons = {
-      rewind: button("rewind", "Back to the start", "Home"),
-      previous: button("previous", "Previous impact", "←"),
-      play: button("play", "Play", "Space"),
-      next: button("next", "Next impact", "→"),
-    };
-    this.rate = html("input", { type: "range", min: -3, max: 2, step: 0.5, value: 0 });
-    this.rateSaid = html("span", { class: "said" }, "1×");
     this.slow = check("Slow motion at impacts", "S", true);
     this.velocities = check("Velocities", "V", true);
     this.components = check("Components", "C", true);
     this.trails = check("Trails", "T", true);
-    this.help = this.keys();
+    this.help = listOfKeys(KEYS);
     const ask = html("button", { type: "button", class: "keys", title: "Keys (?)" }, "Keys");
     ask.addEventListener("click", () => this.help.showModal());
     this.live = html("p", { class: "live", "aria-live": "polite" });
@@ -87,14 +81,8 @@ export class Player {
           "div",
           { class: "left" },
           html("div", { class: "frame" }, this.picture.node),
-          html("div", { class: "timeline" }, this.time, this.marks),
-          html(
-            "div",
-            { class: "transport" },
-            ...Object.values(this.buttons).map(({ node }) => node),
-            this.reading,
-            html("label", { class: "rate" }, "Speed", this.rate, this.rateSaid),
-          ),
+          this.transport.timeline,
+          this.transport.node,
           html("div", { class: "options" }, ...options.map(({ node }) => node), ask),
           this.notes,
         ),
@@ -105,33 +93,7 @@ export class Player {
     );
   }
 
-  keys() {
-    const rows = KEYS.map(([key, does]) =>
-      html("tr", {}, html("th", { scope: "row" }, html("kbd", {}, key)), html("td", {}, does)),
-    );
-    const close = html("button", { type: "button" }, "Close");
-    const made = html(
-      "dialog",
-      { "aria-label": "Keys" },
-      html("h2", {}, "Keys"),
-      html("table", {}, html("tbody", {}, ...rows)),
-      close,
-    );
-    close.addEventListener("click", () => made.close());
-    return made;
-  }
-
   listen(keys) {
-    const { rewind, previous, play, next } = this.buttons;
-    rewind.node.addEventListener("click", () => this.clock.rewind());
-    previous.node.addEventListener("click", () => this.previous());
-    play.node.addEventListener("click", () => this.clock.toggle());
-    next.node.addEventListener("click", () => this.next());
-    this.time.addEventListener("input", () => {
-      this.pause();
-      this.seek(Number(this.time.value));
-    });
-    this.rate.addEventListener("input", () => this.setSpeed(2 ** Number(this.rate.value)));
     this.slow.box.addEventListener("change", () => {
       this.clock.slow = this.slow.box.checked;
     });
@@ -155,35 +117,17 @@ export class Player {
   }
 
   key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || this.help.open) return;
-    const { target } = event;
-    const typing = target.matches?.("textarea, select, input:not([type=range], [type=checkbox])");
-    if (typing || target.isContentEditable) return;
+    if (this.help.open) return;
     const box = ({ box: each }) => () => each.click();
     const does = {
-      ArrowRight: () => this.next(),
-      ArrowLeft: () => this.previous(),
-      ".": () => this.clock.nudge(1),
-      ",": () => this.clock.nudge(-1),
-      Home: () => this.clock.rewind(),
-      End: () => this.clock.leap(this.motion.end),
+      ...this.transport.keys,
       s: box(this.slow),
       v: box(this.velocities),
       c: box(this.components),
       t: box(this.trails),
-      "+": () => this.faster(1),
-      "=": () => this.faster(1),
-      "-": () => this.faster(-1),
-      "−": () => this.faster(-1),
       "?": () => this.help.showModal(),
-      " ": () => this.clock.toggle(),
     };
-    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const own = target === this.rate ? ["ArrowRight", "ArrowLeft", "Home", "End"] : [];
-    if (target.matches?.("button, input[type=checkbox]")) own.push(" ");
-    if (!(name in does) || own.includes(name)) return;
-    event.preventDefault();
-    does[name]();
+    obey(event, does, this.transport.time);
   }
 
   // --- what it plays -----------------------------------------------------------------------------
@@ -211,16 +155,6 @@ export class Player {
     this.drawn.replaceChildren(...mathematics(motion.drawn));
     this.drawn.hidden = !motion.drawn;
     this.notes.textContent = [LEGEND, ...motion.notes].join(" ");
-    this.time.min = motion.start;
-    this.time.max = motion.end;
-    this.marks.replaceChildren(
-      ...motion.events.map((event, i) => {
-        const said = motion.events.length > MANY ? "" : String(i + 1);
-        const mark = html("span", { title: names(event) }, said);
-        mark.style.setProperty("--share", (event.time - start) / this.clock.span);
-        return mark;
-      }),
-    );
     const moving = motion.spheres.map(({ name }) => name).join(", ");
     const told = motion.events.slice(0, MANY).map((event, i) => `${i + 1}: ${names(event)}`);
     const label = `Motion of ${moving} seen from above. ${told.join("; ")}.`;
@@ -243,20 +177,13 @@ export class Player {
     const shape = Math.max(1.15, Math.min(2.1, (right - left) / (top - bottom || 1e-9)));
     const height = Math.max(190, Math.min(width / shape, 0.62 * innerHeight));
     this.picture.lay(this.motion, width, Math.round(height));
+    this.transport.lay(width);
     this.draw();
     reachable(this.card.body);
     reachable(this.values.scroll);
   }
 
   // --- time --------------------------------------------------------------------------------------
-
-  sayPlaying() {
-    const { node, path } = this.buttons.play;
-    const label = this.clock.playing ? "Pause" : "Play";
-    node.setAttribute("aria-label", label);
-    node.setAttribute("title", `${label} (Space)`);
-    path.setAttribute("d", this.clock.playing ? ICONS.pause : ICONS.play);
-  }
 
   play() {
     this.clock.play();
@@ -278,25 +205,8 @@ export class Player {
     this.clock.previous();
   }
 
-  setSpeed(speed) {
-    this.clock.speed = speed;
-    this.rateSaid.textContent = `${Number(speed.toPrecision(2))}×`;
-    this.rate.setAttribute("aria-valuetext", `${this.rateSaid.textContent} the usual speed`);
-  }
-
-  faster(sense) {
-    this.rate.value = String(Number(this.rate.value) + 0.5 * sense);
-    this.setSpeed(2 ** Number(this.rate.value));
-  }
-
   announce(event) {
-    const number = this.motion.events.indexOf(event) + 1;
-    const speeds = event.bodies.map((name) => {
-      const [before, after] = [size(event.before[name]), size(event.after[name])];
-      return `speed of ${name} ${figures(before)}, then ${figures(after)}`;
-    });
-    const what = `${number}: ${names(event)} at ${seconds(event.time)}`;
-    this.live.textContent = [what, ...speeds].join("; ");
+    this.live.textContent = spoken(event, this.motion.events.indexOf(event) + 1);
   }
 
   // --- what is seen ------------------------------------------------------------------------------
@@ -312,9 +222,7 @@ export class Player {
     });
     this.card.show(shown, number, moment ? shown.time : now);
     this.values.show(now, playing);
-    this.time.value = String(now);
-    this.time.setAttribute("aria-valuetext", seconds(now));
-    this.reading.textContent = seconds(now);
+    this.transport.show();
   }
 }
 

@@ -1,25 +1,26 @@
 // The Lab: a scene on a table, edited at its start, played as the server has worked it out.
 
 import { Clock } from "../player/clock.js";
-import { button, check, ICONS } from "../player/controls.js";
+import { check } from "../player/controls.js";
 import { html } from "../player/elements.js";
-import { names } from "../player/motion.js";
-import { figures, seconds, size } from "../player/numbers.js";
+import { isTyping, listOfKeys, obey } from "../player/keys.js";
+import { spoken } from "../player/motion.js";
+import { seconds } from "../player/numbers.js";
 import { Card } from "../player/tables.js";
+import { Transport } from "../player/transport.js";
 import { ask } from "../api.js";
 import { Bars } from "./bars.js";
 import { History } from "./history.js";
 import { at, fromRows, fromText, still, toText } from "./scene.js";
 import { SCENES } from "./scenes.js";
+import { Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
 import { Tools } from "./tools.js";
 import { ValuesTable } from "./values.js";
 
-const MARKED = 300; // events, beyond which it has no marks at all
 const CROWD = 12; // spheres, beyond which tables follow seldom
 const SELDOM = 250; // ms between two such looks
 const ROWS = 3; // of the table of a crowd, that follow in one frame
-const SOON = 120; // ms without another edit, after which the server is asked
 const CALM = 1500; // ms between two impacts that are announced, where they follow fast
 const SHOWS = [
   ["velocities", "Velocities", "V"],
@@ -60,11 +61,22 @@ class Lab {
     this.clock = new Clock({
       moved: () => this.draw(),
       met: (event) => this.announce(event),
-      turned: () => this.sayPlaying(),
+      turned: () => this.turn(),
+    });
+    this.transport = new Transport(this.clock, {
+      start: { label: "Restart: play again from the start", key: "R", does: () => this.restart() },
+      slowest: -5,
+      of: "true speed",
+      play: () => this.toggle(),
+      next: () => this.step(),
+    });
+    this.simulation = new Simulation({
+      came: (told) => this.arrive(told),
+      refused: (error) => this.blame(error),
+      failed: (text) => this.say(text),
     });
     this.history = new History(null);
     this.looked = -Infinity;
-    this.work = []; // ms of each frame's work, for those who measure
     this.build();
     this.listen();
     this.open();
@@ -94,24 +106,13 @@ class Lab {
       this.plain("+", () => this.zoom(1.25), "Nearer"),
       this.plain("−", () => this.zoom(0.8), "Further away"),
       this.plain("Fit", () => this.fit(), "See all of the table"));
-    this.time = html("input", { type: "range", step: "any", "aria-label": "Time" });
-    this.marks = html("div", { class: "marks", "aria-hidden": "true" });
-    this.reading = html("span", { class: "clock" });
-    this.buttons = {
-      rewind: button("rewind", "Restart: play again from the start", "R"),
-      previous: button("previous", "Previous impact", "←"),
-      play: button("play", "Play", "Space"),
-      next: button("next", "Next impact", "→"),
-    };
-    this.rate = html("input", { type: "range", min: -5, max: 2, step: 0.5, value: 0 });
-    this.rateSaid = html("span", { class: "said" }, "1×");
     this.slow = check("Slow motion at impacts", "S", true);
     this.shows = SHOWS.map(([key, label, letter]) => ({ key, letter, ...check(label, letter, false) }));
     this.note = html("p", { class: "note", role: "status" });
     this.live = html("p", { class: "live", "aria-live": "polite" });
     this.make = this.plain("Make a question of this impact", () => this.question());
     this.make.classList.add("main");
-    this.help = this.keys();
+    this.help = listOfKeys(KEYS);
     this.root.classList.add("restitution-player", "lab");
     this.root.replaceChildren(
       html("div", { class: "choose" },
@@ -125,11 +126,8 @@ class Lab {
           html("div", { class: "tools", role: "group", "aria-label": "Tools" },
             ...this.toolButtons, html("span", { class: "gap" }), ...Object.values(this.edits)),
           html("div", { class: "ground" }, this.frame, this.views),
-          html("div", { class: "timeline" }, this.time, this.marks),
-          html("div", { class: "transport" },
-            ...Object.values(this.buttons).map(({ node }) => node),
-            this.reading,
-            html("label", { class: "rate" }, "Speed", this.rate, this.rateSaid)),
+          this.transport.timeline,
+          this.transport.node,
           html("div", { class: "options" }, this.slow.node, ...this.shows.map(({ node }) => node)),
           this.note),
         html("div", { class: "right" }, this.card.node, this.make, this.bars.node)),
@@ -143,26 +141,7 @@ class Lab {
     return html("button", { type: "button", "aria-label": name, title: name, onclick: does }, label);
   }
 
-  keys() {
-    const rows = KEYS.map(([key, does]) => html("tr", {},
-      html("th", { scope: "row", colspan: does ? null : 2 }, does ? html("kbd", {}, key) : key),
-      does ? html("td", {}, does) : null));
-    const close = html("button", { type: "button", onclick: () => this.help.close() }, "Close");
-    return html("dialog", { "aria-label": "Keys" }, html("h2", {}, "Keys"),
-      html("table", {}, html("tbody", {}, ...rows)), close);
-  }
-
   listen() {
-    const { rewind, previous, play, next } = this.buttons;
-    rewind.node.addEventListener("click", () => this.restart());
-    previous.node.addEventListener("click", () => this.clock.previous());
-    play.node.addEventListener("click", () => this.toggle());
-    next.node.addEventListener("click", () => this.step());
-    this.time.addEventListener("input", () => {
-      this.clock.pause();
-      this.clock.seek(Number(this.time.value));
-    });
-    this.rate.addEventListener("input", () => this.setSpeed(2 ** Number(this.rate.value)));
     this.slow.box.addEventListener("change", () => {
       this.clock.slow = this.slow.box.checked;
     });
@@ -177,42 +156,27 @@ class Lab {
 
   key(event) {
     if (this.help.open) return;
-    const { target } = event;
-    const typing = target.matches?.("textarea, select, input:not([type=range], [type=checkbox])");
-    if ((event.ctrlKey || event.metaKey) && !event.altKey && !typing) {
-      const letter = event.key.toLowerCase();
-      const does = letter === "z" && !event.shiftKey ? () => this.undo()
-        : letter === "y" || letter === "z" ? () => this.redo() : null;
-      if (does) {
-        event.preventDefault();
-        does();
-      }
+    if ((event.ctrlKey || event.metaKey) && !event.altKey) {
+      this.edit(event);
       return;
     }
-    if (event.ctrlKey || event.metaKey || event.altKey || typing) return;
     const does = {
-      ArrowRight: () => this.step(),
-      ArrowLeft: () => this.clock.previous(),
-      ".": () => this.clock.nudge(1),
-      ",": () => this.clock.nudge(-1),
-      Home: () => this.clock.rewind(),
-      End: () => this.clock.leap(this.clock.motion.end),
+      ...this.transport.keys,
       r: () => this.restart(),
       s: () => this.slow.box.click(),
-      "+": () => this.faster(1),
-      "=": () => this.faster(1),
-      "-": () => this.faster(-1),
       "?": () => this.help.showModal(),
-      " ": () => this.toggle(),
     };
     for (const { letter, box } of this.shows) does[letter.toLowerCase()] = () => box.click();
-    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const own = target.matches?.("input[type=range]") && target !== this.time
-      ? ["ArrowRight", "ArrowLeft", "Home", "End"] : [];
-    if (target.matches?.("button, input[type=checkbox]")) own.push(" ");
-    if (!(name in does) || own.includes(name)) return;
+    obey(event, does, this.transport.time);
+  }
+
+  edit(event) {
+    const letter = event.key.toLowerCase();
+    const back = letter === "z" && !event.shiftKey;
+    if (isTyping(event.target) || !"yz".includes(letter)) return;
     event.preventDefault();
-    does[name]();
+    if (back) this.undo();
+    else this.redo();
   }
 
   // --- scenes ------------------------------------------------------------------------------------
@@ -350,7 +314,7 @@ class Lab {
   // --- the motion --------------------------------------------------------------------------------
 
   // The scene as it is at its start, and its motion asked for.
-  renew(at_once = false) {
+  renew(atOnce = false) {
     const scene = this.initial();
     const { selected } = this.stage;
     if (selected && !scene[selected.kind][selected.index]) this.stage.selected = null;
@@ -360,33 +324,21 @@ class Lab {
     this.eager = false;
     this.load(still(scene), false);
     this.write();
-    clearTimeout(this.timer);
-    this.asking?.abort();
-    this.timer = setTimeout(() => this.request(scene), at_once ? 0 : SOON);
+    this.simulation.request(scene, atOnce ? 0 : undefined);
   }
 
-  async request(scene) {
-    this.asking = new AbortController();
-    const { signal } = this.asking;
-    try {
-      const told = await ask("simulate", { scene }, { signal });
-      if (signal.aborted) return;
-      if (told.motion) {
-        this.load(told.motion, true);
-        if (told.stopped) this.say(`${told.stopped[0].toUpperCase()}${told.stopped.slice(1)}.`);
-        if (this.eager) this.clock.play();
-      } else this.blame(told.error);
-    } catch (error) {
-      if (error.name === "AbortError") return;
-      const again = error.wait ? ` It is asked again in ${error.wait} s.` : "";
-      this.say(error.message + again);
-      if (error.wait) this.timer = setTimeout(() => this.request(scene), 1000 * error.wait);
-    }
+  // The motion of the scene; it is played if that was asked for before it was there.
+  arrive({ motion, stopped }) {
+    const eager = this.eager;
+    this.load(motion, true);
+    if (stopped) this.say(`${stopped[0].toUpperCase()}${stopped.slice(1)}.`);
+    if (eager) this.clock.play();
     this.eager = false;
   }
 
   // Says why there is no motion, and shows with whom it is.
   blame({ message, bodies }) {
+    this.eager = false;
     const index = this.initial().spheres.findIndex(({ name }) => bodies.includes(name));
     if (index >= 0) this.choose({ kind: "spheres", index });
     this.say(`This cannot be: ${message}.`);
@@ -395,11 +347,7 @@ class Lab {
   load(motion, known) {
     this.known = known;
     this.clock.load(motion, 1);
-    this.time.min = motion.start;
-    this.time.max = motion.end || 1;
-    this.time.disabled = !known;
-    const { events } = motion;
-    this.markEvents(events);
+    this.transport.time.disabled = !known;
     this.bars.lay(motion);
     this.values.lay(this.initial());
     this.card.key = null;
@@ -408,20 +356,6 @@ class Lab {
     const told = all.length > CROWD ? `${all.length} spheres` : all.join(", ");
     this.stage.picture.node.setAttribute("aria-label", `A table seen from above, with ${told}.`);
     this.lay();
-  }
-
-  // Where on the time the impacts are, numbered where there is room.
-  markEvents(events) {
-    let last = -Infinity;
-    const made = (events.length > MARKED ? [] : events).map((event, i) => {
-      const share = event.time / this.clock.span;
-      const room = (share - last) * (this.width || 300) > 9 * String(i + 1).length + 4;
-      if (room) last = share;
-      const mark = html("span", { title: names(event) }, room ? String(i + 1) : "");
-      mark.style.setProperty("--share", share);
-      return mark;
-    });
-    this.marks.replaceChildren(...made);
   }
 
   resize() {
@@ -441,6 +375,7 @@ class Lab {
       this.fitted = true;
     }
     this.stage.lay(this.clock.motion, this.width, this.height);
+    this.transport.lay(this.width);
     this.draw();
   }
 
@@ -482,24 +417,10 @@ class Lab {
     this.toggle();
   }
 
-  setSpeed(speed) {
-    this.clock.speed = speed;
-    this.rateSaid.textContent = `${Number(speed.toPrecision(2))}×`;
-    this.rate.setAttribute("aria-valuetext", `${this.rateSaid.textContent} true speed`);
-  }
-
-  faster(sense) {
-    this.rate.value = String(Number(this.rate.value) + 0.5 * sense);
-    this.setSpeed(2 ** Number(this.rate.value));
-  }
-
-  sayPlaying() {
-    const { node, path } = this.buttons.play;
+  // It begins or ceases to play.
+  turn() {
+    this.transport.turn();
     const { playing } = this.clock;
-    const label = playing ? "Pause" : "Play";
-    node.setAttribute("aria-label", label);
-    node.setAttribute("title", `${label} (Space)`);
-    path.setAttribute("d", playing ? ICONS.pause : ICONS.play);
     const had = this.stage.focused();
     if (playing && had) this.had = had;
     this.frame.classList.toggle("playing", playing);
@@ -514,12 +435,7 @@ class Lab {
     const now = performance.now();
     if (this.clock.playing && !this.clock.slow && now - this.announced < CALM) return;
     this.announced = now;
-    const number = this.clock.motion.events.indexOf(event) + 1;
-    const speeds = event.bodies.map((name) => {
-      const [before, after] = [event.before, event.after].map((v) => figures(size(v[name])));
-      return `speed of ${name} ${before}, then ${after}`;
-    });
-    this.live.textContent = [`${number}: ${names(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
+    this.live.textContent = spoken(event, this.clock.motion.events.indexOf(event) + 1);
   }
 
   // --- what is seen ------------------------------------------------------------------------------
@@ -549,10 +465,7 @@ class Lab {
       if (!playing) this.look();
       else if (!crowd) this.values.show(this.current(), ` at ${seconds(now)}`);
     }
-    this.time.value = String(now);
-    this.time.setAttribute("aria-valuetext", seconds(now));
-    this.reading.textContent = seconds(now);
-    if (playing) this.work.push(performance.now() - began);
+    this.transport.show();
   }
 
   // The tables and handles of what stands still.
