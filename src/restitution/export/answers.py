@@ -35,6 +35,7 @@ class _Line:
     label: str | None
     asked: str
     said: tuple[str | _Said, ...]
+    equal: bool
 
 
 def answers(solution: Solution, form: Format = "text", label: str | None = None) -> str:
@@ -55,7 +56,9 @@ def answers(solution: Solution, form: Format = "text", label: str | None = None)
 def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
     for part, item in solution.items():
         if label is None or part.part.label == label:
-            yield _Line(part.part.label, item.text, tuple(_said(item)))
+            said = tuple(_said(item))
+            equal = is_equal(item) and bool(said) and isinstance(said[0], _Said)
+            yield _Line(part.part.label, item.text, said, equal)
 
 
 def _said(item: ItemResult) -> Iterator[str | _Said]:
@@ -81,9 +84,16 @@ def _answer(item: ItemResult, answer: Answer) -> str | _Said:
     return answer.display if layout is None else _Said(layout, answer.display)
 
 
+def is_equal(item: ItemResult) -> bool:
+    """Whether an item equals its answers: ``speed(P) = …``, but ``range of e: …``."""
+    return item.kind not in ("range", "extremum", "show")
+
+
 def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
-    """A value as people write it, or None where only its text says it (a range, say)."""
+    """A value as people write it, or None where only its text says it (what was to be shown)."""
     value: Any = answer.value
+    if isinstance(answer, Answer) and answer.layout is not None:
+        return answer.layout
     match item.kind:
         case "value" if isinstance(item.item, Value):
             angle = isinstance(answer, Answer) and answer.angle
@@ -138,8 +148,7 @@ def _label(line: _Line) -> str:
 
 
 def _sign(line: _Line) -> str:
-    """An equals sign only where a value follows: ``speed(P) = …``, but ``range of e: …``."""
-    return " = " if line.said and isinstance(line.said[0], _Said) else ": "
+    return " = " if line.equal else ": "
 
 
 def _plain(layout: Layout, text: str) -> str:

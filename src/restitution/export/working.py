@@ -18,7 +18,7 @@ from restitution.explain import explain, to_latex
 from restitution.explain.html import said, table_rows
 from restitution.explain.principles import about
 from restitution.explain.steps import Explanation, Row, Step
-from restitution.export.answers import layout_of
+from restitution.export.answers import is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import of_solution
 from restitution.export.tree import Tree, tree, trees
@@ -58,7 +58,7 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
         {"question": tree or null,
          "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
          "working": [{"label", "marks", "asked": [text],
-                      "answers": [{"item": tree, "values": [tree], "holds", "error",
+                      "answers": [{"item": tree, "values": [tree], "equal", "holds", "error",
                                    "rejected": [{"value": tree, "reason"}]}],
                       "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
                                  "event", "item", "rows": [{"row": tree, "mark"}]}]}],
@@ -194,6 +194,7 @@ def _answers(part: PartSolution, names: _Names) -> list[Object]:
         {
             "item": names.get((part.part.label, number), ["code", {}, item.text]),
             "values": [_value(item, answer) for answer in item.distinct],
+            "equal": is_equal(item),
             "holds": item.holds,
             "counterexample": None
             if item.counterexample is None

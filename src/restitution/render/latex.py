@@ -30,6 +30,7 @@ _SIGNS = {
     "≥": r"\geq",
     "≠": r"\neq",
     "≈": r"\approx",
+    "→": r"\to",
     "∈": r"\in",
     "×": r"\times",
     "·": r"\cdot",

@@ -132,7 +132,7 @@ class Coordinates:
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """A chain: ``signs[k]`` (one of ``= ≠ < ≤ > ≥ ≈``) stands between operands k and k + 1."""
+    """A chain: ``signs[k]`` (one of ``= ≠ < ≤ > ≥ ≈ →``) stands between operands k and k + 1."""
 
     operands: tuple[Layout, ...]
     signs: tuple[str, ...]
@@ -1108,18 +1108,19 @@ def _stage(node: trees.Quantity) -> tuple[Layout, ...] | None:
 # --- answers as people see them ---------------------------------------------------------------
 
 
-def display(
-    value: Any, *, angle: bool = False, percentage: bool = False, name: Any = None
-) -> Layout:
+def display(value: Any, *, angle: bool = False, percentage: bool = False) -> Layout:
     """An answer: its exact form and, where that says more, its value to 3 significant figures.
 
     ``√103 u/16 = 0.634u``, ``arctan(3/4) = 36.9°``, ``60°``, ``3/7 = 0.429``, ``7u/4``. An angle
-    is given in radians and shown in degrees. ``name`` puts ``name =`` in front.
+    is given in radians and shown in degrees.
     """
     sides = _display_sides(value, angle, percentage)
-    if name is not None:
-        sides = [as_layout(name), *sides]
     return sides[0] if len(sides) == 1 else equation(*sides)
+
+
+def display_named(name: Any, value: Any, *, angle: bool = False) -> Relation:
+    """The same with the name of what has the value in front: ``α = arctan(3/4) = 36.9°``."""
+    return equation(name, *_display_sides(value, angle, percentage=False))
 
 
 def display_vector(x: Any, y: Any) -> Layout:

@@ -12,7 +12,14 @@ from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.problem import Extremum
-from restitution.render.layout import display, equation, from_sympy
+from restitution.render.layout import (
+    Phrase,
+    Words,
+    display,
+    display_named,
+    equation,
+    from_sympy,
+)
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
@@ -67,22 +74,27 @@ def find_extremum(
     if angle:
         value = exact.tidy_angle(value)
     place = forms.bound(candidate.where[name])
-    shown = to_text(display(value, angle=angle, percentage=item.percentage))
     role = setting.roles[name]
-    if place.is_infinite:
-        where = to_text(equation(role.symbol(name), from_sympy(place)))
-    else:
-        where = to_text(display(place, angle=role.kind == "angle", name=role.symbol(name)))
-    shown += f" when {where}" if reached else f" approached as {where.replace('=', '→', 1)}"
+    symbol = role.symbol(name)
+    where = (
+        equation(symbol, from_sympy(place))
+        if place.is_infinite
+        else display_named(symbol, place, angle=role.kind == "angle")
+    )
+    if not reached:
+        where = replace(where, signs=("→", *where.signs[1:]))
+    most = display(value, angle=angle, percentage=item.percentage)
+    layout = Phrase((most, Words("when" if reached else "approached as"), where))
     answer = Answer(
         1,
         value,
         exact.sympy_text(value),
         exact.decimal(value),
-        shown,
+        to_text(layout),
         {name: exact.sympy_text(place)},
         reached,
         angle,
+        layout,
     )
     return ItemResult(item, line, item.text, "extremum", (answer,))
 

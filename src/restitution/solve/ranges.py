@@ -503,8 +503,9 @@ def find_range(
         values, angle = _range_of_quantity(desk, meant, now, in_terms_of)
     if values is sp.S.EmptySet:
         raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
-    shown = to_text(display_set(values, from_tree(item.expression), angle=angle))
-    answer = Answer(1, values, exact.sympy_text(values), None, shown, angle=angle)
+    layout = display_set(values, from_tree(item.expression), angle=angle)
+    told = exact.sympy_text(values)
+    answer = Answer(1, values, told, None, to_text(layout), angle=angle, layout=layout)
     return ItemResult(item, line, item.text, "range", (answer,))
 
 

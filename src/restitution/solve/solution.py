@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
+from restitution.render.layout import Layout
 from restitution.solve.letters import Role
 from restitution.solve.story import Story, Unknowns
 
@@ -25,7 +26,8 @@ class Answer:
     a direction, or a SymPy set for a range. ``exact`` is the same as text to be read again,
     ``decimal`` in full double precision or None where letters are left, ``display`` what people
     see. ``where`` tells at which values of the letters an extremum is reached; ``reached`` is
-    False where it is only approached.
+    False where it is only approached. ``layout`` is ``display`` as mathematics for a range or an
+    extremum; other values are set by `restitution.render.layout.display` and its kin.
     """
 
     solution: int
@@ -36,6 +38,7 @@ class Answer:
     where: Mapping[str, str] | None = None
     reached: bool = True
     angle: bool = False
+    layout: Layout | None = None
 
 
 @dataclass(frozen=True)

@@ -16,13 +16,13 @@ export function answersOf({ answer, working }, goTo) {
   return [...warningsOf(answer), ...(answer.error ? [failure(answer.error, goTo)] : []), ...nodes];
 }
 
-function answered({ item, values, holds, counterexample, error, rejected }) {
+function answered({ item, values, equal, holds, counterexample, error, rejected }) {
   return html(
     "li",
     {},
     html("span", { class: "item" }, grown(item)),
     " ",
-    ...(holds === null ? equals(values) : [verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
+    ...(holds === null ? equals(values, equal) : [verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
       html("p", { class: "rejected" }, "Rejected: ", maths(value), `, as ${reason}.`),
@@ -31,10 +31,9 @@ function answered({ item, values, holds, counterexample, error, rejected }) {
 }
 
 // `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
-function equals(values) {
+function equals(values, equal) {
   if (!values.length) return [];
-  const sentence = typeof values[0] === "string";
-  return [html("span", { class: sentence ? "colon" : "sign" }, sentence ? ":" : "="), ...alternatives(values)];
+  return [html("span", { class: equal ? "sign" : "colon" }, equal ? "=" : ":"), ...alternatives(values)];
 }
 
 const alternatives = (values) =>
