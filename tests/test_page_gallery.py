@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import re
 import xml.etree.ElementTree as ET
+from functools import partial
 
 import httpx
 import pytest
@@ -18,6 +19,8 @@ from restitution.draw import scenes, thumbnail
 from restitution.draw.ink import ink
 from restitution.draw.svg import to_svg
 from restitution.examples.topics import TOPICS
+
+get = partial(httpx.get, timeout=60)
 
 
 def solved(name: str):
@@ -67,7 +70,7 @@ def test_a_thumbnail_is_small_and_has_what_moves(name: str) -> None:
 
 
 def test_the_list_has_all_examples_in_the_order_of_teaching(served: str) -> None:
-    reply = httpx.get(served + "/examples.json")
+    reply = get(served + "/examples.json")
     found = reply.json()["examples"]
     assert [each["name"] for each in found] == [n for names in TOPICS.values() for n in names]
     assert {each["topic"] for each in found} == set(TOPICS)
@@ -77,19 +80,19 @@ def test_the_list_has_all_examples_in_the_order_of_teaching(served: str) -> None
 
 def test_pictures_are_served_and_kept(served: str) -> None:
     address = served + "/thumbnails/corner.svg"
-    reply = httpx.get(address)
+    reply = get(address)
     assert reply.headers["content-type"] == "image/svg+xml"
     assert "max-age" in reply.headers["cache-control"]
     assert reply.text == to_svg(thumbnail(solved("corner")))
-    again = httpx.get(address, headers={"If-None-Match": reply.headers["etag"]})
+    again = get(address, headers={"If-None-Match": reply.headers["etag"]})
     assert (again.status_code, again.content) == (304, b"")
-    assert httpx.get(served + "/thumbnails/..%2Fcorner.svg").status_code == 404
-    assert httpx.get(served + "/thumbnails/no-such.svg").status_code == 404
+    assert get(served + "/thumbnails/..%2Fcorner.svg").status_code == 404
+    assert get(served + "/thumbnails/no-such.svg").status_code == 404
 
 
 def test_no_example_is_without_a_picture(served: str) -> None:
     for name in ("corner", "wall-with-vectors", "centres-given"):
-        assert "aria-labelledby" in httpx.get(f"{served}/thumbnails/{name}.svg").text
+        assert "aria-labelledby" in get(f"{served}/thumbnails/{name}.svg").text
 
 
 # --- the gallery ----------------------------------------------------------------------------------

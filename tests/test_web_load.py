@@ -6,9 +6,8 @@ How long they take is measured by ``benchmarks/web.py``; here no time is asserte
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from contextlib import AbstractContextManager
 
-import pytest
 from crowd import crowd
 from loops import completed
 from serving import serving
@@ -33,12 +32,9 @@ SLOW = "\n".join(
 )
 
 
-@pytest.fixture
-def narrow() -> Iterator[str]:
-    """A server that has little room: one process, three places, two seconds for a question."""
-    settings = Settings(workers=1, waiting=3, patience=2.0, time_limit=2.0)
-    with serving(settings) as address:
-        yield address
+def narrow(time_limit: float) -> AbstractContextManager[str]:
+    """A server that has little room: one process, three places."""
+    return serving(Settings(workers=1, waiting=3, patience=2.0, time_limit=time_limit))
 
 
 def answer(name: str) -> dict:
@@ -59,19 +55,21 @@ def test_a_class_loses_no_answer(served):
     assert report.health
 
 
-def test_whoever_is_told_to_wait_and_waits_is_answered(narrow):
+def test_whoever_is_told_to_wait_and_waits_is_answered():
     right = {name: answer(name) for name in ORDINARY}
     statements = {name: examples.text(name) for name in ORDINARY}
     names = [ORDINARY[number % len(ORDINARY)] for number in range(24)]
-    report = completed(crowd(narrow, statements, names, within=0.2))
+    with narrow(60) as address:
+        report = completed(crowd(address, statements, names, within=0.2))
     assert report.lost == []
     assert report.waits > 0
     assert all(shown["answer"] == right[name] for name, shown in report.answers)
 
 
-def test_what_takes_too_long_says_so_and_harms_nobody(narrow):
+def test_what_takes_too_long_says_so_and_harms_nobody():
     statements = {"slow": SLOW, "corner": examples.text("corner")}
-    report = completed(crowd(narrow, statements, ["slow", "corner"], within=0.1))
+    with narrow(4) as address:
+        report = completed(crowd(address, statements, ["slow", "corner"], within=0.1))
     assert report.lost == []
     told = dict(report.answers)
     items = [item for part in told["slow"]["answer"]["parts"] for item in part["items"]]
