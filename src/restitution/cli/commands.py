@@ -27,6 +27,7 @@ from restitution.cli.output import (
     target_of,
     write_file,
 )
+from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
@@ -493,13 +494,9 @@ def _summary(problem: Problem) -> str:
         for step in steps
         if isinstance(step, Find | Show)
     )
-    said = ", ".join(_counted(number, noun) for number, noun in counts if number)
-    question = f"{_counted(asked, 'item')} asked" if asked else "nothing is asked"
+    said = ", ".join(counted(number, noun) for number, noun in counts if number)
+    question = f"{counted(asked, 'item')} asked" if asked else "nothing is asked"
     return f"reads well: {said}; {question}" if said else f"reads well: {question}"
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def _complete_example(incomplete: str) -> list[str]:

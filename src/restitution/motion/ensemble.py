@@ -33,9 +33,9 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any, Generic, TypeVar
 
+from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 from restitution.motion.progress import progress as progress_bar
-from restitution.motion.table import counted
 
 T = TypeVar("T")
 

@@ -32,12 +32,13 @@ from operator import index
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from restitution import law
+from restitution.counting import counted
 from restitution.errors import CollapseError, ImpossibleError, StatementError
 from restitution.motion import pieces
 from restitution.motion.arithmetic import Arithmetic, ExactNumbers, given
 from restitution.motion.contact import TOLERANCE, Contact, Face, leaving, meeting
 from restitution.motion.pieces import Motion, Piece, Struck, Track
-from restitution.motion.table import Post, Ring, Table, counted, is_inside
+from restitution.motion.table import Post, Ring, Table, is_inside
 from restitution.vector import Vector
 
 if TYPE_CHECKING:

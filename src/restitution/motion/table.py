@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Any, NamedTuple
 
+from restitution.counting import counted
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.motion.arithmetic import Arithmetic, ExactNumbers, Floats, direction, vector
 from restitution.motion.contact import Face
@@ -417,8 +418,3 @@ def _nearer(one: Vector, other: Vector, reach: Any, kind: Arithmetic) -> bool:
     apart = other - one
     sure = reach - kind.rounding((*one, *other, reach))
     return bool(sure > 0 and apart.dot(apart) < sure * sure)
-
-
-def counted(number: int, noun: str) -> str:
-    """A number of things in words: 1 sphere, 2 spheres."""
-    return f"{number} {noun}" + ("" if number == 1 else "s")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
+from restitution.counting import counted
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -112,7 +113,7 @@ def to_figures(figures: int | None) -> str:
     """``, correct to 3 significant figures``, or nothing."""
     if figures is None:
         return ""
-    return f", correct to {figures} significant figure{'' if figures == 1 else 's'}"
+    return f", correct to {counted(figures, 'significant figure')}"
 
 
 def _compare(scene: Scene, relation: Compare) -> Words:

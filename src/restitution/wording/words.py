@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from restitution.counting import counted
 from restitution.wording.structure import Named, Piece, Sentence, Words
 
 _ORDINALS = [
@@ -97,4 +98,4 @@ def alphabetic(number: int) -> str:
 
 def count_of_marks(number: int) -> str:
     """``(1 mark)``, ``(5 marks)``."""
-    return f"({number} mark{'' if number == 1 else 's'})"
+    return f"({counted(number, 'mark')})"
