@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import re
-import shutil
 import statistics
 from itertools import pairwise
 from urllib.parse import urlencode
@@ -18,15 +17,15 @@ from urllib.parse import urlencode
 import web
 from playwright.sync_api import Browser, Page, sync_playwright
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 TURNS = 5
 SECONDS = 5.0
 
 
 def main() -> None:
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
-    with web.server() as address, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
+    with web.browsing.page() as address, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=web.browsing.browser(), args=web.browsing.ARGUMENTS
+        )
         print("| opened | first paint, ms | kB in all | kB without the font |")
         print("|---|---:|---:|---:|")
         for name, path in (("Solve", "/"), ("Lab", "/lab")):

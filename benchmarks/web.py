@@ -9,26 +9,22 @@ from __future__ import annotations
 
 import argparse
 import asyncio
-import re
-import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from statistics import median, quantiles
 
 import httpx
 
-ROOT = Path(__file__).parents[1]
-sys.path.insert(0, str(ROOT / "tests"))
+from restitution import examples
 
+ROOT = Path(__file__).parents[1]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "scripts")]
+
+import browsing  # noqa: E402
 from crowd import crowd  # noqa: E402
 
-EXAMPLES = {
-    path.name.removesuffix(".impact"): path.read_text(encoding="utf-8").partition("\n#=")[0]
-    for path in sorted((ROOT / "src/restitution/examples").glob("*.impact"))
-}
+EXAMPLES = {name: examples.statement(name) for name in examples.names()}
 SLOW = ROOT / "tests/questions/619-unknown-line-from-B-only.impact"
 
 
@@ -38,24 +34,10 @@ def main() -> None:
     parser.add_argument("--students", type=int, default=200)
     parser.add_argument("--within", type=float, default=60.0, metavar="SECONDS")
     chosen = parser.parse_args()
-    with server() as address:
+    with browsing.page() as address:
         edits(address, chosen.repeat)
-    with server() as address:
+    with browsing.page() as address:
         lesson(address, chosen.students, chosen.within)
-
-
-@contextmanager
-def server() -> Iterator[str]:
-    """The page as it is served, warm."""
-    command = [Path(sys.executable).with_name("restitution"), "serve", "--no-browser", "--port=0"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-        try:
-            line = process.stderr.readline()
-            found = re.search(r"http://\S+", line)
-            assert found, line
-            yield found[0].rstrip("/")
-        finally:
-            process.terminate()
 
 
 def edits(address: str, repeat: int) -> None:

@@ -8,17 +8,14 @@ side by side. It serves the page itself, on a free port.
 
 from __future__ import annotations
 
-import re
-import shutil
-import subprocess
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from html import escape
 from pathlib import Path
 from typing import Literal
 from urllib.parse import urlencode
 
+import browsing
 from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
 
 from restitution import examples
@@ -29,7 +26,6 @@ SIZES: dict[str, ViewportSize] = {
     "projector": {"width": 1920, "height": 1080},
 }
 SCHEMES: tuple[Literal["light", "dark"], ...] = ("light", "dark")
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 View = Callable[[Page, str], None]
 
@@ -44,9 +40,10 @@ def main(arguments: list[str]) -> None:
     if unknown:
         raise SystemExit(f"there is no view {unknown[0]!r}, only {', '.join(VIEWS)}")
     folder.mkdir(parents=True, exist_ok=True)
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
-    with served() as address, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
+    with browsing.page() as address, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=browsing.browser(), args=browsing.ARGUMENTS
+        )
         names = [
             taken(browser, address, folder, view, size, scheme)
             for view in wanted
@@ -60,27 +57,6 @@ def main(arguments: list[str]) -> None:
         for name in names
     )
     (folder / "index.html").write_text(f"<!DOCTYPE html>\n{figures}\n", encoding="utf-8")
-
-
-@contextmanager
-def served() -> Iterator[str]:
-    """The address of the page, while it is served."""
-    command = ["restitution", "serve", "--no-browser", "--port", "0"]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    ) as server:
-        assert server.stdout is not None
-        try:
-            said = ""
-            for line in server.stdout:
-                said += line
-                if match := re.search(r"http://\S+", line):
-                    yield match[0].rstrip("/")
-                    break
-            else:
-                raise SystemExit(f"the page could not be served:\n{said}")
-        finally:
-            server.terminate()
 
 
 def taken(

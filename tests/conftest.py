@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Iterator
 from typing import Any
 
+import browsing
 import pytest
 from hypothesis import settings
 from playwright.sync_api import expect
@@ -20,18 +20,16 @@ if os.environ.get("CI"):
 # A machine may be busy; what is awaited and does not come fails all the same.
 expect.set_options(timeout=30_000)
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-
 
 @pytest.fixture(scope="session")
 def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[str, Any]:
     """The machine's own Chromium, for pytest-playwright; tests that need it say so by ``page``."""
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    found = browsing.browser()
     if found is None:
-        reason = f"no browser: none of {', '.join(BROWSERS)} is installed"
+        reason = f"no browser: none of {', '.join(browsing.BROWSERS)} is installed"
         pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
-    # Without a sandbox it runs in containers too; it opens nothing but pages made by these tests.
-    return {**browser_type_launch_args, "executable_path": found, "args": ["--no-sandbox"]}
+    arguments = list(browsing.ARGUMENTS)
+    return {**browser_type_launch_args, "executable_path": found, "args": arguments}
 
 
 @pytest.fixture(scope="session")
