@@ -8,7 +8,7 @@ import json
 import logging
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
@@ -18,13 +18,13 @@ from starlette.routing import Route
 from restitution.killable import LostError
 from restitution.web import work
 from restitution.web.asking import RefusedError, asked
+from restitution.web.files import unpacks
 from restitution.web.pool import BusyError, Pool
 from restitution.web.replies import Replies
 from restitution.web.settings import Settings
 from restitution.web.work import Made
 
 _log = logging.getLogger(__name__)
-_T = TypeVar("_T")
 
 _METHODS = ["GET", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"]
 
@@ -110,20 +110,19 @@ async def _check(request: Request) -> Response:
     async def reply() -> Made:
         told = await asked(request, "statement", {}, staff.settings)
         made = staff.clerks.run(work.checked, told["statement"], limit=_CHECKING)
-        found: Made = await _while_wanted(request, made)
-        return found
+        return await _while_wanted(request, made)
 
     return await _answered(request, reply)
 
 
 def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
-    optional = {name: kind for name, (kind, _) in task.optional.items()}
+    kinds = {name: kind for name, (kind, _) in task.optional.items()}
 
     async def do(request: Request) -> Response:
         staff: Staff = request.app.state.staff
 
         async def reply() -> Made:
-            told = await asked(request, task.about, optional, staff.settings)
+            told = await asked(request, task.about, kinds, staff.settings)
             others = tuple(told.get(name, usual) for name, (_, usual) in task.optional.items())
             key = (task.function.__name__, json.dumps(told, sort_keys=True))
             about = told[task.about]
@@ -139,17 +138,15 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
     """The work done; where its process was lost, what can be said without it."""
     limit = staff.settings.time_limit
     try:
-        made: Made = await staff.solvers.run(task.function, about, limit, *others, limit=limit)
-        return made
+        return await staff.solvers.run(task.function, about, limit, *others, limit=limit)
     except TimeoutError:
         message, late = f"no answer within the time limit of {limit:g} s", True
     except LostError as error:
         if error.details:
             _log.error("%s\n%s", error, error.details)
         message, late = f"internal error: {error}", False
-    told = (about, task.function.__name__, message, late)
-    found: Made = await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
-    return found
+    told = (about, task.function, message, late)
+    return await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
 
 
 async def _answered(request: Request, reply: Callable[[], Awaitable[Made]]) -> Response:
@@ -174,15 +171,15 @@ async def _answered(request: Request, reply: Callable[[], Awaitable[Made]]) -> R
     if not made.packed:
         return Response(made.content, made.status, media_type=made.kind)
     headers = {"Vary": "Accept-Encoding"}
-    if "gzip" not in request.headers.get("accept-encoding", ""):
+    if not unpacks(request):
         return Response(gzip.decompress(made.content), made.status, headers, made.kind)
     headers["Content-Encoding"] = "gzip"
     return Response(made.content, made.status, headers, made.kind)
 
 
-async def _while_wanted(request: Request, work: Awaitable[_T]) -> _T:
-    """What the work gives; it is cancelled when the one who asked has gone."""
-    doing = asyncio.ensure_future(work)
+async def _while_wanted(request: Request, making: Awaitable[Made]) -> Made:
+    """What is made; it is given up when the one who asked has gone."""
+    doing = asyncio.ensure_future(making)
     leaving = asyncio.ensure_future(_gone(request))
     try:
         await asyncio.wait({doing, leaving}, return_when=asyncio.FIRST_COMPLETED)

@@ -7,8 +7,6 @@ from contextlib import AsyncExitStack, asynccontextmanager
 
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
-from starlette.middleware import Middleware
-from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp
 
 from restitution.web import api, gallery, pages
@@ -37,7 +35,6 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
     app = Starlette(
         # The pages come last, as they answer whatever is asked.
         routes=[*api.routes(), *gallery.routes(), *pages.routes()],
-        middleware=[Middleware(GZipMiddleware, minimum_size=800, compresslevel=5)],
         exception_handlers={HTTPException: api.refused, Exception: api.failed},
         lifespan=life,
     )

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from posixpath import dirname, join, normpath
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -18,6 +20,8 @@ _KINDS = {
     ".woff2": "font/woff2",
 }
 """What is served, by the ending of its name. Whatever else lies in a folder is not."""
+
+_IMPORT = re.compile(r'^import [^"]*"(\.[^"]+)";', re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -34,10 +38,15 @@ class Stored:
         headers = {"Cache-Control": kept, "ETag": self.tag, "Vary": "Accept-Encoding"}
         if status == 200 and self.tag in request.headers.get("if-none-match", ""):
             return Response(status_code=304, headers=headers)
-        if self.packed is not None and "gzip" in request.headers.get("accept-encoding", ""):
+        if self.packed is not None and unpacks(request):
             headers["Content-Encoding"] = "gzip"
             return Response(self.packed, status, headers, self.kind)
         return Response(self.content, status, headers, self.kind)
+
+
+def unpacks(request: Request) -> bool:
+    """Whether the one who asks can undo gzip."""
+    return "gzip" in request.headers.get("accept-encoding", "")
 
 
 def stored(content: bytes, kind: str) -> Stored:
@@ -57,6 +66,17 @@ def files_of(folders: Mapping[str, Path]) -> dict[str, Stored]:
         for path in sorted(folder.rglob("*"))
         if path.suffix in _KINDS
     }
+
+
+def imported(files: Mapping[str, Stored], path: str) -> list[str]:
+    """The modules that a module needs from its start, itself among them, each once."""
+    found = [path]
+    for each in found:  # which grows meanwhile
+        for name in _IMPORT.findall(files[each].content.decode()):
+            needed = normpath(join(dirname(each), name))
+            if needed not in found:
+                found.append(needed)
+    return found
 
 
 def digest(files: Mapping[str, Stored]) -> str:

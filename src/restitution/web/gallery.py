@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-import hashlib
 import json
 import logging
-from functools import cache
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -17,11 +15,13 @@ from restitution import examples
 from restitution.examples.topics import TOPICS
 from restitution.killable import LostError
 from restitution.web.api import Staff, refusal
+from restitution.web.files import stored
 from restitution.web.pool import BusyError
 from restitution.web.work import Made
 
 _log = logging.getLogger(__name__)
 _SVG = "image/svg+xml"
+_FOR_A_DAY = "public, max-age=86400"
 
 _PLACEHOLDER = """\
 <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 26" width="40mm" height="26mm" fill="none"\
@@ -50,12 +50,15 @@ def routes() -> list[Route]:
             found = await staff.replies.get((pictured.__name__, name), made)
         except BusyError as error:
             return refusal(503, "busy", "please ask again", {"Retry-After": str(error.again)})
-        return _told(request, found)
+        kept = "no-store" if found.tired else _FOR_A_DAY  # another time more may come of it
+        return stored(found.content, found.kind).reply(request, kept)
 
-    async def table(request: Request) -> Response:
-        return _told(request, Made(_table()))
+    table = stored(_table(), "application/json")
 
-    return [Route("/examples.json", table), Route("/thumbnails/{name}.svg", picture)]
+    async def show_table(request: Request) -> Response:
+        return table.reply(request, _FOR_A_DAY)
+
+    return [Route("/examples.json", show_table), Route("/thumbnails/{name}.svg", picture)]
 
 
 def pictured(name: str) -> Made:
@@ -76,14 +79,12 @@ def pictured(name: str) -> Made:
 
 async def _made(staff: Staff, name: str) -> Made:
     try:
-        made: Made = await staff.solvers.run(pictured, name, limit=staff.settings.time_limit)
-        return made
+        return await staff.solvers.run(pictured, name, limit=staff.settings.time_limit)
     except (TimeoutError, LostError) as error:
         _log.error("no picture of %s: %r\n%s", name, error, getattr(error, "details", ""))
         return Made(_PLACEHOLDER.encode(), _SVG, tired=True)
 
 
-@cache
 def _table() -> bytes:
     told = [
         {
@@ -96,14 +97,3 @@ def _table() -> bytes:
         for name in names
     ]
     return json.dumps({"examples": told}, ensure_ascii=False).encode()
-
-
-def _told(request: Request, found: Made) -> Response:
-    """The reply, for a day; nothing where the browser has just this already."""
-    if found.tired:  # another time more may come of it
-        return Response(found.content, media_type=found.kind)
-    tag = f'"{hashlib.sha256(found.content).hexdigest()[:16]}"'
-    headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    if request.headers.get("If-None-Match", "").removeprefix("W/") == tag:
-        return Response(status_code=304, headers=headers)
-    return Response(found.content, headers=headers, media_type=found.kind)

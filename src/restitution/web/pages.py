@@ -13,7 +13,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from restitution import examples
-from restitution.web.files import digest, files_of, stored
+from restitution.web.files import digest, files_of, imported, stored
 from restitution.web.words import vocabulary
 
 _FOLDERS = {
@@ -21,9 +21,9 @@ _FOLDERS = {
     "": Path(str(files("restitution.web"))) / "static",
 }
 
+_HTML = "text/html; charset=utf-8"
 _FOR_EVER = "public, max-age=31536000, immutable"
 _ASK = "no-cache"  # a browser asks each time whether what it keeps is still so
-
 
 _FIRST = "two-spheres-with-vectors"
 """The example that a first visit shows."""
@@ -45,6 +45,8 @@ def routes() -> list[Route]:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    # Fetched at once, and not each after the one that needs it.
+    environment.globals["modules"] = lambda main: imported(found, main)
 
     def written(template: str, up: str = "", **more: Any) -> bytes:
         static = f"{up}static/{name}"
@@ -57,7 +59,7 @@ def routes() -> list[Route]:
         async def show(request: Request) -> Response:
             return kept.reply(request, _ASK)
 
-        return Route("/" if template == "solve" else f"/{template}", show, name=template)
+        return Route("/" if template == "solve" else f"/{template}", show)
 
     async def file(request: Request) -> Response:
         path = request.path_params["path"]
@@ -75,12 +77,9 @@ def routes() -> list[Route]:
         return Response(status_code=308, headers={"Location": "../lab"})
 
     return [
-        page("solve", told=_told(), example=examples.text(_FIRST).partition("\n#=")[0].strip()),
+        page("solve", told=_told(), example=examples.statement(_FIRST).strip()),
         page("lab"),
         Route("/lab/", without_slash),
         Route("/static/{digest}/{path:path}", file),
-        Route("/{path:path}", missing, name="missing"),
+        Route("/{path:path}", missing),
     ]
-
-
-_HTML = "text/html; charset=utf-8"

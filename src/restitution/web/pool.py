@@ -14,13 +14,19 @@ import time
 from collections.abc import AsyncIterator, Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import asynccontextmanager, suppress
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
 from restitution.killable import LostError, limit_memory, portable
 
 _log = logging.getLogger(__name__)
+
+_LOADED = "restitution.web.loaded"
+"""What all processes begin with."""
+
+_POLITE = 5
+"""By how much they are nicer than the server."""
 
 _GRACE = 2.0
 """Seconds after the limit of the work itself at which its process is killed."""
@@ -36,6 +42,16 @@ _AFTERWARDS = 2
 
 _LONGEST_WAIT = 30
 """Seconds after which a client is told to come back, at most."""
+
+
+class Tiring(Protocol):
+    """What work returns: whether it was broken off, and its process should do no more."""
+
+    @property
+    def tired(self) -> bool: ...
+
+
+_Made = TypeVar("_Made", bound=Tiring)
 
 
 class BusyError(Exception):
@@ -56,9 +72,6 @@ async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Poo
         await made.close()
 
 
-_LOADED = "restitution.web.loaded"
-
-
 class Pool:
     """Processes, and a queue before them that has an end. Belongs to one event loop.
 
@@ -73,11 +86,11 @@ class Pool:
         self._usual = 0.1  # seconds that a task takes, about
         self._free = asyncio.Semaphore(workers)
         self._crew = _Crew(workers)
-        self._parting: list[asyncio.Task[None]] = []
+        self._parting: set[asyncio.Task[None]] = set()
         self._closed = False
 
-    async def run(self, function: Callable[..., Any], *arguments: Any, limit: float) -> Any:
-        """What the function returns, which has an attribute ``tired``: see `_serve`.
+    async def run(self, function: Callable[..., _Made], *arguments: Any, limit: float) -> _Made:
+        """What the function returns; where that is ``tired``, it is the last of its process.
 
         When it is cancelled, so is the work. Raises BusyError where too much waits, TimeoutError
         after ``limit`` seconds of work, and LostError where its process ended or failed.
@@ -111,7 +124,9 @@ class Pool:
         except TimeoutError:
             raise BusyError(self.again) from None
 
-    async def _done(self, function: Callable[..., Any], arguments: Any, limit: float) -> Any:
+    async def _done(
+        self, function: Callable[..., _Made], arguments: Sequence[Any], limit: float
+    ) -> _Made:
         crew = self._crew
         for _ in range(self._workers + 1):
             began = time.monotonic()
@@ -134,7 +149,9 @@ class Pool:
         if crew is self._crew and not self._closed:
             _log.error("all processes were lost; others are begun")
             self._crew = _Crew(self._workers)
-            self._parting.append(asyncio.create_task(crew.dismissed()))
+            parting = asyncio.create_task(crew.dismissed())
+            self._parting.add(parting)
+            parting.add_done_callback(self._parting.discard)
 
 
 class _Crew:
@@ -160,11 +177,14 @@ class _Crew:
             if mask:
                 mask(signal.SIG_SETMASK, kept)
 
-    async def done(self, function: Callable[..., Any], arguments: Any, seconds: float) -> Any:
+    async def done(
+        self, function: Callable[..., _Made], arguments: Sequence[Any], seconds: float
+    ) -> _Made:
         """What the function returns or raises; killed after so many seconds."""
         await asyncio.shield(self._begun)
         future = self._processes.schedule(_serve, args=(function, arguments), timeout=seconds)
-        return await asyncio.wrap_future(future)
+        made: _Made = await asyncio.wrap_future(future)
+        return made
 
     async def dismissed(self) -> None:
         """Nothing; the processes have ended."""
@@ -188,14 +208,12 @@ def _ready() -> None:
     """Nothing; who comes to do it has begun."""
 
 
-_POLITE = 5
-
 _tired = threading.Event()
 """Set in a process whose work was broken off: a library may have been left half done."""
 
 
-def _serve(function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
-    """In the process: what the function returns; ``tired`` is that it should be the last.
+def _serve(function: Callable[..., _Made], arguments: Sequence[Any]) -> _Made:
+    """In the process: what the function returns.
 
     The process ends when it is given more, not at once: it must never be in the midst of a
     message to the others.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -77,31 +78,28 @@ def simulated(scene: contract.Object, limit: float) -> Made:
     """The motion of a scene of the Lab."""
     from restitution.export import lab
 
-    try:
-        return _json(lab.simulated(scene))
-    except RestitutionError as error:
-        return _failed(error)
+    return _tried(lambda: lab.simulated(scene))
 
 
 def put_as_a_question(impact: contract.Object, limit: float) -> Made:
     """The statement of a question about an impact of the Lab."""
     from restitution.export import lab
 
-    try:
-        return _json({"statement": lab.question(impact)})
-    except RestitutionError as error:
-        return _failed(error)
+    return _tried(lambda: {"statement": lab.question(impact)})
 
 
-def given_up(about: Any, task: str, message: str, late: bool) -> Made:
-    """What is said of something whose process was killed, or ended by itself."""
+def given_up(about: Any, task: Callable[..., Made], message: str, late: bool) -> Made:
+    """What is said of something whose process was killed, or ended by itself.
+
+    It was to be done by ``task``, one of the functions above.
+    """
     error = (TimeLimitError if late else UnsupportedError)(message)
-    if task not in (solved.__name__, drawn.__name__, explained.__name__):
+    if task not in (solved, drawn, explained):
         return _failed(error)
     found = contract.unfinished(FILE, parse(about), error)
-    if task == explained.__name__:
+    if task is explained:
         return _json(_nothing(found), tired=True)
-    return _json({**found, **(_NO_PICTURES if task == drawn.__name__ else {})}, tired=True)
+    return _json({**found, **(_NO_PICTURES if task is drawn else {})}, tired=True)
 
 
 _NO_PICTURES: dict[str, Any] = {"pictures": [], "pictures_error": None}
@@ -120,6 +118,14 @@ def _nothing(answer: contract.Object) -> contract.Object:
         "motion_error": None,
         "warnings": answer["warnings"],
     }
+
+
+def _tried(make: Callable[[], contract.Object]) -> Made:
+    """What is made; or the error, where there can be none."""
+    try:
+        return _json(make())
+    except RestitutionError as error:
+        return _failed(error)
 
 
 def _failed(error: RestitutionError) -> Made:
