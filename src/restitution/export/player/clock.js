@@ -186,6 +186,7 @@ export class Clock {
     const focus = at ?? beside.find((i) => away(i) <= this.reaches[i]);
     const shown = focus ?? beside.findLast((i) => motion.events[i].time <= now) ?? 0;
     const event = (i) => motion.events[i] ?? null;
-    return { focus: event(focus), moment: at !== undefined, shown: event(shown), number: shown + 1 };
+    const moment = at !== undefined;
+    return { focus: event(focus), moment, shown: event(shown), number: shown + 1 };
   }
 }

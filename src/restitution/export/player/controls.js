@@ -1,6 +1,6 @@
 // Buttons with a picture, and boxes to tick.
 
-import { html, svg } from "./elements.js";
+import { button, html, svg } from "./elements.js";
 
 export const ICONS = {
   play: "M6 4l14 8-14 8z",
@@ -10,17 +10,11 @@ export const ICONS = {
   next: "M11 4v16l10-8zM7.500 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z",
 };
 
-export function button(icon, label, shortcut, does) {
+export function iconButton(icon, label, shortcut, does) {
   const path = svg("path", { d: ICONS[icon] });
-  const made = html(
-    "button",
-    {
-      type: "button", "aria-label": label, title: `${label} (${shortcut})`, "data-do": icon,
-      onclick: does,
-    },
-    svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", focusable: "false" }, path),
-  );
-  return { node: made, path };
+  const picture = { viewBox: "0 0 24 24", "aria-hidden": "true", focusable: "false" };
+  const told = { "aria-label": label, title: `${label} (${shortcut})`, "data-do": icon };
+  return { node: button(svg("svg", picture, path), does, told), path };
 }
 
 export function check(label, shortcut, on) {

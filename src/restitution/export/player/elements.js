@@ -17,6 +17,10 @@ export const html = (name, attributes = {}, ...children) =>
 export const svg = (name, attributes = {}, ...children) =>
   put(document.createElementNS(SVG, name), attributes, children);
 
+// A button with words on it.
+export const button = (label, onclick, attributes = {}) =>
+  html("button", { type: "button", onclick, ...attributes }, label);
+
 // Letters in italics, as mathematics is set; words such as sin stay upright.
 export function mathematics(text) {
   const pieces = text.split(/([A-Za-zα-ωΑ-Ω]+)/);
@@ -25,9 +29,10 @@ export function mathematics(text) {
   );
 }
 
-// What has to be scrolled can be reached by the keyboard.
+// What has to be scrolled, by more than sizes are rounded, can be reached by the keyboard.
 export function reachable(scroll) {
-  const over = scroll.scrollWidth > scroll.clientWidth || scroll.scrollHeight > scroll.clientHeight;
+  const { scrollWidth, clientWidth, scrollHeight, clientHeight } = scroll;
+  const over = Math.max(scrollWidth - clientWidth, scrollHeight - clientHeight) > 1;
   if (over) scroll.setAttribute("tabindex", "0");
   else scroll.removeAttribute("tabindex");
 }

@@ -1,6 +1,6 @@
 // Keys: what they do, and the list of them.
 
-import { html } from "./elements.js";
+import { button, html } from "./elements.js";
 
 // Does what a key stands for, where nobody types and the control in focus has no use for the key
 // itself: a slider uses the arrows, unless it is that of the `time`.
@@ -28,7 +28,7 @@ export function listOfKeys(keys) {
   const rows = keys.map(([key, does]) => html("tr", {},
     html("th", { scope: "row", colspan: does ? null : 2 }, does ? html("kbd", {}, key) : key),
     does ? html("td", {}, does) : null));
-  const close = html("button", { type: "button", onclick: () => made.close() }, "Close");
+  const close = button("Close", () => made.close());
   const made = html("dialog", { "aria-label": "Keys" }, html("h2", {}, "Keys"),
     html("table", {}, html("tbody", {}, ...rows)), close);
   return made;

@@ -303,7 +303,8 @@ export class Picture {
       this.discs[i].node.setAttribute("cy", place[1]);
       this.trails[i].setAttribute("d", trails ? this.trail(sphere, index, place) : "M0 0");
       const takesPart = focus?.kind !== "arrival" && focus?.bodies.includes(sphere.name);
-      const spot = this.nameAt(i, place, this.ways(sphere, index, focus, moment, coming, components));
+      const ways = this.ways(sphere, index, focus, moment, coming, components);
+      const spot = this.nameAt(i, place, ways);
       const { velocity, came } = this.arrows[i];
       const leaves = velocities && !(coming && takesPart);
       if (leaves) this.pointTo(velocity, place, this.tip(place, [piece[4], piece[5]]));
@@ -368,7 +369,8 @@ export class Picture {
       const place = places[this.index(event.bodies[0])];
       const at = (angle, r) => plus(place, [Math.cos(angle), -Math.sin(angle)], r).join(" ");
       const sweep = turn > 0 ? 0 : 1;
-      path.setAttribute("d", `M${at(from, ARC)}A${ARC} ${ARC} 0 0 ${sweep} ${at(from + turn, ARC)}`);
+      const end = at(from + turn, ARC);
+      path.setAttribute("d", `M${at(from, ARC)}A${ARC} ${ARC} 0 0 ${sweep} ${end}`);
       const [x, y] = at(from + turn / 2, ARC + 11).split(" ");
       text.setAttribute("x", x);
       text.setAttribute("y", y);
@@ -458,10 +460,10 @@ export class Picture {
   // The two components of a velocity, leaving a centre (k = 1) or arriving there (k = −1).
   resolve(part, when, event, v, place, k) {
     const n = event.line;
-    const across_ = [-n[1], n[0]];
+    const t = [-n[1], n[0]];
     const [x, y] = [along(event, v), across(event, v)];
     const first = this.tip(place, [n[0] * x, n[1] * x], k);
-    const second = this.tip(place, [across_[0] * y, across_[1] * y], k);
+    const second = this.tip(place, [t[0] * y, t[1] * y], k);
     const corner = this.tip(place, v, k);
     const pairs = [
       [part[`${when}along`], first],

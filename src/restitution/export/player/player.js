@@ -13,7 +13,7 @@
 
 import { Clock } from "./clock.js";
 import { check } from "./controls.js";
-import { html, mathematics, reachable } from "./elements.js";
+import { button, html, mathematics, reachable } from "./elements.js";
 import { listOfKeys, obey } from "./keys.js";
 import { bounds, names, spoken } from "./motion.js";
 import { Picture } from "./picture.js";
@@ -66,8 +66,7 @@ export class Player {
     this.components = check("Components", "C", true);
     this.trails = check("Trails", "T", true);
     this.help = listOfKeys(KEYS);
-    const ask = html("button", { type: "button", class: "keys", title: "Keys (?)" }, "Keys");
-    ask.addEventListener("click", () => this.help.showModal());
+    const ask = button("Keys", () => this.help.showModal(), { title: "Keys (?)" });
     this.live = html("p", { class: "live", "aria-live": "polite" });
     this.notes = html("p", { class: "notes" });
     const options = [this.slow, this.velocities, this.components, this.trails];

@@ -19,11 +19,11 @@ function value(said, x) {
   ];
 }
 
-export function row(label, cells, kind = {}) {
+function row(label, cells, kind = {}) {
   return html("tr", kind, html("th", { scope: "row" }, ...label), ...cells);
 }
 
-export const unitOf = (...text) => html("span", { class: "unit" }, " ", ...text);
+const unitOf = (...text) => html("span", { class: "unit" }, " ", ...text);
 
 // What an event does to the components of the velocities.
 export class Card {

@@ -1,6 +1,6 @@
 // What a motion is played with: its time, the impacts on it, buttons, and how fast it goes.
 
-import { button, ICONS } from "./controls.js";
+import { iconButton, ICONS } from "./controls.js";
 import { html } from "./elements.js";
 import { names } from "./motion.js";
 import { seconds } from "./numbers.js";
@@ -8,7 +8,8 @@ import { seconds } from "./numbers.js";
 const MARKED = 300; // events, beyond which none is marked
 
 // `start` is what the first button says, its key and what it does; `play` and `next` take the place
-// of what the clock does itself; speeds go down to 2 ** `slowest`, and are told as so many times `of`.
+// of what the clock does itself; speeds go down to 2 ** `slowest`, and are told as so many times
+// `of`.
 export class Transport {
   constructor(clock, { start, slowest = -3, of, play, next }) {
     const toggle = play ?? (() => clock.toggle());
@@ -19,14 +20,14 @@ export class Transport {
     this.marks = html("div", { class: "marks", "aria-hidden": "true" });
     this.timeline = html("div", { class: "timeline" }, this.time, this.marks);
     this.reading = html("span", { class: "clock" });
-    this.play = button("play", "Play", "Space", toggle);
+    this.play = iconButton("play", "Play", "Space", toggle);
     this.rate = html("input", { type: "range", min: slowest, max: 2, step: 0.5, value: 0 });
     this.rateSaid = html("span", { class: "said" }, "1×");
     this.node = html("div", { class: "transport" },
-      button("rewind", start.label, start.key, start.does).node,
-      button("previous", "Previous impact", "←", () => clock.previous()).node,
+      iconButton("rewind", start.label, start.key, start.does).node,
+      iconButton("previous", "Previous impact", "←", () => clock.previous()).node,
       this.play.node,
-      button("next", "Next impact", "→", step).node,
+      iconButton("next", "Next impact", "→", step).node,
       this.reading,
       html("label", { class: "rate" }, "Speed", this.rate, this.rateSaid));
     this.keys = {

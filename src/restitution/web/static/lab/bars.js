@@ -1,6 +1,6 @@
 // Momentum and kinetic energy as bars: what is conserved, and what is lost.
 
-import { svg, html } from "../player/elements.js";
+import { html, svg } from "../player/elements.js";
 import { pieceAt } from "../player/motion.js";
 import { dot, figures } from "../player/numbers.js";
 import { COLOURS, CROWD } from "../player/picture.js";
@@ -8,7 +8,6 @@ import { COLOURS, CROWD } from "../player/picture.js";
 const WIDTH = 400; // units of the picture; it is as wide as its place
 const TALL = 26;
 const LANE = 15; // of that: the shares of the spheres, above their total and what is missing to it
-const SELDOM = 200; // ms between two looks at a crowd, while it moves
 
 const sum = (list) => list.reduce((total, x) => total + x, 0);
 const near = (x, most) => (Math.abs(x) < 1e-9 * most ? 0 : x);
@@ -32,14 +31,14 @@ export class Bars {
     const picture = svg("svg", {
       role: "img", viewBox: `0 0 ${WIDTH} ${TALL}`, preserveAspectRatio: "none",
     });
-    return { kind, title, said, picture, node: html("div", { class: "bar-row" }, title, picture, said) };
+    const node = html("div", { class: "bar-row" }, title, picture, said);
+    return { kind, title, said, picture, node };
   }
 
   // For another motion: the scale is that of its largest values.
   lay(motion) {
     this.motion = motion;
     this.key = null;
-    const count = motion.spheres.length;
     this.start = this.amounts(motion.start);
     let most = [0, 1].map((k) => this.reach(this.start[k], sum(this.start[k])));
     const starts = most.map((_, k) => sum(this.start[k]));
@@ -52,7 +51,8 @@ export class Bars {
         const i = index.get(name);
         [now[i][1], now[i][2]] = event.after[name];
       }
-      most = most.map((m, k) => Math.max(m, this.reach(now.map((s) => s[0] * s[k + 1]), starts[k])));
+      const shares = [0, 1].map((k) => now.map((s) => s[0] * s[k + 1]));
+      most = most.map((m, k) => Math.max(m, this.reach(shares[k], starts[k])));
     }
     this.most = Math.max(...most) || 1;
     this.energy = energy || 1;
@@ -67,7 +67,6 @@ export class Bars {
       row.picture.replaceChildren(hatching(row.kind), ...row.parts, row.sum, row.rest, row.zero);
       row.rest.style.fill = `url(#hatch-${row.kind})`;
     }
-    this.count = count;
   }
 
   // How far the bars reach: of shares of both signs, and of what the walls have taken.
@@ -91,12 +90,8 @@ export class Bars {
     ];
   }
 
-  show(t, playing) {
-    const { spheres } = this.motion;
-    const time = performance.now();
-    if (playing && spheres.length > CROWD && time - this.shown < SELDOM) return;
-    this.shown = time;
-    const key = spheres.map((sphere) => pieceAt(sphere, t)).join();
+  show(t) {
+    const key = this.motion.spheres.map((sphere) => pieceAt(sphere, t)).join();
     if (key === this.key) return;
     this.key = key;
     const shares = this.amounts(t);
@@ -131,7 +126,8 @@ export class Bars {
       ? `${told} and ${figures(walls)} N s taken by the walls: together ${figures(all)} N s`
       : `${told}, conserved`;
     row.said.textContent = rest;
-    row.picture.setAttribute("aria-label", `Momentum along ${axis}: ${rest}.${this.each(shares, "N s")}`);
+    const label = `Momentum along ${axis}: ${rest}.${this.each(shares, "N s")}`;
+    row.picture.setAttribute("aria-label", label);
   }
 
   showEnergy(row, shares) {
@@ -155,8 +151,9 @@ export class Bars {
 
   // In words: the share of each, where they are few.
   each(shares, unit) {
-    if (this.count > CROWD) return "";
-    const told = this.motion.spheres.map(({ name }, i) => `${name} ${figures(shares[i])} ${unit}`);
+    const { spheres } = this.motion;
+    if (spheres.length > CROWD) return "";
+    const told = spheres.map(({ name }, i) => `${name} ${figures(shares[i])} ${unit}`);
     return ` ${told.join(", ")}.`;
   }
 }

@@ -13,7 +13,8 @@ export function typed(text) {
   return under === undefined ? number(over) : number(over) / number(under);
 }
 
-export const shown = (x) => String(Number((Math.abs(x) < 5e-7 ? 0 : x).toPrecision(4))).replace("-", "−");
+export const written = (x) =>
+  String(Number((Math.abs(x) < 5e-7 ? 0 : x).toPrecision(4))).replace("-", "−");
 const turn = (v) => (size(v) < 1e-12 ? 0 : Math.atan2(v[1], v[0]) / DEGREE);
 const polar = (speed, degrees) => [
   speed * Math.cos(degrees * DEGREE), speed * Math.sin(degrees * DEGREE),
@@ -41,7 +42,7 @@ export const COLUMNS = {
     ({ velocity }, x) => ({ velocity: polar(size(velocity), x) }),
   ],
 };
-export const SHOWN = {
+export const FORMS = {
   components: ["mass", "radius", "x", "y", "vx", "vy"],
   polar: ["mass", "radius", "x", "y", "speed", "direction"],
 };
@@ -54,7 +55,7 @@ export function coefficient(label, value, change) {
     oninput: () => change(Number(slider.value)),
   });
   const field = html("input", {
-    class: "number", inputmode: "decimal", value: shown(value), "aria-label": label,
+    class: "number", inputmode: "decimal", value: written(value), "aria-label": label,
     onchange: () => {
       const e = typed(field.value);
       const right = e >= 0 && e <= 1;
@@ -64,7 +65,7 @@ export function coefficient(label, value, change) {
   });
   const set = (e) => {
     if (document.activeElement !== slider) slider.value = e;
-    if (document.activeElement !== field || typed(field.value) !== e) field.value = shown(e);
+    if (document.activeElement !== field || typed(field.value) !== e) field.value = written(e);
     field.removeAttribute("aria-invalid");
   };
   return { slider, field, set, node: html("span", { class: "coefficient" }, slider, field) };

@@ -2,13 +2,14 @@
 
 import { Clock } from "../player/clock.js";
 import { check } from "../player/controls.js";
-import { html } from "../player/elements.js";
+import { button, html } from "../player/elements.js";
 import { isTyping, listOfKeys, obey } from "../player/keys.js";
 import { spoken } from "../player/motion.js";
 import { seconds } from "../player/numbers.js";
+import { CROWD } from "../player/picture.js";
 import { Card } from "../player/tables.js";
 import { Transport } from "../player/transport.js";
-import { ask } from "../api.js";
+import { ask, sentence } from "../api.js";
 import { Bars } from "./bars.js";
 import { History } from "./history.js";
 import { at, fromRows, fromText, still, toText } from "./scene.js";
@@ -18,8 +19,7 @@ import { Stage } from "./stage.js";
 import { Tools } from "./tools.js";
 import { ValuesTable } from "./values.js";
 
-const CROWD = 12; // spheres, beyond which tables follow seldom
-const SELDOM = 250; // ms between two such looks
+const SELDOM = 250; // ms between two looks at tables, while it plays
 const ROWS = 3; // of the table of a crowd, that follow in one frame
 const CALM = 1500; // ms between two impacts that are announced, where they follow fast
 const SHOWS = [
@@ -49,6 +49,8 @@ const KEYS = [
   ["0", "on an arrow: to rest"],
   ["Delete", "take it away"],
 ];
+
+const named = (name) => ({ "aria-label": name, title: name });
 
 class Lab {
   constructor(root) {
@@ -92,34 +94,34 @@ class Lab {
     );
     this.watch = html("p", { class: "watch", id: "watch" });
     this.toolButtons = [["move", "Move and throw"], ["wall", "Draw walls"]].map(([tool, label]) =>
-      html("button", { type: "button", "data-tool": tool, "aria-pressed": "false",
-        onclick: () => this.take(tool) }, label));
+      button(label, () => this.take(tool), { "data-tool": tool, "aria-pressed": "false" }));
     this.edits = {
-      add: this.plain("Add a sphere", () => this.tools.addSphere()),
-      wall: this.plain("Add a wall", () => this.tools.addWall()),
-      remove: this.plain("Delete", () => this.tools.remove()),
-      undo: this.plain("Undo", () => this.undo()),
-      redo: this.plain("Redo", () => this.redo()),
+      add: button("Add a sphere", () => this.tools.addSphere()),
+      wall: button("Add a wall", () => this.tools.addWall()),
+      remove: button("Delete", () => this.tools.remove()),
+      undo: button("Undo", () => this.undo()),
+      redo: button("Redo", () => this.redo()),
     };
     this.frame = html("div", { class: "frame" }, this.stage.picture.node, this.stage.handles);
     this.views = html("div", { class: "views", role: "group", "aria-label": "View" },
-      this.plain("+", () => this.zoom(1.25), "Nearer"),
-      this.plain("−", () => this.zoom(0.8), "Further away"),
-      this.plain("Fit", () => this.fit(), "See all of the table"));
+      button("+", () => this.zoom(1.25), named("Nearer")),
+      button("−", () => this.zoom(0.8), named("Further away")),
+      button("Fit", () => this.fit(), named("See all of the table")));
     this.slow = check("Slow motion at impacts", "S", true);
-    this.shows = SHOWS.map(([key, label, letter]) => ({ key, letter, ...check(label, letter, false) }));
+    this.shows = SHOWS.map(([key, label, letter]) =>
+      ({ key, letter, ...check(label, letter, false) }));
     this.note = html("p", { class: "note", role: "status" });
     this.live = html("p", { class: "live", "aria-live": "polite" });
-    this.make = this.plain("Make a question of this impact", () => this.question());
-    this.make.classList.add("main");
+    const asking = "Make a question of this impact";
+    this.make = button(asking, () => this.question(), { class: "main" });
     this.help = listOfKeys(KEYS);
     this.root.classList.add("restitution-player", "lab");
     this.root.replaceChildren(
       html("div", { class: "choose" },
         html("label", { for: "scenes" }, "Scene"), this.menu,
-        this.plain("Reset", () => this.reset(), "Reset: put the scene back as it was prepared"),
-        this.plain("Copy link", () => this.copy()),
-        this.plain("Keys", () => this.help.showModal())),
+        button("Reset", () => this.reset(), named("Reset: put the scene back as it was prepared")),
+        button("Copy link", () => this.copy()),
+        button("Keys", () => this.help.showModal())),
       this.watch,
       html("div", { class: "floor" },
         html("div", { class: "left" },
@@ -135,10 +137,6 @@ class Lab {
       this.live,
       this.help,
     );
-  }
-
-  plain(label, does, name = null) {
-    return html("button", { type: "button", "aria-label": name, title: name, onclick: does }, label);
   }
 
   listen() {
@@ -269,7 +267,8 @@ class Lab {
     const when = seconds(this.clock.now);
     this.history.put(scene, later ? null : key);
     this.renew();
-    this.say(moved ? `The table as it was at ${when} is the new start. Undo brings the old one back.` : "");
+    const begun = `The table as it was at ${when} is the new start. Undo brings the old one back.`;
+    this.say(moved ? begun : "");
   }
 
   choose(item) {
@@ -331,7 +330,7 @@ class Lab {
   arrive({ motion, stopped }) {
     const eager = this.eager;
     this.load(motion, true);
-    if (stopped) this.say(`${stopped[0].toUpperCase()}${stopped.slice(1)}.`);
+    if (stopped) this.say(sentence(stopped));
     if (eager) this.clock.play();
     this.eager = false;
   }
@@ -461,7 +460,7 @@ class Lab {
       this.shown = shown;
       this.make.disabled = shown?.kind !== "impact";
       this.card.show(shown, number, moment ? shown.time : now);
-      this.bars.show(now, playing);
+      this.bars.show(now);
       if (!playing) this.look();
       else if (!crowd) this.values.show(this.current(), ` at ${seconds(now)}`);
     }
@@ -495,7 +494,7 @@ class Lab {
       const { statement } = await ask("statement", { impact });
       location.href = `./#${new URLSearchParams({ statement })}`;
     } catch (error) {
-      this.say(error.message);
+      this.say(sentence(error.message));
     }
   }
 

@@ -106,7 +106,8 @@ export const at = (scene, motion, t) => ({
 
 // --- other scenes --------------------------------------------------------------------------------
 
-const replaced = (list, i, change) => list.map((each, k) => (k === i ? { ...each, ...change } : each));
+const replaced = (list, i, change) =>
+  list.map((each, k) => (k === i ? { ...each, ...change } : each));
 
 export const withSphere = (scene, i, change) => ({
   ...scene,

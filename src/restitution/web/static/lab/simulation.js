@@ -1,6 +1,6 @@
 // Motions of scenes, worked out by the server a moment after the last edit.
 
-import { ask } from "../api.js";
+import { ask, sentence } from "../api.js";
 
 const SOON = 120; // ms without another edit
 
@@ -29,7 +29,7 @@ export class Simulation {
     } catch (error) {
       if (error.name === "AbortError") return;
       const again = error.wait ? ` It is asked again in ${error.wait} s.` : "";
-      this.told.failed(error.message + again);
+      this.told.failed(sentence(error.message) + again);
       if (error.wait) this.timer = setTimeout(() => this.ask(scene), 1000 * error.wait);
     }
   }

@@ -182,7 +182,8 @@ export class Stage {
     const [a, b] = [this.at(start), this.at(end)];
     const chosen = this.is("walls", i);
     for (const path of bar.children) path.setAttribute("d", `M${a.join(" ")}L${b.join(" ")}`);
-    bar.setAttribute("aria-label", `Wall ${name}, from ${said(start)} to ${said(end)} m, e = ${figures(e)}`);
+    bar.setAttribute("aria-label",
+      `Wall ${name}, from ${said(start)} to ${said(end)} m, e = ${figures(e)}`);
     bar.classList.toggle("selected", chosen);
     [[first, a, start, "start"], [second, b, end, "end"]].forEach(([node, place, point, what]) => {
       node.setAttribute("transform", `translate(${place[0]} ${place[1]})`);

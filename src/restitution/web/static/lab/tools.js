@@ -166,8 +166,9 @@ export class Tools {
 
   // Whether walls stand in no sphere.
   free(scene, walls) {
-    return scene.spheres.every(({ position, radius }) =>
-      walls.every((wall) => size(plus(nearest(wall, position), position, -1)) >= radius * (1 - 1e-9)));
+    const clear = (wall, { position, radius }) =>
+      size(plus(nearest(wall, position), position, -1)) >= radius * (1 - 1e-9);
+    return scene.spheres.every((sphere) => walls.every((wall) => clear(wall, sphere)));
   }
 
   drawWall(scene, start) {

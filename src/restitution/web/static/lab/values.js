@@ -1,12 +1,14 @@
 // The values table: it mirrors the picture, and whatever stands in it can be typed anew.
 
-import { html, reachable } from "../player/elements.js";
+import { button, html, reachable } from "../player/elements.js";
 import { COLOURS } from "../player/picture.js";
-import { coefficient, COLUMNS, POSITIVE, put, shown, SHOWN, typed } from "./fields.js";
+import { coefficient, COLUMNS, FORMS, POSITIVE, put, typed, written } from "./fields.js";
 import { isName, overlaps, withSphere, withWall } from "./scene.js";
 
+const unit = (text) => html("span", { class: "unit" }, text);
 const labelled = (label, what, node) =>
-  html("span", { class: "field" }, html("span", {}, label, html("span", { class: "unit" }, what)), node);
+  html("span", { class: "field" }, html("span", {}, label, unit(what)), node);
+const head = (...words) => html("th", { scope: "col" }, ...words);
 
 // `lab` as in tools.js, with `initial()`, the scene at the start, to which masses, names and
 // coefficients belong; `lab.remove(kind, index)` takes a body away.
@@ -53,7 +55,7 @@ export class ValuesTable {
           { class: "fields" },
           labelled("e", " between spheres", this.e.node),
           labelled("e", " of all walls", this.allWalls.node),
-          html("label", {}, "Followed for ", this.seconds, html("span", { class: "unit" }, " s")),
+          html("label", {}, "Followed for ", this.seconds, unit(" s")),
         ),
         this.pairs,
         this.wallScroll,
@@ -76,10 +78,10 @@ export class ValuesTable {
   }
 
   makeBalls(scene) {
-    const columns = SHOWN[this.form.value];
+    const columns = FORMS[this.form.value];
     const heads = columns.map((key) => {
-      const [label, unit] = COLUMNS[key];
-      return html("th", { scope: "col" }, label, html("span", { class: "unit" }, ` ${unit}`));
+      const [label, symbol] = COLUMNS[key];
+      return head(label, unit(` ${symbol}`));
     });
     this.balls = scene.spheres.map((_, i) => ({
       name: this.nameField("spheres", i),
@@ -91,7 +93,7 @@ export class ValuesTable {
       "table",
       {},
       html("caption", { class: "unseen" }, "Spheres"),
-      html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "sphere"), ...heads, html("td", {}))),
+      html("thead", {}, html("tr", {}, head("sphere"), ...heads, html("td"))),
       html("tbody", {}, ...this.balls.map(({ name, cells, away }, i) => html(
         "tr", { class: `body${i % COLOURS}` },
         html("th", { scope: "row", class: "who" }, name),
@@ -110,14 +112,12 @@ export class ValuesTable {
       away: this.away("walls", i),
     }));
     this.wallScroll.hidden = !scene.walls.length;
-    const heads = ["from x", "y", "to x", "y"].map((label) =>
-      html("th", { scope: "col" }, label, html("span", { class: "unit" }, " m")));
+    const heads = ["from x", "y", "to x", "y"].map((label) => head(label, unit(" m")));
     this.wallScroll.replaceChildren(html(
       "table",
       {},
       html("caption", { class: "unseen" }, "Walls"),
-      html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "wall"), ...heads,
-        html("th", { scope: "col" }, "e"), html("td", {}))),
+      html("thead", {}, html("tr", {}, head("wall"), ...heads, head("e"), html("td"))),
       html("tbody", {}, ...this.walls.map(({ name, cells, e, away }) => html(
         "tr", {},
         html("th", { scope: "row" }, name),
@@ -135,18 +135,18 @@ export class ValuesTable {
     this.pairKey = key;
     this.pairE = scene.pairs.map(([a, b], i) =>
       coefficient(`e of ${a} and ${b}`, 1, (e) => this.setPair(i, e)));
-    const choose = (label, usual) => html("select", { "aria-label": label },
-      ...names.map((name) => html("option", { value: name, selected: name === names[usual] }, name)));
+    const choose = (label, usual) => html("select", { "aria-label": label }, names.map((value) =>
+      html("option", { value, selected: value === names[usual] }, value)));
     const first = choose("First sphere of the pair", 0);
     const second = choose("Second sphere of the pair", 1);
-    const does = () => this.addPair(first.value, second.value);
-    const add = html("button", { type: "button", onclick: does }, "Set its own e");
+    const add = button("Set its own e", () => this.addPair(first.value, second.value));
     this.pairs.hidden = names.length < 3;
     this.pairs.replaceChildren(
       ...scene.pairs.map(([a, b], i) => html(
         "span", { class: "field" }, html("span", {}, `e of ${a} and ${b}`), this.pairE[i].node,
-        html("button", { type: "button", class: "away", "aria-label": `No e of its own for ${a} and ${b}`,
-          onclick: () => this.removePair(i) }, "×"),
+        button("×", () => this.removePair(i), {
+          class: "away", "aria-label": `No e of its own for ${a} and ${b}`,
+        }),
       )),
       html("span", { class: "field" }, "A pair:", first, second, add),
     );
@@ -179,7 +179,7 @@ export class ValuesTable {
   }
 
   away(kind, i) {
-    return html("button", { type: "button", class: "away", onclick: () => this.lab.remove(kind, i) }, "×");
+    return button("×", () => this.lab.remove(kind, i), { class: "away" });
   }
 
   // Puts the numbers of a scene into the fields, but for the one that is being typed in.
@@ -195,7 +195,7 @@ export class ValuesTable {
       field.removeAttribute("aria-invalid");
     };
     set(name, sphere.name);
-    cells.forEach((field, k) => set(field, shown(COLUMNS[this.columns[k]][2](sphere))));
+    cells.forEach((field, k) => set(field, written(COLUMNS[this.columns[k]][2](sphere))));
   }
 
   // A few rows at a time, in turn.
@@ -222,7 +222,7 @@ export class ValuesTable {
       const row = this.walls[i];
       row.name.value = name;
       [...start, ...end].forEach((x, k) => {
-        if (document.activeElement !== row.cells[k]) row.cells[k].value = shown(x);
+        if (document.activeElement !== row.cells[k]) row.cells[k].value = written(x);
         label(row.cells[k], `${["start x", "start y", "end x", "end y"][k]} of ${name}, m`);
       });
       row.e.set(e);
@@ -234,7 +234,7 @@ export class ValuesTable {
     this.e.set(scene.e);
     scene.pairs.forEach(([, , e], i) => this.pairE[i].set(e));
     if (scene.walls.length) this.allWalls.set(scene.walls[0].e);
-    this.seconds.value = shown(scene.seconds);
+    this.seconds.value = written(scene.seconds);
   }
 
   // --- what was typed ----------------------------------------------------------------------------
@@ -251,9 +251,11 @@ export class ValuesTable {
     const x = typed(text);
     const what = `The ${label} of ${sphere.name}`;
     if (!Number.isFinite(x)) return this.refuse(`${what} is a number, such as 1.5 or 3/4.`);
-    if (text.trim() === shown(get(sphere))) return true;
+    if (text.trim() === written(get(sphere))) return true;
     if (POSITIVE.includes(key) && x <= 0) return this.refuse(`${what} is positive.`);
-    if (key === "speed" && x < 0) return this.refuse("A speed is not negative: turn the direction.");
+    if (key === "speed" && x < 0) {
+      return this.refuse("A speed is not negative: turn the direction.");
+    }
     const made = change(sphere, x);
     if (key === "mass" && this.sizes.checked) {
       made.radius = Number((sphere.radius * Math.cbrt(x / sphere.mass)).toPrecision(4));

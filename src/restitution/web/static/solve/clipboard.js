@@ -1,7 +1,7 @@
 // Copying text. Browsers lend the clipboard to secure origins only; elsewhere the text is shown
 // selected, and the reader copies it.
 
-import { html } from "../dom.js";
+import { button, html } from "../player/elements.js";
 
 // True where it was copied, false where the reader was given the text.
 export async function copy(text, what) {
@@ -18,12 +18,15 @@ export async function copy(text, what) {
 }
 
 function offer(text, what) {
-  const field = html("textarea", { readonly: true, rows: 8, "aria-label": what, spellcheck: "false" });
+  const field = html("textarea", {
+    readonly: true, rows: 8, "aria-label": what, spellcheck: "false",
+  });
   field.value = text;
   const heading = html("h2", { id: "copy-heading" }, `Copy the ${what}`);
   const hint = html("p", {}, "Press Ctrl+C (on a Mac ⌘C), or hold the text on a phone.");
-  const close = html("button", { type: "button", onclick: () => dialog.close() }, "Close");
-  const dialog = html("dialog", { class: "copying", "aria-labelledby": heading.id }, heading, hint, field, close);
+  const close = button("Close", () => dialog.close());
+  const named = { class: "copying", "aria-labelledby": heading.id };
+  const dialog = html("dialog", named, heading, hint, field, close);
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
   dialog.showModal();

@@ -19,7 +19,8 @@ export function offers(text, at, words, names, asked = false) {
   const options = matching(place.options, partial);
   const whole = options.some(({ word }) => word === partial);
   if (!options.length || (whole && options.length === 1)) return null;
-  return { from: at - partial.length, options: options.slice(0, MOST), sure: partial !== "" && !whole };
+  const sure = partial !== "" && !whole;
+  return { from: at - partial.length, options: options.slice(0, MOST), sure };
 }
 
 function matching(options, partial) {
@@ -37,7 +38,8 @@ function placeOf(told, words, names) {
   }
   const actor = /^\s*([A-Z][A-Za-z0-9]*)\s+$/.exec(told);
   if (actor && names.get(actor[1]) === "sphere") {
-    return { least: 0, options: words.events.map((each) => ({ ...each, insert: `${each.word} ` })) };
+    const options = words.events.map((each) => ({ ...each, insert: `${each.word} ` }));
+    return { least: 0, options };
   }
   if (/\bhits\s+$/.test(told)) return { least: 0, options: bodies(names, "sphere", "wall") };
   const kind = propertied(told);
@@ -46,9 +48,10 @@ function placeOf(told, words, names) {
     const options = words.properties[kind].map((each) => ({ ...each, insert: insert(each.word) }));
     return { least: 0, options };
   }
-  if (/^\s*[a-z]+\s+[A-Z]?[A-Za-z0-9, ]*$/.test(told) && /^\s*(sphere|wall|point)\b/.test(told)) return null;
-  if (/\(\s*$/.test(told) && /[a-z]\s*\(\s*$/.test(told)) {
-    return { least: 0, options: [...bodies(names, "sphere", "wall", "point"), ...quantities(words)] };
+  if (/^\s*(sphere|wall|point)\s+[A-Z]?[A-Za-z0-9, ]*$/.test(told)) return null; // a new name
+  if (/[a-z]\s*\(\s*$/.test(told)) {
+    const options = [...bodies(names, "sphere", "wall", "point"), ...quantities(words)];
+    return { least: 0, options };
   }
   return { least: 2, options: values(told, words, names) };
 }
@@ -71,10 +74,13 @@ function values(told, words, names) {
 const beginning = ({ word, begin, about }) => ({ word, insert: begin, about });
 
 const quantities = (words) =>
-  words.quantities.map(({ word, about, alone }) => ({ word, insert: alone ? word : `${word}(`, about }));
+  words.quantities.map(({ word, about, alone }) => ({
+    word, insert: alone ? word : `${word}(`, about,
+  }));
 
 const bodies = (names, ...kinds) =>
-  [...names].filter(([, kind]) => kinds.includes(kind)).map(([word, about]) => ({ word, insert: word, about }));
+  [...names].filter(([, kind]) => kinds.includes(kind))
+    .map(([word, about]) => ({ word, insert: word, about }));
 
 // Which properties a line takes, by how it begins; null before its colon.
 function propertied(told) {

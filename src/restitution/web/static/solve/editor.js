@@ -1,7 +1,7 @@
 // The editor: a plain text field, and behind it a layer that shows the same text in colours, with
 // what is wrong underlined at its place. The layer is in the flow and gives the field its height.
 
-import { html } from "../dom.js";
+import { html } from "../player/elements.js";
 import { offers } from "./completion.js";
 import { declared, lexicon, pieces } from "./highlight.js";
 import { makeListbox } from "./listbox.js";
@@ -27,7 +27,7 @@ export function makeEditor(root, words, { onInput }) {
     });
     shown.forEach((now, index) => {
       const was = drawn[index];
-      if (was && was.line === now.line && was.column === now.column && was.known === now.known) return;
+      if (was && Object.keys(now).every((key) => now[key] === was[key])) return;
       const node = lineOf(now, names, lexis);
       if (was) layer.children[index].replaceWith(node);
       else layer.append(node);
@@ -38,10 +38,10 @@ export function makeEditor(root, words, { onInput }) {
 
   function suggest(asked = false) {
     const at = field.selectionStart;
-    const there = at === field.selectionEnd ? offers(field.value, at, words, declared(field.value), asked) : null;
-    offered = there;
-    if (there === null) list.close();
-    else list.open(there.options, there.sure, placeOf(there.from));
+    const caret = at === field.selectionEnd;
+    offered = caret ? offers(field.value, at, words, declared(field.value), asked) : null;
+    if (offered === null) list.close();
+    else list.open(offered.options, offered.sure, placeOf(offered.from));
   }
 
   function take(option) {
@@ -76,7 +76,8 @@ export function makeEditor(root, words, { onInput }) {
     onInput(field.value);
   });
   field.addEventListener("keydown", (event) => {
-    const wanted = (event.key === " " && event.ctrlKey) || (event.key === "ArrowDown" && event.altKey);
+    const { key, ctrlKey, altKey } = event;
+    const wanted = (key === " " && ctrlKey) || (key === "ArrowDown" && altKey);
     if (wanted && !list.isOpen) {
       event.preventDefault();
       suggest(true);
@@ -134,7 +135,8 @@ function lineOf({ line, column }, names, lexis) {
   let at = 0;
   const [start, end] = column === null ? [Infinity, Infinity] : extent(line, column);
   for (const { kind, text } of pieces(line, names, lexis)) {
-    const cuts = [0, start - at, end - at, text.length].map((cut) => Math.min(Math.max(cut, 0), text.length));
+    const cuts = [0, start - at, end - at, text.length]
+      .map((cut) => Math.min(Math.max(cut, 0), text.length));
     for (let k = 0; k < 3; k += 1) {
       if (cuts[k] === cuts[k + 1]) continue;
       const name = `${kind}${k === 1 ? " wrong" : ""}`.trim();
@@ -143,7 +145,8 @@ function lineOf({ line, column }, names, lexis) {
     }
     at += text.length;
   }
-  if (column !== null && start >= line.length) node.append(html("span", { class: "wrong" }, "\u00a0"));
+  const beyond = column !== null && start >= line.length;
+  if (beyond) node.append(html("span", { class: "wrong" }, "\u00a0"));
   if (!node.firstChild) node.append(html("br"));
   return node;
 }

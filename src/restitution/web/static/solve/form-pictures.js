@@ -1,5 +1,6 @@
 // Small pictures beside the fields: what the kinds look like, and what an angle is measured from.
-import { svg } from "../dom.js";
+
+import { svg } from "../player/elements.js";
 
 const line = (x1, y1, x2, y2, style = "thin") => svg("line", { x1, y1, x2, y2, class: style });
 const disc = (cx, cy, r = 7) => svg("circle", { cx, cy, r });
@@ -15,37 +16,51 @@ function arrow(x1, y1, x2, y2) {
   ];
 }
 
+const hatches = (count, hatch) => Array.from({ length: Math.floor(count) }, (_, k) => hatch(k));
 const ground = (x1, y, x2) => [
   line(x1, y, x2, y, "wall"),
-  ...Array.from({ length: Math.floor((x2 - x1) / 7) }, (_, k) => line(x1 + 7 * k + 6, y + 1, x1 + 7 * k + 1, y + 6)),
+  ...hatches((x2 - x1) / 7, (k) => line(x1 + 7 * k + 6, y + 1, x1 + 7 * k + 1, y + 6)),
 ];
 const upright = (x, y1, y2) => [
   line(x, y1, x, y2, "wall"),
-  ...Array.from({ length: Math.floor((y2 - y1) / 7) }, (_, k) => line(x + 1, y1 + 7 * k + 1, x + 6, y1 + 7 * k + 6)),
+  ...hatches((y2 - y1) / 7, (k) => line(x + 1, y1 + 7 * k + 1, x + 6, y1 + 7 * k + 6)),
 ];
-const slope = [line(74, 50, 94, 15, "wall"), ...[0, 1, 2, 3, 4].map((k) => line(77 + 3.7 * k, 46 - 6.5 * k, 83 + 3.7 * k, 48 - 6.5 * k))];
+const slope = () => [
+  line(74, 50, 94, 15, "wall"),
+  ...hatches(5, (k) => line(77 + 3.7 * k, 46 - 6.5 * k, 83 + 3.7 * k, 48 - 6.5 * k)),
+];
 
 const DRAWN = {
   wall: () => [ground(18, 50, 82), arrow(20, 12, 46, 44), arrow(54, 44, 80, 22)],
-  walls: () => [ground(10, 50, 74), slope, arrow(14, 22, 36, 48), arrow(40, 48, 80, 32)],
+  walls: () => [ground(10, 50, 74), slope(), arrow(14, 22, 36, 48), arrow(40, 48, 80, 32)],
   spheres: () => [disc(43, 32), disc(57, 32), arrow(12, 48, 35, 36), arrow(88, 14, 65, 27)],
-  chain: () => [disc(34, 32), disc(48, 32), arrow(4, 32, 26, 32), arrow(57, 32, 78, 32), upright(84, 12, 54)],
+  chain: () => [
+    disc(34, 32), disc(48, 32), arrow(4, 32, 26, 32), arrow(57, 32, 78, 32), upright(84, 12, 54),
+  ],
   angle: (wall) => [
     ground(14, 50, 96), line(20, 50, 55, 50), arrow(20, 14, 54, 48),
-    svg("path", { d: "M33 50A22 22 0 0 1 39.4 34.4", class: "thin" }), word(22, 44, "α", "letter"), word(84, 46, wall, "name"),
+    svg("path", { d: "M33 50A22 22 0 0 1 39.4 34.4", class: "thin" }),
+    word(22, 44, "α", "letter"), word(84, 46, wall, "name"),
   ],
   between: () => [
-    ground(10, 50, 74), slope, svg("path", { d: "M60 50A14 14 0 0 1 81 37.8", class: "thin" }),
+    ground(10, 50, 74), slope(),
+    svg("path", { d: "M60 50A14 14 0 0 1 81 37.8", class: "thin" }),
     word(8, 45, "A", "name"), word(78, 58, "B", "name"), word(98, 20, "C", "name"),
   ],
   line: () => [
-    line(20, 52, 82, 12, "dashed"), disc(44.1, 36.4), disc(55.9, 28.8), word(41, 39.6, "A", "name"), word(53, 32, "B", "name"),
+    line(20, 52, 82, 12, "dashed"), disc(44.1, 36.4), disc(55.9, 28.8),
+    word(41, 39.6, "A", "name"), word(53, 32, "B", "name"),
   ],
   offset: () => [
-    line(10, 44, 96, 44, "dashed"), line(10, 34, 96, 34, "dashed"), disc(40, 44), disc(49.8, 34), arrow(8, 44, 32, 44),
-    line(82, 34, 82, 44, "thick"), word(86, 42, "d", "letter"), word(37, 47.2, "A", "name"), word(46.8, 37.2, "B", "name"),
+    line(10, 44, 96, 44, "dashed"), line(10, 34, 96, 34, "dashed"),
+    disc(40, 44), disc(49.8, 34), arrow(8, 44, 32, 44),
+    line(82, 34, 82, 44, "thick"), word(86, 42, "d", "letter"),
+    word(37, 47.2, "A", "name"), word(46.8, 37.2, "B", "name"),
   ],
 };
 
-export const picture = (name, named) =>
-  svg("svg", { viewBox: "0 0 104 62", class: "hint-picture", "aria-hidden": "true", focusable: "false" }, ...DRAWN[name](named).flat());
+const SEEN = {
+  viewBox: "0 0 104 62", class: "hint-picture", "aria-hidden": "true", focusable: "false",
+};
+
+export const picture = (name, wall) => svg("svg", SEEN, DRAWN[name](wall).flat());

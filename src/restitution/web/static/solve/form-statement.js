@@ -24,8 +24,10 @@ export const eventsOf = ({ kind }) => EVENTS[kind];
 // A question of each kind that can be solved as it stands.
 export function defaultsOf(kind) {
   const moving = { Mass: "2", Velocity: "components", X: "5", Y: "-3", Speed: "u", Angle: "60°" };
-  const own = (name, values) =>
-    Object.fromEntries(Object.entries({ ...moving, ...values }).map(([key, value]) => [name + key, value]));
+  const own = (name, values) => {
+    const told = Object.entries({ ...moving, ...values });
+    return Object.fromEntries(told.map(([key, value]) => [name + key, value]));
+  };
   const shared = { kind, known: [{ what: "", value: "" }], letters: "", e1: "1/2", e2: "1/2" };
   const wall = { wall: "i", wallVector: "3i + 4j", wallAngle: "30°" };
   const spheres = {
@@ -45,8 +47,10 @@ export function defaultsOf(kind) {
       return { ...shared, ...spheres, asked: ["velocity(A)", "velocity(B)", "impulse"] };
     case "chain":
       return {
-        ...shared, ...spheres, ...wall, ...own("A", { X: "4", Y: "0" }), ...own("B", { Mass: "3", Velocity: "rest" }),
-        line: "i", wall: "j", e1: "1/2", asked: ["velocity(A, 1)", "velocity(B)", "total_energy_lost"],
+        ...shared, ...spheres, ...wall,
+        ...own("A", { X: "4", Y: "0" }), ...own("B", { Mass: "3", Velocity: "rest" }),
+        line: "i", wall: "j", e1: "1/2",
+        asked: ["velocity(A, 1)", "velocity(B)", "total_energy_lost"],
       };
   }
 }
@@ -66,29 +70,37 @@ export function quantitiesOf(answers) {
       put(`speed(${body}${stage})`, `speed of ${body} ${when}`);
     }
     if (bodies.length === 1) {
-      put(`angle(velocity(${first}${stage}), ${second})`, `angle of ${first}’s path to ${second} ${when}`, { angle: true });
+      const label = `angle of ${first}’s path to ${second} ${when}`;
+      put(`angle(velocity(${first}${stage}), ${second})`, label, { angle: true });
     }
     for (const body of bodies) {
       if (index > 0 || answers[`${body}Velocity`] !== "rest") {
         const which = events.length === 1 ? "" : last ? ", second impact" : ", first impact";
-        put(`deflection(${body}${stage})`, `angle of deflection of ${body}${which}`, { angle: true });
+        const label = `angle of deflection of ${body}${which}`;
+        put(`deflection(${body}${stage})`, label, { angle: true });
       }
     }
     const number = last ? "" : `(${index + 1})`;
-    const which = events.length === 1 ? "" : last ? " at the second impact" : " at the first impact";
+    const ordinal = last ? "second" : "first";
+    const which = events.length === 1 ? "" : ` at the ${ordinal} impact`;
     put(`impulse${number}`, `magnitude of the impulse${which}`);
     put(`energy_lost${number}`, `kinetic energy lost${which}`);
   });
   const total = events.length === 1 ? "energy_lost" : "total_energy_lost";
   if (events.length > 1) put(total, "kinetic energy lost in all");
-  put(`${total}/energy(0) as a percentage`, "kinetic energy lost, as a percentage", { fixed: true });
+  const share = `${total}/energy(0) as a percentage`;
+  put(share, "kinetic energy lost, as a percentage", { fixed: true });
   const es = events.map((_, index) => clean(answers[`e${index + 1}`]));
   if (es.includes("")) put("e", "coefficient of restitution e", { fixed: true });
   for (const body of spheresOf(answers)) {
     if (!clean(answers[`${body}Mass`])) put(`mass(${body})`, `mass of ${body}`, { fixed: true });
-    if (answers[`${body}Velocity`] === "unknown") put(`velocity(${body}, 0)`, `velocity of ${body} before`, { fixed: true });
+    if (answers[`${body}Velocity`] === "unknown") {
+      put(`velocity(${body}, 0)`, `velocity of ${body} before`, { fixed: true });
+    }
   }
-  if (answers.line === "unknown" || answers.line === "offset") put("line_of_centres(1)", "line of centres", { fixed: true });
+  if (answers.line === "unknown" || answers.line === "offset") {
+    put("line_of_centres(1)", "line of centres", { fixed: true });
+  }
   if (answers.wall === "unknown") put("direction(W)", "direction of the wall", { fixed: true });
   return found;
 }
@@ -97,9 +109,13 @@ export function quantitiesOf(answers) {
 export function factsOf(answers) {
   const found = [];
   if (spheresOf(answers).length > 1) {
-    found.push(["velocity(A, 1) perpendicular to velocity(B, 1)", "A and B move at right angles after their impact"]);
+    found.push([
+      "velocity(A, 1) perpendicular to velocity(B, 1)",
+      "A and B move at right angles after their impact",
+    ]);
     for (const body of ["A", "B"]) {
-      found.push([`velocity(${body}, 1) = 0i`, `${body} is at rest after the impact of the spheres`]);
+      const label = `${body} is at rest after the impact of the spheres`;
+      found.push([`velocity(${body}, 1) = 0i`, label]);
     }
   }
   if (answers.kind === "chain") {
@@ -109,10 +125,15 @@ export function factsOf(answers) {
   return found;
 }
 
+const SIGNS = /[#:\\\n]/;
+const UNITS = /\d\s*(kg|m ?\/ ?s|m ?s ?(\^ ?-? ?1|⁻¹)|N ?s|J|rad)\s*$/;
+
 // Why a field cannot go into a statement as it is, or null.
 export function objection(text) {
-  if (/[#:\\\n]/.test(text ?? "")) return "Leave out the signs # : and \\, which mean something else in a statement.";
-  if (/\d\s*(kg|m ?\/ ?s|m ?s ?(\^ ?-? ?1|⁻¹)|N ?s|J|rad)\s*$/.test(text ?? "")) return "Leave out the unit: all is in kg, m/s, N s and J.";
+  if (SIGNS.test(text ?? "")) {
+    return "Leave out the signs # : and \\, which mean something else in a statement.";
+  }
+  if (UNITS.test(text ?? "")) return "Leave out the unit: all is in kg, m/s, N s and J.";
   return null;
 }
 
@@ -137,21 +158,26 @@ function component(text) {
   return isSum(size) ? { negative: false, size: `(${text})` } : { negative: size !== text, size };
 }
 
-const unit = (size, axis) => (size === "1" ? axis : /^[\d.]+$/.test(size) ? size + axis : `${size} ${axis}`);
+function along(size, axis) {
+  if (size === "1") return axis;
+  return /^[\d.]+$/.test(size) ? size + axis : `${size} ${axis}`;
+}
 
 // The pieces of a velocity, or [] where it is not known.
 function velocity(answers, body, notes) {
-  const [x, y, speed, turned] = ["X", "Y", "Speed", "Angle"].map((key) => clean(answers[body + key]));
+  const told = (key) => clean(answers[body + key]);
+  const [x, y, speed, turned] = ["X", "Y", "Speed", "Angle"].map(told);
   switch (answers[`${body}Velocity`]) {
     case "rest":
       return ["at rest"];
     case "components": {
-      const shown = [["X", x, "i"], ["Y", y, "j"]].filter(([, text]) => text !== "" && text !== "0");
+      const both = [["X", x, "i"], ["Y", y, "j"]];
+      const shown = both.filter(([, text]) => text !== "" && text !== "0");
       if (shown.length === 0) return x === "" && y === "" ? [] : ["velocity ", [`${body}X`, "0i"]];
       const pieces = shown.map(([key, text, axis], index) => {
         const { negative, size } = component(text);
         const sign = index === 0 ? (negative ? "-" : "") : negative ? " - " : " + ";
-        return [body + key, sign + unit(size, axis)];
+        return [body + key, sign + along(size, axis)];
       });
       return ["velocity ", ...pieces];
     }
@@ -162,8 +188,10 @@ function velocity(answers, body, notes) {
         notes.push([field, "Fill this in too, with a letter if it is not known."]);
         return [];
       }
-      const towards = answers[`${body}Velocity`] === "wall" ? ` to ${eventsOf(answers)[0][1]}` : "";
-      return ["velocity ", [`${body}Speed`, speed], " at ", [`${body}Angle`, angle(turned) + towards]];
+      const [[, struck]] = eventsOf(answers);
+      const towards = answers[`${body}Velocity`] === "wall" ? ` to ${struck}` : "";
+      const turn = [`${body}Angle`, angle(turned) + towards];
+      return ["velocity ", [`${body}Speed`, speed], " at ", turn];
     }
   }
   return [];
@@ -191,15 +219,19 @@ function walls(answers, notes) {
   if (answers.kind === "walls") {
     const first = direction(answers.first, answers, "first", notes);
     if (answers.second !== "between") {
-      return [line("wall AB", [first]), line("wall BC", [direction(answers.second, answers, "second", notes)])];
+      const second = direction(answers.second, answers, "second", notes);
+      return [line("wall AB", [first]), line("wall BC", [second])];
     }
-    const start = { i: "", j: "90° + ", angle: angle(answers.firstAngle) ? `${angle(answers.firstAngle)} + ` : "" }[answers.first];
+    const turned = angle(answers.firstAngle);
+    const start = { i: "", j: "90° + ", angle: turned && `${turned} + ` }[answers.first];
     const between = angle(answers.between);
     if (between === "") notes.push(["between", "Fill in the angle between the walls."]);
-    const second = between === "" ? [] : [`along ${start}180° - `, ["between", isSum(between) ? `(${between})` : between]];
+    const whole = ["between", isSum(between) ? `(${between})` : between];
+    const second = between === "" ? [] : [`along ${start}180° - `, whole];
     return [line("wall AB", [first]), line("wall BC", [second])];
   }
-  return answers.wall === undefined ? [] : [line("wall W", [direction(answers.wall, answers, "wall", notes)])];
+  if (answers.wall === undefined) return [];
+  return [line("wall W", [direction(answers.wall, answers, "wall", notes)])];
 }
 
 function impact(answers, index, notes) {
@@ -239,7 +271,9 @@ export function linesOf(answers) {
   for (const body of spheresOf(answers)) {
     const mass = clean(answers[`${body}Mass`]);
     const radius = answers.line === "offset" ? clean(answers.radius) : "";
-    if (answers.line === "offset" && radius === "") notes.push(["radius", "An offset needs the radius of the spheres."]);
+    if (answers.line === "offset" && radius === "") {
+      notes.push(["radius", "An offset needs the radius of the spheres."]);
+    }
     lines.push(line(`sphere ${body}`, [
       mass ? ["mass ", [`${body}Mass`, mass]] : [],
       velocity(answers, body, notes),
@@ -248,7 +282,8 @@ export function linesOf(answers) {
   }
   eventsOf(answers).forEach((_, index) => lines.push(impact(answers, index, notes)));
   lines.push(...known(answers, notes));
-  const asked = quantitiesOf(answers).map((each) => each.item).filter((item) => answers.asked.includes(item));
+  const offered = quantitiesOf(answers).map(({ item }) => item);
+  const asked = offered.filter((item) => answers.asked.includes(item));
   const letters = clean(answers.letters);
   // A percentage goes with all that stands before it on its line, so it has a line to itself.
   const alone = asked.filter((item) => item.endsWith("percentage"));
@@ -260,9 +295,11 @@ export function linesOf(answers) {
   return { lines, notes };
 }
 
-const textOf = (pieces) => pieces.map((piece) => (typeof piece === "string" ? piece : piece[1])).join("");
+const textOf = (pieces) =>
+  pieces.map((piece) => (typeof piece === "string" ? piece : piece[1])).join("");
 
-export const statementOf = (answers) => linesOf(answers).lines.map((pieces) => `${textOf(pieces)}\n`).join("");
+export const statementOf = (answers) =>
+  linesOf(answers).lines.map((pieces) => `${textOf(pieces)}\n`).join("");
 
 // The field that wrote what stands at a place of the statement (both counted from 1), or null.
 export function fieldAt(answers, lineNumber, column) {

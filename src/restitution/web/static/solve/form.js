@@ -1,8 +1,10 @@
 // A form that writes the statement, for those who would rather not type a language.
-import { ask } from "../api.js";
-import { html } from "../dom.js";
+
+import { ask, sentence } from "../api.js";
+import { button, html } from "../player/elements.js";
 import {
-  KINDS, defaultsOf, eventsOf, factsOf, fieldAt, linesOf, objection, quantitiesOf, spheresOf, statementOf,
+  KINDS, defaultsOf, eventsOf, factsOf, fieldAt, linesOf, objection, quantitiesOf, spheresOf,
+  statementOf,
 } from "./form-statement.js";
 import { picture } from "./form-pictures.js";
 
@@ -26,7 +28,9 @@ export function mountForm(element, { onStatement }) {
     html("div", { class: "layout" },
       body,
       html("section", { class: "written", "aria-labelledby": "form-written" },
-        html("h3", { id: "form-written" }, "The statement"), html("pre", { tabindex: 0 }, text), trouble,
+        html("h3", { id: "form-written" }, "The statement"),
+        html("pre", { tabindex: 0 }, text),
+        trouble,
         html("button", { type: "submit", class: "main" }, "Put it into the editor"))));
 
   root.addEventListener("submit", (event) => {
@@ -84,15 +88,16 @@ export function mountForm(element, { onStatement }) {
     asking = new AbortController();
     try {
       const { errors } = await ask("check", { statement }, { signal: asking.signal });
-      const told = errors.map(({ message, line, column }) => [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]);
+      const told = errors.map(({ message, line, column }) =>
+        [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]);
       mark(linesOf(now()).notes, told);
     } catch {
       // Gone on typing, or a server that is busy: the editor tells that.
     }
   }
 
-  // Shows what is missing and what is wrong, each as [field, text], at its field; what belongs to no
-  // field stands below the statement.
+  // Shows what is missing and what is wrong, each as [field, text], at its field; what belongs to
+  // no field stands below the statement.
   function mark(missing, wrong = []) {
     const objections = [...body.querySelectorAll("input[type=text]")]
       .map((field) => [field.name, objection(field.value)]).filter(([, said]) => said);
@@ -100,7 +105,9 @@ export function mountForm(element, { onStatement }) {
       place.textContent = "";
       place.classList.remove("missing");
     }
-    for (const field of body.querySelectorAll("[aria-invalid]")) field.removeAttribute("aria-invalid");
+    for (const each of body.querySelectorAll("[aria-invalid]")) {
+      each.removeAttribute("aria-invalid");
+    }
     const rest = [];
     const put = ([name, message], isWrong) => {
       const place = name && body.querySelector(`#problem-${name}`);
@@ -109,7 +116,8 @@ export function mountForm(element, { onStatement }) {
       } else if (!place.textContent) {
         place.textContent = message;
         place.classList.toggle("missing", !isWrong);
-        if (isWrong) body.querySelector(`input[type=text][name="${name}"]`)?.setAttribute("aria-invalid", "true");
+        const typed = isWrong && body.querySelector(`input[type=text][name="${name}"]`);
+        if (typed) typed.setAttribute("aria-invalid", "true");
       }
     };
     for (const each of [...objections, ...wrong]) put(each, true);
@@ -117,16 +125,9 @@ export function mountForm(element, { onStatement }) {
     trouble.textContent = rest.join(" ");
   }
 
-  write(statementOf(now()));
   show();
+  write(statementOf(now()));
   element.append(root);
-  return {
-    destroy() {
-      clearTimeout(waiting);
-      asking.abort();
-      root.remove();
-    },
-  };
 
   // --- fields ---------------------------------------------------------------------------------
 
@@ -136,7 +137,7 @@ export function mountForm(element, { onStatement }) {
     return [
       kinds(),
       ...(told.kind === "walls" ? [twoWalls(told)] : told.wall === undefined ? [] : [wall(told)]),
-      ...spheresOf(told).map((body_) => sphere(told, body_)),
+      ...spheresOf(told).map((name) => sphere(told, name)),
       ...(told.line === undefined ? [] : [centres(told)]),
       restitution(told, first, many),
       knownFields(told),
@@ -160,7 +161,8 @@ export function mountForm(element, { onStatement }) {
   function twoWalls(told) {
     return group("The walls AB and BC",
       picture("between"),
-      choice(told, "first", "AB runs", WAYS.filter(([value]) => value !== "vector")), ...way(told, "first", told.first),
+      choice(told, "first", "AB runs", WAYS.filter(([value]) => value !== "vector")),
+      ...way(told, "first", told.first),
       choice(told, "second", "BC runs", [["between", "at an angle to AB"], ...WAYS]),
       ...(told.second === "between"
         ? [field(told, "between", "Angle ABC between the walls", { hint: "such as 120°" })]
@@ -168,9 +170,12 @@ export function mountForm(element, { onStatement }) {
   }
 
   function way(told, prefix, mode) {
-    if (mode === "vector") return [field(told, `${prefix}Vector`, "Direction", { hint: "such as 3i + 4j" })];
-    if (mode === "angle") return [field(told, `${prefix}Angle`, "Angle from i", { hint: "anticlockwise, such as 30° or theta" })];
-    return [];
+    if (mode === "vector") {
+      return [field(told, `${prefix}Vector`, "Direction", { hint: "such as 3i + 4j" })];
+    }
+    if (mode !== "angle") return [];
+    const hint = "anticlockwise, such as 30° or theta";
+    return [field(told, `${prefix}Angle`, "Angle from i", { hint })];
   }
 
   function sphere(told, name) {
@@ -184,24 +189,33 @@ export function mountForm(element, { onStatement }) {
       ["unknown", "not known"],
     ];
     const mode = told[`${name}Velocity`];
+    const speedAnd = (label, hint) =>
+      row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, label, { hint }));
     const by = {
       components: () => [row(...["i", "j"].map((axis) =>
         field(told, name + (axis === "i" ? "X" : "Y"), [html("b", {}, axis), " component"])))],
-      wall: () => [picture("angle", struck), row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, `Angle to ${struck}`, { hint: "such as 60° or alpha" }))],
-      speed: () => [row(field(told, `${name}Speed`, "Speed"),
-        field(told, `${name}Angle`, "Direction from i", { hint: "anticlockwise: 60°, -alpha, or alpha from -i" }))],
+      wall: () => [
+        picture("angle", struck), speedAnd(`Angle to ${struck}`, "such as 60° or alpha"),
+      ],
+      speed: () => [speedAnd("Direction from i", "anticlockwise: 60°, -alpha, or alpha from -i")],
     }[mode];
+    const hint = "a number or a letter, such as 2 or 3m";
     return group(`Sphere ${name}`,
-      field(told, `${name}Mass`, "Mass", { optional: true, hint: "a number or a letter, such as 2 or 3m" }),
+      field(told, `${name}Mass`, "Mass", { optional: true, hint }),
       choice(told, `${name}Velocity`, "Velocity before", ways), ...(by ? by() : []));
   }
 
   function centres(told) {
-    const ways = [...WAYS, ["offset", "as the distance between the paths tells"], ["unknown", "not known"]];
-    return group("The line of centres", picture(told.line === "offset" ? "offset" : "line"),
+    const ways = [
+      ...WAYS, ["offset", "as the distance between the paths tells"], ["unknown", "not known"],
+    ];
+    const apart = told.line === "offset";
+    const hint = "positive where B lies to the left";
+    return group("The line of centres", picture(apart ? "offset" : "line"),
       choice(told, "line", "It lies", ways), ...way(told, "line", told.line),
-      ...(told.line === "offset"
-        ? [row(field(told, "offset", "Distance between the paths", { hint: "positive where B lies to the left" }), field(told, "radius", "Radius of both spheres"))]
+      ...(apart
+        ? [row(field(told, "offset", "Distance between the paths", { hint }),
+          field(told, "radius", "Radius of both spheres"))]
         : []));
   }
 
@@ -210,35 +224,49 @@ export function mountForm(element, { onStatement }) {
       const [a, b] = eventsOf(told)[index];
       return many ? `e where ${a} hits ${b}` : "e";
     };
-    return group(many ? "Coefficients of restitution" : `${first} hits ${second}: coefficient of restitution`,
-      row(...eventsOf(told).map((_, index) => field(told, `e${index + 1}`, label(index), { optional: true, hint: "left out, it is the letter e" }))));
+    const one = `${first} hits ${second}: coefficient of restitution`;
+    const more = { optional: true, hint: "left out, it is the letter e" };
+    return group(many ? "Coefficients of restitution" : one,
+      row(...eventsOf(told).map((_, i) => field(told, `e${i + 1}`, label(i), more))));
   }
 
   function knownFields(told) {
     const quantities = quantitiesOf(told).filter((each) => !each.fixed);
     const rows = told.known.map(({ what, value }, index) => {
-      const offered = [["", "nothing more"], ...quantities.map(({ item, label }) => [item, label]),
-        ...factsOf(told), ["fact", "another fact, such as tan(alpha) = 3/4"]];
       const chosen = quantities.find(({ item }) => item === what);
-      const hint = chosen?.vector ? "such as 4i + 2j" : chosen?.angle ? "such as 90°" : what === "fact" ? "such as tan(alpha) = 3/4, or k > 1" : null;
-      const select = choice({ [`what${index}`]: what }, `what${index}`, index === 0 ? "It is known that" : "and that", offered);
-      const typed = chosen || what === "fact";
-      return [select, typed ? field({ [`known${index}`]: value }, `known${index}`, what === "fact" ? "The fact" : "is equal to", { hint }) : null];
+      const [whats, values] = [`what${index}`, `known${index}`];
+      const begins = index === 0 ? "It is known that" : "and that";
+      const select = choice({ [whats]: what }, whats, begins, [
+        ["", "nothing more"], ...quantities.map(({ item, label }) => [item, label]),
+        ...factsOf(told), ["fact", "another fact, such as tan(alpha) = 3/4"],
+      ]);
+      if (what === "fact") {
+        const hint = "such as tan(alpha) = 3/4, or k > 1";
+        return [select, field({ [values]: value }, values, "The fact", { hint })];
+      }
+      if (!chosen) return [select];
+      const hint = chosen.vector ? "such as 4i + 2j" : chosen.angle ? "such as 90°" : null;
+      return [select, field({ [values]: value }, values, "is equal to", { hint })];
     });
-    const another = html("button", { type: "button", onclick: () => {
+    const another = button("Another fact", () => {
       told.known.push({ what: "", value: "" });
       show({ name: `what${told.known.length - 1}` });
-    } }, "Another fact");
+    });
     const full = told.known.at(-1).what !== "";
-    return group("What else is known", ...rows.flat().filter(Boolean), full ? another : null);
+    return group("What else is known", ...rows.flat(), full ? another : null);
   }
 
   function askedFields(told) {
     const offered = quantitiesOf(told);
-    const boxes = offered.map(({ item, label }) => html("label", { class: "box" },
-      html("input", { type: "checkbox", name: "asked", value: item, checked: told.asked.includes(item) }), html("span", {}, label)));
+    const boxes = offered.map(({ item, label }) => {
+      const checked = told.asked.includes(item);
+      return html("label", { class: "box" },
+        html("input", { type: "checkbox", name: "asked", value: item, checked }),
+        html("span", {}, label));
+    });
     const made = group("What is to be found?",
-      html("div", { class: "boxes" }, ...boxes), html("p", { class: "problem", id: "problem-asked" }),
+      html("div", { class: "boxes" }, ...boxes),
+      html("p", { class: "problem", id: "problem-asked" }),
       field(told, "letters", "Letters to be found", { hint: "such as alpha, k" }));
     made.classList.add("asked");
     made.dataset.offered = offered.map((each) => each.item).join();
@@ -257,10 +285,11 @@ function field(told, name, label, { hint = null, optional = false } = {}) {
   const id = `form-${name}`;
   const described = [hint && `hint-${name}`, `problem-${name}`].filter(Boolean).join(" ");
   return html("div", { class: "field" },
-    html("label", { for: id }, label, optional ? html("span", { class: "quiet" }, " (if told)") : null),
+    html("label", { for: id }, label,
+      optional ? html("span", { class: "quiet" }, " (if told)") : null),
     html("input", {
-      id, name, type: "text", value: told[name], maxlength: 80, spellcheck: "false", autocapitalize: "off",
-      autocomplete: "off", "aria-describedby": described,
+      id, name, type: "text", value: told[name], maxlength: 80, spellcheck: "false",
+      autocapitalize: "off", autocomplete: "off", "aria-describedby": described,
     }),
     hint ? html("p", { class: "hint", id: `hint-${name}` }, hint) : null,
     html("p", { class: "problem", id: `problem-${name}` }));
@@ -270,7 +299,6 @@ function choice(told, name, label, ways) {
   const id = `form-${name}`;
   return html("div", { class: "field" },
     html("label", { for: id }, label),
-    html("select", { id, name }, ...ways.map(([value, said]) => html("option", { value, selected: told[name] === value }, said))));
+    html("select", { id, name }, ways.map(([value, said]) =>
+      html("option", { value, selected: told[name] === value }, said))));
 }
-
-const sentence = (message) => `${message[0].toUpperCase()}${message.slice(1)}${/[.?!]$/.test(message) ? "" : "."}`;

@@ -1,9 +1,9 @@
 // The examples by topic, each with a small picture; typing narrows them down.
-import { html } from "../dom.js";
+
+import { button, html } from "../player/elements.js";
 
 // `onChoose(name, text)` is told the example that was chosen and its statement.
 export function mountGallery(element, { onChoose }) {
-  const gone = new AbortController();
   const field = html("input", {
     type: "search", id: "gallery-field", autocomplete: "off", spellcheck: "false",
     placeholder: "corner, energy, deflection…", oninput: () => narrow(),
@@ -11,20 +11,22 @@ export function mountGallery(element, { onChoose }) {
   const count = html("p", { class: "count", role: "status" });
   const topics = html("div", { class: "topics" });
   const root = html("div", { class: "gallery" },
-    html("div", { class: "find" }, html("label", { for: "gallery-field" }, "Find an example"), field, count),
+    html("div", { class: "find" },
+      html("label", { for: "gallery-field" }, "Find an example"), field, count),
     topics);
   let shown = [];
 
-  function card(example) {
+  function card({ name, title, topic, statement }) {
     const image = html("img", {
-      src: `thumbnails/${example.name}.svg`, alt: "", loading: "lazy", decoding: "async",
+      src: `thumbnails/${name}.svg`, alt: "", loading: "lazy", decoding: "async",
       width: 200, height: 130, onerror: () => image.remove(),
     });
-    const button = html("button", { type: "button", class: "card", onclick: () => onChoose(example.name, example.statement) },
-      html("span", { class: "picture" }, image), html("span", { class: "title" }, example.title));
-    const item = html("li", {}, button);
-    const words = `${example.title} ${example.topic} ${example.name} ${example.statement}`.toLowerCase();
-    return { item, words };
+    const seen = [
+      html("span", { class: "picture" }, image), html("span", { class: "title" }, title),
+    ];
+    const chosen = button(seen, () => onChoose(name, statement), { class: "card" });
+    const words = `${title} ${topic} ${name} ${statement}`.toLowerCase();
+    return { item: html("li", {}, chosen), words };
   }
 
   function show(examples) {
@@ -51,7 +53,8 @@ export function mountGallery(element, { onChoose }) {
       section.hidden = here === 0;
       left += here;
     }
-    count.textContent = left === 0 ? "No example has all these words." : left === 1 ? "1 example" : `${left} examples`;
+    const found = left === 1 ? "1 example" : `${left} examples`;
+    count.textContent = left === 0 ? "No example has all these words." : found;
   }
 
   async function load() {
@@ -59,22 +62,15 @@ export function mountGallery(element, { onChoose }) {
     shown = [];
     count.textContent = "Loading the examples…";
     try {
-      const reply = await fetch("examples.json", { signal: gone.signal });
+      const reply = await fetch("examples.json");
       if (!reply.ok) throw new Error(`the server says ${reply.status}`);
       show((await reply.json()).examples);
-    } catch (error) {
-      if (error.name === "AbortError") return;
+    } catch {
       count.textContent = "The examples cannot be loaded just now.";
-      topics.append(html("button", { type: "button", onclick: load }, "Try again"));
+      topics.append(button("Try again", load));
     }
   }
 
   element.append(root);
   load();
-  return {
-    destroy() {
-      gone.abort();
-      root.remove();
-    },
-  };
 }

@@ -1,17 +1,15 @@
 // The language on one panel: lines, quantities and expressions, with an example each.
 
-import { html } from "../dom.js";
+import { html } from "../player/elements.js";
 
 export function mountHelp(root, words) {
   root.replaceChildren(
-    html("p", {}, "One fact a line, in the order in which things happen. Everything is seen from above, in SI units; none is typed."),
-    section("Lines", [...words.lines, ...words.events].map(({ example, about }) => [example, about])),
+    html("p", {}, "One fact a line, in the order in which things happen. ",
+      "Everything is seen from above, in SI units; none is typed."),
+    section("Lines", [...words.lines, ...words.events].map(byExample)),
     section("Quantities", words.quantities.map(({ usage, about }) => [usage, about])),
-    section("Numbers, letters, vectors", words.expressions.map(({ example, about }) => [example, about])),
-    section(
-      "Relations and questions",
-      words.phrases.map(({ word, about }) => [word, about]),
-    ),
+    section("Numbers, letters, vectors", words.expressions.map(byExample)),
+    section("Relations and questions", words.phrases.map(({ word, about }) => [word, about])),
     section("Functions", [[words.functions.map(({ word }) => word).join(" "), ""]]),
     section("In the editor", [
       ["Tab or Enter", "takes the suggestion that is marked"],
@@ -22,10 +20,10 @@ export function mountHelp(root, words) {
   );
 }
 
+const byExample = ({ example, about }) => [example, about];
+
 const section = (heading, rows) =>
-  html(
-    "section",
-    {},
-    html("h3", {}, heading),
-    html("dl", {}, rows.map(([term, about]) => html("div", {}, html("dt", {}, html("code", {}, term)), html("dd", {}, about)))),
-  );
+  html("section", {}, html("h3", {}, heading), html("dl", {}, rows.map(described)));
+
+const described = ([term, about]) =>
+  html("div", {}, html("dt", {}, html("code", {}, term)), html("dd", {}, about));

@@ -1,7 +1,12 @@
 // What the words of a statement are, for the eye only: the server alone knows what they mean.
 
-const PIECE =
-  /(?<comment>#.*)|(?<number>\d+(?:\.\d+)?\s?(?:°|%|deg\b)?)|(?<word>[A-Za-z\u0370-\u03ff_][A-Za-z0-9\u0370-\u03ff_]*)|\s+|./gu;
+const PIECE = new RegExp(
+  [
+    /(?<comment>#.*)/, /(?<number>\d+(?:\.\d+)?\s?(?:°|%|deg\b)?)/,
+    /(?<word>[A-Za-z\u0370-\u03ff_][A-Za-z0-9\u0370-\u03ff_]*)/, /\s+/, /./,
+  ].map(({ source }) => source).join("|"),
+  "gu",
+);
 const DECLARED = /^[^\S\n]*(sphere|wall|point)\b([^:#\n]*)/gm;
 const NAME = /^[A-Z][A-Za-z0-9]*$/;
 
@@ -28,10 +33,11 @@ export function lexicon(words) {
     .flat()
     .map(({ word }) => word)
     .filter((word) => word.includes(" "));
+  const any = [...phrases, ...property].join("|");
   return {
     kinds,
     lines: new Set(words.lines.map(({ word }) => word)),
-    phrase: new RegExp(`(?<![A-Za-z0-9_])(?:${[...phrases, ...property].join("|")})(?![A-Za-z0-9_])`, "gy"),
+    phrase: new RegExp(`(?<![A-Za-z0-9_])(?:${any})(?![A-Za-z0-9_])`, "gy"),
   };
 }
 
@@ -57,9 +63,9 @@ function inside(text, names, { kinds, phrase, property }) {
     const said = phrase.exec(text);
     PIECE.lastIndex = at;
     const match = said ?? PIECE.exec(text);
-    const piece = match[0];
-    found.push({ kind: said ? "keyword" : kindOf(match, text, names, kinds, property), text: piece });
-    at += piece.length;
+    const kind = said ? "keyword" : kindOf(match, text, names, kinds, property);
+    found.push({ kind, text: match[0] });
+    at += match[0].length;
   }
   return found;
 }

@@ -1,9 +1,11 @@
 // A list of what could be typed, at the caret of a text field that keeps the focus.
 
-import { html } from "../dom.js";
+import { html } from "../player/elements.js";
 
 export function makeListbox(field, { onTake }) {
-  const list = html("ul", { role: "listbox", id: "suggestions", class: "suggestions", "aria-label": "Suggestions" });
+  const list = html("ul", {
+    role: "listbox", id: "suggestions", class: "suggestions", "aria-label": "Suggestions",
+  });
   list.hidden = true;
   field.after(list);
   field.setAttribute("aria-autocomplete", "list");
@@ -59,7 +61,8 @@ export function makeListbox(field, { onTake }) {
     onTake(options[index]);
   }
 
-  list.addEventListener("pointerdown", (event) => event.preventDefault()); // the field keeps the focus
+  // The field keeps the focus.
+  list.addEventListener("pointerdown", (event) => event.preventDefault());
   list.addEventListener("click", (event) => {
     const option = event.target.closest("[role=option]");
     if (option) take([...list.children].indexOf(option));
@@ -76,7 +79,8 @@ export function makeListbox(field, { onTake }) {
       return at;
     },
     key(event) {
-      if (list.hidden || event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+      const { ctrlKey, metaKey, altKey, isComposing } = event;
+      if (list.hidden || ctrlKey || metaKey || altKey || isComposing) return;
       const does = {
         ArrowDown: () => choose((chosen + 1) % options.length),
         ArrowUp: () => choose((Math.max(chosen, 0) + options.length - 1) % options.length),

@@ -1,6 +1,5 @@
 // The page that solves: what is typed on the left, what follows from it on the right.
 
-import { grown } from "../dom.js";
 import { draft, hold, linkable, onReturn, told } from "./address.js";
 import { makeEditor } from "./editor.js";
 import { makeMotion } from "./motion.js";
@@ -10,6 +9,7 @@ import { makePictures } from "./pictures.js";
 import { answersOf, failure, mistakes, spoken } from "./results.js";
 import { makeShare } from "./share.js";
 import { makeSolver } from "./solver.js";
+import { grown } from "./trees.js";
 import { makeWorking } from "./working.js";
 
 const $ = (id) => document.getElementById(id);
@@ -70,8 +70,10 @@ function show(state) {
   results.classList.toggle("stale", state.kind !== "solved" && state.kind !== "empty");
   if (state.kind === "waiting") pending = setTimeout(notice.solving, SLOW);
   else notice.clear();
-  const shown = { empty: showNothing, wrong: showMistakes, solved: showSolved, refused: showRefusal };
-  shown[state.kind]?.(state);
+  const shows = {
+    empty: showNothing, wrong: showMistakes, solved: showSolved, refused: showRefusal,
+  };
+  shows[state.kind]?.(state);
   share.update();
 }
 
@@ -135,11 +137,22 @@ function say(text) {
 
 // --- panels --------------------------------------------------------------------------------------
 
-const examples = makePanel("Examples", "examples", lazily("gallery.css", () => import("./gallery.js"), ({ mountGallery }, body, close) =>
-  mountGallery(body, { onChoose: (name, text) => chosen(text, close) })));
-const form = makeFold($("form"), $("filling"), lazily("form.css", () => import("./form.js"), ({ mountForm }, body) =>
-  mountForm(body, { onStatement: written })));
-const help = makePanel("The language", "language", lazily(null, () => import("./help.js"), ({ mountHelp }, body) => mountHelp(body, words)));
+const examples = makePanel("Examples", "examples", lazily(
+  "gallery.css",
+  () => import("./gallery.js"),
+  ({ mountGallery }, body, close) =>
+    mountGallery(body, { onChoose: (_, text) => chosen(text, close) }),
+));
+const form = makeFold($("form"), $("filling"), lazily(
+  "form.css",
+  () => import("./form.js"),
+  ({ mountForm }, body) => mountForm(body, { onStatement: written }),
+));
+const help = makePanel("The language", "language", lazily(
+  null,
+  () => import("./help.js"),
+  ({ mountHelp }, body) => mountHelp(body, words),
+));
 
 function chosen(text, close) {
   close();

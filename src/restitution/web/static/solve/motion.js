@@ -1,6 +1,7 @@
 // The motion of the very problem: the player is fetched when it is first seen.
 
-import { html } from "../dom.js";
+import { html } from "../player/elements.js";
+import { style } from "../styles.js";
 
 const PLAYER = "../player/player.js";
 
@@ -12,7 +13,6 @@ export function makeMotion(root) {
   let played = null;
   let player = null;
   let seen = false;
-  let fetched = null;
 
   new IntersectionObserver(
     (entries) => {
@@ -22,19 +22,28 @@ export function makeMotion(root) {
     { rootMargin: "200px" },
   ).observe(root);
 
-  const load = () => (fetched ??= Promise.all([import(PLAYER), style("player/player.css")]));
-
   async function update() {
     if (!given || !seen || played === given) return;
     const { motion, motion_error: reason } = (played = given);
-    said.textContent = motion ? "" : `There is no motion to play: ${reason ?? "nothing moves"}.`;
-    said.hidden = Boolean(motion);
-    stage.hidden = !motion;
-    if (!motion) return player?.pause();
-    const [{ mount }] = await load();
-    if (played.motion !== motion) return;
-    if (player) player.load(motion);
-    else player = mount(stage, motion, { page: false, heading: "h3" });
+    say(motion ? null : `There is no motion to play: ${reason ?? "nothing moves"}.`);
+    if (!motion) {
+      player?.pause();
+      return;
+    }
+    const loading = Promise.all([import(PLAYER), style("player/player.css")]);
+    const [module] = await loading.catch(() => [null]);
+    if (played?.motion !== motion) return; // superseded in the meantime
+    if (!module) {
+      say("The player could not be loaded. Is the server still there?");
+      played = null; // to be tried again
+    } else if (player) player.load(motion);
+    else player = module.mount(stage, motion, { page: false, heading: "h3" });
+  }
+
+  function say(text) {
+    said.textContent = text ?? "";
+    said.hidden = text === null;
+    stage.hidden = text !== null;
   }
 
   return {
@@ -43,14 +52,4 @@ export function makeMotion(root) {
       update();
     },
   };
-}
-
-// A style sheet of the page's own, when it is first needed.
-export function style(name) {
-  const address = new URL(`../${name}`, import.meta.url).href;
-  const known = [...document.querySelectorAll("link[rel=stylesheet]")].some(({ href }) => href === address);
-  if (known) return Promise.resolve();
-  return new Promise((done) => {
-    document.head.append(html("link", { rel: "stylesheet", href: address, onload: done, onerror: done }));
-  });
 }

@@ -1,6 +1,7 @@
 // What is said when the server takes its time, or does not answer a statement; trying again.
 
-import { html } from "../dom.js";
+import { sentence } from "../api.js";
+import { button, html } from "../player/elements.js";
 
 export function makeNotice(root, again) {
   let timer = 0;
@@ -12,8 +13,7 @@ export function makeNotice(root, again) {
   }
 
   function put(said, label) {
-    const button = html("button", { type: "button", onclick: retry }, label);
-    root.replaceChildren(html("p", {}, said), button);
+    root.replaceChildren(html("p", {}, said), button(label, retry));
     root.hidden = false;
   }
 
@@ -43,9 +43,10 @@ export function makeNotice(root, again) {
           else count();
         }, 1000);
       } else if (status === 0) {
-        put("There is no answer from the server. Your work is kept; try again when you are back on the network.", "Try again");
+        const hint = "Your work is kept; try again when you are back on the network.";
+        put(`There is no answer from the server. ${hint}`, "Try again");
       } else {
-        put(`${message} Your work is kept.`, "Try again");
+        put(`${sentence(message)} Your work is kept.`, "Try again");
       }
     },
   };

@@ -1,8 +1,8 @@
 // What opens over the page, or within it: examples, the language, the form. Each is fetched when
 // it is first wanted.
 
-import { html } from "../dom.js";
-import { style } from "./motion.js";
+import { button, html } from "../player/elements.js";
+import { style } from "../styles.js";
 
 // A dialog, filled by `fill(body)` once, when it is first opened; returns what opens it.
 export function makePanel(title, className, fill) {
@@ -11,7 +11,7 @@ export function makePanel(title, className, fill) {
   async function build() {
     const heading = html("h2", { id: `${className}-heading` }, title);
     const body = html("div", { class: "body" }, html("p", { class: "quiet" }, "One moment …"));
-    const close = html("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close");
+    const close = button("Close", () => dialog.close());
     dialog = html(
       "dialog",
       { class: `panel ${className}`, "aria-labelledby": heading.id, closedby: "any" },
@@ -51,7 +51,8 @@ export function makeFold(button, body, fill) {
   };
 }
 
-const lost = () => html("p", { class: "problem" }, "This could not be loaded. Is the server still there?");
+const lost = () =>
+  html("p", { class: "problem" }, "This could not be loaded. Is the server still there?");
 
 // Fills a panel with a module's own element, its style first.
 export const lazily = (sheet, load, mount) => async (body, close) => {

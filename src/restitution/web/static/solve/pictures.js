@@ -1,17 +1,18 @@
 // The diagrams: one at a time, each enlarged when it is chosen; all of them on paper.
 
-import { html } from "../dom.js";
+import { button, html } from "../player/elements.js";
 
 export function makePictures(root) {
   const figures = html("div", { class: "figures" });
-  const previous = html("button", { type: "button", onclick: () => show(at - 1) }, "Previous");
-  const next = html("button", { type: "button", onclick: () => show(at + 1) }, "Next");
+  const previous = button("Previous", () => show(at - 1));
+  const next = button("Next", () => show(at + 1));
   const count = html("span", { class: "progress", role: "status" });
   const turning = html("div", { class: "pace" }, previous, count, next);
   root.append(figures, turning);
   let pictures = [];
   let addresses = [];
   let at = 0;
+  let enlarged = null; // the dialog of the large picture
 
   function show(index) {
     at = Math.max(0, Math.min(index, pictures.length - 1));
@@ -26,8 +27,14 @@ export function makePictures(root) {
   function enlarge(index) {
     const image = html("img");
     const said = html("p");
-    const close = html("button", { type: "button", onclick: () => dialog.close() }, "Close");
-    const dialog = html("dialog", { class: "large", "aria-label": "Diagram", closedby: "any" }, image, html("div", { class: "pace" }, said, close));
+    const close = button("Close", () => dialog.close());
+    const dialog = html(
+      "dialog",
+      { class: "large", "aria-label": "Diagram", closedby: "any" },
+      image,
+      html("div", { class: "pace" }, said, close),
+    );
+    enlarged = dialog;
     const turn = (to) => {
       show(to);
       image.src = addresses[at];
@@ -40,7 +47,8 @@ export function makePictures(root) {
     });
     dialog.addEventListener("close", () => {
       dialog.remove();
-      figures.children[at].querySelector("button").focus();
+      enlarged = null;
+      figures.children[at]?.querySelector("button").focus();
     });
     document.body.append(dialog);
     turn(index);
@@ -53,22 +61,24 @@ export function makePictures(root) {
     },
     // New pictures; those that are seen stay until the new ones can be.
     async put(given) {
-      const same = given.length === pictures.length && given.every(({ svg }, k) => svg === pictures[k].svg);
-      if (same) return;
-      const made = given.map(({ svg }) => URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })));
+      const asMany = given.length === pictures.length;
+      if (asMany && given.every(({ svg }, k) => svg === pictures[k].svg)) return;
+      const made = given.map(({ svg }) =>
+        URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })));
       const old = addresses;
-      const kept = given.length === pictures.length ? at : 0;
+      const kept = asMany ? at : 0;
       [pictures, addresses] = [given, made];
       const nodes = given.map(({ title, description }, k) => {
         const image = html("img", { src: made[k], alt: description });
-        const open = html("button", { type: "button", class: "picture", title: "Enlarge", onclick: () => enlarge(k) }, image);
+        const open = button(image, () => enlarge(k), { class: "picture", title: "Enlarge" });
         return html("figure", {}, open, html("figcaption", {}, title));
       });
       await nodes[kept]?.querySelector("img").decode().catch(() => {});
+      old.forEach((each) => URL.revokeObjectURL(each)); // what is seen of them is loaded
       if (addresses !== made) return; // superseded in the meantime
+      enlarged?.close();
       figures.replaceChildren(...nodes);
       show(kept);
-      old.forEach((each) => URL.revokeObjectURL(each));
     },
   };
 }

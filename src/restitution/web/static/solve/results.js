@@ -1,6 +1,8 @@
 // The answers: each item with its values, what was rejected and why, what was shown or refuted.
 
-import { grown, html } from "../dom.js";
+import { sentence } from "../api.js";
+import { button, html } from "../player/elements.js";
+import { grown } from "./trees.js";
 
 export function answersOf({ answer, working }, goTo) {
   const parts = working.filter(({ answers }) => answers.length);
@@ -22,7 +24,7 @@ function answered({ item, values, equal, holds, counterexample, error, rejected 
     {},
     html("span", { class: "item" }, grown(item)),
     " ",
-    ...(holds === null ? equals(values, equal) : [verdict(holds, counterexample), ...(values.length ? [": "] : []), ...alternatives(values)]),
+    ...(holds === null ? equals(values, equal) : shown(holds, counterexample, values)),
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
       html("p", { class: "rejected" }, "Rejected: ", maths(value), `, as ${reason}.`),
@@ -30,14 +32,19 @@ function answered({ item, values, equal, holds, counterexample, error, rejected 
   );
 }
 
+const shown = (holds, counterexample, values) =>
+  [verdict(holds, counterexample), values.length ? ": " : null, ...alternatives(values)];
+
 // `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
 function equals(values, equal) {
   if (!values.length) return [];
-  return [html("span", { class: equal ? "sign" : "colon" }, equal ? "=" : ":"), ...alternatives(values)];
+  const [kind, sign] = equal ? ["sign", "="] : ["colon", ":"];
+  return [html("span", { class: kind }, sign), ...alternatives(values)];
 }
 
 const alternatives = (values) =>
-  values.flatMap((value, index) => [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
+  values.flatMap((value, index) =>
+    [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
 
 const maths = (value) => html("span", { class: "value" }, grown(value));
 
@@ -57,14 +64,16 @@ const unanswered = ({ part, items }) =>
     "section",
     { class: "part" },
     part ? html("h3", {}, `(${part})`) : null,
-    html("ul", { class: "answers" }, items.map(({ text }) => html("li", {}, html("code", {}, text)))),
+    html("ul", { class: "answers" },
+      items.map(({ text }) => html("li", {}, html("code", {}, text)))),
   );
 
-const warningsOf = ({ warnings }) => warnings.map((said) => html("p", { class: "warning" }, `Note: ${said}`));
+const warningsOf = ({ warnings }) =>
+  warnings.map((said) => html("p", { class: "warning" }, `Note: ${said}`));
 
 export function failure({ message, line, column }, goTo) {
-  const place = line && html("button", { type: "button", class: "place", onclick: () => goTo(line, column) }, `line ${line}`);
-  return html("p", { class: "problem" }, `${message[0].toUpperCase()}${message.slice(1)}`, place ? [" ", place] : null);
+  const place = line && button(`line ${line}`, () => goTo(line, column), { class: "place" });
+  return html("p", { class: "problem" }, sentence(message), place ? [" ", place] : null);
 }
 
 // Kinds of items whose answers are no values but sentences.
@@ -84,15 +93,7 @@ export function spoken({ answer }) {
 
 // The first lines of what is wrong with the text, each a button that goes there.
 export const mistakes = (errors, goTo) =>
-  errors.map(({ message, line, column }) =>
-    html(
-      "li",
-      {},
-      html(
-        "button",
-        { type: "button", onclick: () => goTo(line ?? 1, column) },
-        html("b", {}, line ? `Line ${line}` : "Text"),
-        ` ${message}`,
-      ),
-    ),
-  );
+  errors.map(({ message, line, column }) => {
+    const said = [html("b", {}, line ? `Line ${line}` : "Text"), ` ${message}`];
+    return html("li", {}, button(said, () => goTo(line ?? 1, column)));
+  });

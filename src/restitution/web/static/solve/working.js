@@ -1,6 +1,7 @@
 // The worked solution: whole, or line by line as on a board.
 
-import { grown, html, reachable } from "../dom.js";
+import { button, html, reachable } from "../player/elements.js";
+import { grown } from "./trees.js";
 
 // The sections, and for each line the elements that appear with it: a heading or a sentence comes
 // with what follows it.
@@ -15,7 +16,8 @@ function laid(working) {
   for (const part of working) {
     if (!part.steps.length) continue;
     const section = html("section", { class: "part" });
-    if (part.label) section.append(put(html("h3", {}, `(${part.label})`, worth(part.marks)), false));
+    const heading = part.label && html("h3", {}, `(${part.label})`, worth(part.marks));
+    if (heading) section.append(put(heading, false));
     for (const step of part.steps) section.append(...stepped(step, put));
     sections.push(section);
   }
@@ -31,17 +33,18 @@ function stepped(step, put) {
   const said = step.said === null ? null : grown(step.said);
   if (step.kind === "heading") return [put(html("h4", {}, said), false)];
   const nodes = [];
-  const named = step.principle && html("em", { class: "principle" }, `${step.principle}:`, said && " ");
+  const named = step.principle &&
+    html("em", { class: "principle" }, `${step.principle}:`, said && " ");
   if (named || said) {
     const mark = step.mark && html("span", { class: "mark" }, step.mark);
-    const { button, more } = step.about ? why(step) : {};
-    const sentence = html("p", {}, mark || null, named || null, said, button && [" ", button]);
+    const { asking, more } = step.about ? why(step) : {};
+    const sentence = html("p", {}, mark || null, named || null, said, asking && [" ", asking]);
     nodes.push(put(html("div", { class: "said" }, sentence, more), !step.rows.length));
   }
   if (step.rows.length) {
     const body = html("tbody");
-    const table = html("div", { class: "scroll", role: "group", "aria-label": "Equations" }, html("table", {}, body));
-    const group = html("div", { class: "rows" }, table);
+    const scroll = { class: "scroll", role: "group", "aria-label": "Equations" };
+    const group = html("div", { class: "rows" }, html("div", scroll, html("table", {}, body)));
     for (const { row } of step.rows) {
       const rows = (Array.isArray(row[0]) ? row : [row]).map(grown);
       rows.forEach((each, index) => put(each, index === rows.length - 1));
@@ -55,13 +58,12 @@ function stepped(step, put) {
 // A button behind a line, and what it unfolds below.
 function why({ principle, about }) {
   const more = html("p", { class: "about", hidden: true }, about);
-  const button = html("button", { type: "button", class: "why", "aria-expanded": "false" }, "Why?");
-  if (principle) button.setAttribute("aria-label", `Why? ${principle}`);
-  button.addEventListener("click", () => {
+  const asking = button("Why?", () => {
     more.hidden = !more.hidden;
-    button.setAttribute("aria-expanded", String(!more.hidden));
-  });
-  return { button, more };
+    asking.setAttribute("aria-expanded", String(!more.hidden));
+  }, { class: "why", "aria-expanded": "false" });
+  if (principle) asking.setAttribute("aria-label", `Why? ${principle}`);
+  return { asking, more };
 }
 
 // A line still to come is hidden from sight, but not from paper.
@@ -69,15 +71,16 @@ const isLater = (node) => node.classList.contains("later");
 const hideWith = (node, within) => node.classList.toggle("later", [...within].every(isLater));
 
 export function makeWorking(root) {
-  const whole = html("button", { type: "button", "aria-pressed": "true", onclick: () => setMode(false) }, "Whole");
-  const stepwise = html("button", { type: "button", "aria-pressed": "false", onclick: () => setMode(true) }, "Line by line");
+  const whole = button("Whole", () => setMode(false), { "aria-pressed": "true" });
+  const stepwise = button("Line by line", () => setMode(true), { "aria-pressed": "false" });
   const marks = html("input", { type: "checkbox", checked: true });
   const body = html("div", { class: "lines" });
-  const back = html("button", { type: "button", onclick: () => show(shown - 1) }, "Back one line");
-  const next = html("button", { type: "button", class: "main next", onclick: () => show(shown + 1) }, "Next line");
+  const back = button("Back one line", () => show(shown - 1));
+  const next = button("Next line", () => show(shown + 1), { class: "main next" });
   const progress = html("span", { class: "progress" });
   const pace = html("div", { class: "pace" }, back, next, progress);
-  const modes = html("div", { class: "modes", role: "group", "aria-label": "How to show it" }, whole, stepwise);
+  const modes = html("div", { class: "modes", role: "group", "aria-label": "How to show it" },
+    whole, stepwise);
   root.append(
     html("div", { class: "tools" }, modes, html("label", { class: "check" }, marks, "Marks")),
     body,
@@ -107,7 +110,9 @@ export function makeWorking(root) {
         node.classList.toggle("newest", byLine && index === shown - 1);
       }
     });
-    for (const group of body.querySelectorAll(".rows")) hideWith(group, group.querySelectorAll("tr"));
+    for (const group of body.querySelectorAll(".rows")) {
+      hideWith(group, group.querySelectorAll("tr"));
+    }
     for (const section of body.children) hideWith(section, section.children);
     pace.hidden = !byLine;
     back.disabled = shown <= 1;
