@@ -42,7 +42,7 @@ def hosted(page: Page, served: str, name: str, function: str) -> None:
           window.told = [];
           const hear = (what) => (...said) => window.told.push([what, ...said]);
           const module = await import(address);
-          window.mounted = module[name](document.getElementById("here"),
+          module[name](document.getElementById("here"),
             { onChoose: hear("chosen"), onStatement: hear("statement") });
         }""",
         [f"{served}/{static}/solve/{name}.js", function],

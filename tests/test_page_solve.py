@@ -8,15 +8,13 @@ from pathlib import Path
 from unicodedata import normalize
 from urllib.parse import parse_qs, quote, urlparse
 
-import axe_playwright_python
 import pytest
+from pages import SCREENS, accessible, enlarge_text, minding, too_wide
 
 from restitution import parse
 from restitution.expression.quantities import SIGNATURES
 from restitution.expression.words import PROPERTY_WORDS
 from restitution.web.words import vocabulary
-
-AXE = Path(axe_playwright_python.__file__).with_name("axe.min.js").read_text(encoding="utf-8")
 
 WALL = """\
 title A ball at a wall
@@ -52,28 +50,21 @@ find speed(P)
 
 
 @pytest.fixture
-def minded(page, served):
-    """The page, minding what its console says and whom it asks: nobody else, and no complaints."""
-    said: list[str] = []
-    asked: list[str] = []
-    page.on("console", lambda message: said.append(message.text))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: asked.append(request.url))
-    page.minded = said
-    page.emulate_media(reduced_motion="reduce")
-    yield page
-    assert said == []
-    assert [u for u in asked if not u.startswith((served, "blob:", "data:"))] == []
+def complaints(page, served):
+    """What the console says, which has to be taken out where it is expected."""
+    with minding(page, served) as said:
+        yield said
 
 
 @pytest.fixture
-def open_(minded, served):
+def open_(page, served, complaints):
     """Opens the page, with a statement in its address, and waits until it is solved."""
+    page.emulate_media(reduced_motion="reduce")
 
     def go(statement: str | None = None):
-        minded.goto(served + "/" + ("" if statement is None else f"#statement={quote(statement)}"))
-        minded.locator("#results:not(.stale)[aria-busy=false]").wait_for()
-        return minded
+        page.goto(served + "/" + ("" if statement is None else f"#statement={quote(statement)}"))
+        solved(page)
+        return page
 
     return go
 
@@ -416,21 +407,18 @@ def test_the_language_on_one_panel(open_):
 # --- sharing --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("button", "holds"),
-    [
-        ("Copy statement", WALL),
-        ("Copy link", "#statement=title+A+ball"),
-        ("Copy LaTeX", r"\begin{document}"),
-        ("Copy diagram as SVG", "<svg"),
-    ],
-)
-def test_copying(open_, button, holds):
+def test_copying(open_):
     page = open_(WALL)
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    page.get_by_role("button", name=button).click()
-    page.locator("#said", has_text="copied").wait_for()
-    assert holds in page.evaluate("() => navigator.clipboard.readText()")
+    for button, what, holds in (
+        ("Copy statement", "statement", WALL),
+        ("Copy link", "link", "#statement=title+A+ball"),
+        ("Copy LaTeX", "LaTeX", r"\begin{document}"),
+        ("Copy diagram as SVG", "SVG", "<svg"),
+    ):
+        page.get_by_role("button", name=button).click()
+        page.locator("#said", has_text=f"The {what} is copied.").wait_for()
+        assert holds in page.evaluate("() => navigator.clipboard.readText()")
 
 
 def test_copying_without_a_clipboard(open_):
@@ -480,7 +468,7 @@ def test_a_slow_question_is_said_to_be_solved(open_):
     assert page.locator("#notice").is_hidden()
 
 
-def test_a_busy_server_is_asked_again(open_):
+def test_a_busy_server_is_asked_again(open_, complaints):
     page = open_(WALL)
     refused = []
 
@@ -501,10 +489,10 @@ def test_a_busy_server_is_asked_again(open_):
     assert typed(page) == CORNER
     page.locator("#answers", has_text="speed of P").wait_for()
     assert notice.is_hidden()
-    page.minded[:] = [said for said in page.minded if "503" not in said]
+    complaints[:] = [said for said in complaints if "503" not in said]
 
 
-def test_without_a_network_the_work_is_kept(open_):
+def test_without_a_network_the_work_is_kept(open_, complaints):
     page = open_(WALL)
     page.route("**/api/check", lambda route: route.abort())
     page.locator("#statement").fill(CORNER)
@@ -513,7 +501,7 @@ def test_without_a_network_the_work_is_kept(open_):
     page.unroute("**/api/check")
     page.get_by_role("button", name="Try again").click()
     page.locator("#answers", has_text="speed of P").wait_for()
-    page.minded[:] = [said for said in page.minded if "ERR_FAILED" not in said]
+    complaints[:] = [said for said in complaints if "ERR_FAILED" not in said]
 
 
 # --- hostile texts --------------------------------------------------------------------------------
@@ -562,28 +550,24 @@ def test_the_keyboard_alone(open_):
     assert page.locator("#working .progress").inner_text().startswith("line 2 of ")
 
 
-@pytest.mark.parametrize("colours", ["light", "dark"])
-@pytest.mark.parametrize("width", [360, 1280])
-def test_axe_finds_nothing(open_, colours, width):
+def test_axe_finds_nothing(open_):
     page = open_()
-    page.set_viewport_size({"width": width, "height": 800})
-    page.emulate_media(color_scheme=colours)
     page.get_by_role("button", name="Line by line").click()
     page.locator("#motion").scroll_into_view_if_needed()
     page.locator("#motion .stage circle").first.wait_for()
-    page.evaluate(f"() => {{ {AXE} }}")
-    found = page.evaluate("() => axe.run()")
-    told = [(each["id"], [n["html"][:120] for n in each["nodes"]]) for each in found["violations"]]
-    assert told == []
+    # Colours do not depend on the width, nor the layout on the colours.
+    for colours, width in (("light", 360), ("dark", 1280)):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.emulate_media(color_scheme=colours)
+        accessible(page)
 
 
-@pytest.mark.parametrize("width", [320, 360, 1280, 1920])
-def test_the_page_never_scrolls_sideways(open_, width):
+def test_the_page_never_scrolls_sideways(open_):
     page = open_(CORNER)
-    page.set_viewport_size({"width": width, "height": 800})
-    page.evaluate("() => { document.documentElement.style.fontSize = '200%'; }")
-    seen = page.evaluate("() => [document.documentElement.scrollWidth, innerWidth]")
-    assert seen[0] <= seen[1]
+    enlarge_text(page)
+    for width, height in SCREENS:
+        page.set_viewport_size({"width": width, "height": height})
+        assert not too_wide(page), width
 
 
 # --- the words of the editor ----------------------------------------------------------------------
