@@ -144,7 +144,7 @@ def frames(browser: Browser, address: str) -> None:
     page: Page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"{address}/lab#spheres={balls}&{walls}&e=1&seconds=10")
     page.wait_for_load_state("networkidle")
-    page.wait_for_function("document.getElementById('lab').lab.known")
+    page.wait_for_function("() => document.getElementById('lab').lab?.known")
     told = page.evaluate(_PLAY, SECONDS)
     times = told["times"]
     rate = 1e3 * (len(times) - 1) / (times[-1] - times[0])

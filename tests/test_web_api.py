@@ -17,6 +17,7 @@ from pathlib import Path
 
 import httpx
 import pytest
+from hosts import static_of
 from loops import completed
 from pypdf import PdfReader
 from test_hostile import STATEMENTS as HOSTILE
@@ -284,9 +285,7 @@ def test_health(client):
 
 def static(client: httpx.Client, path: str) -> str:
     """The address of a file, as the page has it."""
-    page = client.get("/").text
-    found = page.partition('<link rel="stylesheet" href="')[2].partition("/base.css")[0]
-    return f"/{found}/{path}"
+    return f"/{static_of(str(client.base_url).rstrip('/'))}/{path}"
 
 
 def test_headers_on_every_response(client):

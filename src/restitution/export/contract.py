@@ -174,7 +174,7 @@ def _plain(exact: str | tuple[str, str]) -> str | list[str]:
 
 
 def _exact_of(values: Mapping[str, str] | None) -> dict[str, str] | None:
-    return None if values is None else {name: str(value) for name, value in values.items()}
+    return None if values is None else dict(values)
 
 
 def _decimal(value: float | tuple[float, float] | None) -> Any:

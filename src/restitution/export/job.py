@@ -179,8 +179,8 @@ def serve(job: Job) -> Reply:
                 spent = time.monotonic() - began
                 left = max(job.limit * _SHOWING - spent, job.limit * _WRITING)
             page = shown(solution, left)
-            content = {"answer": found, **page.content}
-            warnings = tuple(page.content["warnings"])
+            content = {"answer": found, **vars(page.pieces)}
+            warnings = tuple(page.pieces.warnings)
             return Reply(content, answered, errors, warnings, page.fault, tired or page.tired)
 
 

@@ -1,4 +1,4 @@
-"""All that a page shows of one solved problem, as plain data: see `shown` for the object.
+"""All that a page shows of one solved problem, as plain data: see `Pieces`.
 
 Mathematics and words are trees, as `restitution.export.tree` describes them. One solve serves all
 pieces, and a piece that cannot be made leaves the others as they are.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -44,21 +44,16 @@ _AGAIN = 0.1
 
 
 @dataclass(frozen=True)
-class Shown:
-    """The pieces; whether one was broken off; and the tracebacks of failures of the program."""
+class Pieces:
+    """The pieces of a page; without any, those of a problem that could not be solved.
 
-    content: Object
-    tired: bool
-    fault: str
-
-
-def shown(solution: Solution, seconds: float | None = None) -> Shown:
-    """The pieces of a page, made within so many ``seconds`` (that needs the main thread)::
+    As JSON::
 
         {"question": tree or null,
          "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
          "working": [{"label", "marks", "asked": [text],
-                      "answers": [{"item": tree, "values": [tree], "equal", "holds", "error",
+                      "answers": [{"item": tree, "values": [tree], "equal", "holds",
+                                   "counterexample": {letter: text} or null, "error",
                                    "rejected": [{"value": tree, "reason"}]}],
                       "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
                                  "event", "item", "rows": [{"row": tree, "mark"}]}]}],
@@ -68,10 +63,33 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
 
     A row is a ``tr``, or a list of several where the line is long.
     """
+
+    question: Tree | None = None
+    pictures: Sequence[Object] = ()
+    pictures_error: str | None = None
+    working: Sequence[Object] = ()
+    working_error: str | None = None
+    latex: str | None = None
+    motion: Object | None = None
+    motion_error: str | None = None
+    warnings: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Shown:
+    """The pieces; whether one was broken off; and the tracebacks of failures of the program."""
+
+    pieces: Pieces
+    tired: bool
+    fault: str
+
+
+def shown(solution: Solution, seconds: float | None = None) -> Shown:
+    """The pieces of a page, made within so many ``seconds`` (that needs the main thread)."""
     clock = _Clock(seconds)
     worded, _ = clock.piece(1.0, lambda: tree(to_body(question(solution.problem))))
     names, _ = clock.piece(1.0, lambda: _names(solution))
-    drawn, failed = clock.piece(_PICTURES, lambda: pictured(solution))
+    drawn, undrawn = clock.piece(_PICTURES, lambda: pictured(solution))
     explanation, unexplained = clock.piece(_WORKING, lambda: explain(solution))
     told: list[Object] | None = None
     latex: str | None = None
@@ -79,19 +97,19 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
         told, untold = clock.piece(1.0, lambda: working(solution, explanation, names or {}))
         unexplained = unexplained or untold
         latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
-    motion, still = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
+    motion, unmoved = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
     warnings = solution.warnings if explanation is None else explanation.warnings
-    content = {
-        "question": worded,
-        **(drawn or {"pictures": [], "pictures_error": failed}),
-        "working": told if told is not None else _without_steps(solution, names or {}),
-        "working_error": unexplained,
-        "latex": latex,
-        "motion": motion,
-        "motion_error": still,
-        "warnings": list(dict.fromkeys(warnings)),
-    }
-    return Shown(content, clock.tired, "\n".join(clock.faults))
+    pieces = Pieces(
+        worded,
+        **(drawn or {"pictures_error": undrawn}),
+        working=told if told is not None else _without_steps(solution, names or {}),
+        working_error=unexplained,
+        latex=latex,
+        motion=motion,
+        motion_error=unmoved,
+        warnings=list(dict.fromkeys(warnings)),
+    )
+    return Shown(pieces, clock.tired, "\n".join(clock.faults))
 
 
 class _Clock:
@@ -196,9 +214,7 @@ def _answers(part: PartSolution, names: _Names) -> list[Object]:
             "values": [_value(item, answer) for answer in item.distinct],
             "equal": is_equal(item),
             "holds": item.holds,
-            "counterexample": None
-            if item.counterexample is None
-            else {name: str(value) for name, value in item.counterexample.items()},
+            "counterexample": item.counterexample and dict(item.counterexample),
             "error": None if item.error is None else item.error.message,
             "rejected": [
                 {"value": _value(item, root), "reason": root.reason} for root in item.rejected

@@ -107,17 +107,9 @@ _NO_PICTURES: dict[str, Any] = {"pictures": [], "pictures_error": None}
 
 def _nothing(answer: contract.Object) -> contract.Object:
     """What a page shows of a problem that could not be read or solved."""
-    return {
-        "answer": answer,
-        "question": None,
-        **_NO_PICTURES,
-        "working": [],
-        "working_error": None,
-        "latex": None,
-        "motion": None,
-        "motion_error": None,
-        "warnings": answer["warnings"],
-    }
+    from restitution.export.working import Pieces
+
+    return {"answer": answer, **vars(Pieces(warnings=answer["warnings"]))}
 
 
 def _tried(make: Callable[[], contract.Object]) -> Made:

@@ -82,7 +82,7 @@ export function behind(a, b, motion) {
   return left > right ? -1 : 1;
 }
 
-export function names(event) {
+export function wordsOf(event) {
   if (event.kind === "blow") return `${event.bodies[0]} receives an impulse`;
   if (event.kind === "arrival") return `${event.bodies[0]} reaches ${event.target ?? "the point"}`;
   return `${event.bodies[0]} hits ${event.wall ?? event.bodies[1]}`;
@@ -94,7 +94,7 @@ export function spoken(event, number) {
     const [before, after] = [event.before, event.after].map((v) => figures(size(v[name])));
     return `speed of ${name} ${before}, then ${after}`;
   });
-  return [`${number}: ${names(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
+  return [`${number}: ${wordsOf(event)} at ${seconds(event.time)}`, ...speeds].join("; ");
 }
 
 // Components of a velocity along the line of centres and across it.

@@ -49,10 +49,8 @@ export class Picture {
     }));
     this.parts = [0, 1].map(() => ({
       box: this.add("path", "box"),
-      along: this.arrowhead("component"),
-      across: this.arrowhead("component"),
-      camealong: this.arrowhead("component came"),
-      cameacross: this.arrowhead("component came"),
+      leaves: this.componentsOf("component"),
+      came: this.componentsOf("component came"),
       texts: [0, 1, 2, 3].map(() => this.add("text", "number")),
     }));
     this.arcs = ["α", "β"].map((letter) => {
@@ -124,6 +122,10 @@ export class Picture {
     const node = svg("g", { class: `arrow ${kind}` }, shaft, head);
     this.node.append(node);
     return { node, shaft, head };
+  }
+
+  componentsOf(kind) {
+    return { along: this.arrowhead(kind), across: this.arrowhead(kind) };
   }
 
   wall(wall) {
@@ -433,15 +435,15 @@ export class Picture {
         text.replaceChildren();
         text.setAttribute("class", `number body${Math.max(i, 0) % COLOURS}`);
       });
-      for (const arrow of [part.along, part.across, part.camealong, part.cameacross]) {
+      for (const arrow of [part.leaves, part.came].flatMap(Object.values)) {
         this.hide(arrow);
         const kind = arrow.node.getAttribute("class").replace(/ body\d/, "");
         arrow.node.setAttribute("class", i < 0 ? kind : `${kind} body${i % COLOURS}`);
       }
       part.box.setAttribute("d", "M0 0");
       if (i < 0) return;
-      if (moment || coming) this.resolve(part, "came", event, event.before[name], places[i], -1);
-      if (!coming) this.resolve(part, "", event, event.after[name], places[i], 1);
+      if (moment || coming) this.resolve(part, "came", event, event.before[name], places[i]);
+      if (!coming) this.resolve(part, "leaves", event, event.after[name], places[i]);
     });
   }
 
@@ -457,8 +459,9 @@ export class Picture {
     return `M${a[0]} ${a[1]}L${b[0]} ${b[1]}`;
   }
 
-  // The two components of a velocity, leaving a centre (k = 1) or arriving there (k = −1).
-  resolve(part, when, event, v, place, k) {
+  // The two components of a velocity that leaves a centre, or came there.
+  resolve(part, when, event, v, place) {
+    const k = when === "came" ? -1 : 1;
     const n = event.line;
     const t = [-n[1], n[0]];
     const [x, y] = [along(event, v), across(event, v)];
@@ -466,8 +469,8 @@ export class Picture {
     const second = this.tip(place, [t[0] * y, t[1] * y], k);
     const corner = this.tip(place, v, k);
     const pairs = [
-      [part[`${when}along`], first],
-      [part[`${when}across`], second],
+      [part[when].along, first],
+      [part[when].across, second],
     ];
     const side = plus(corner, first, -1);
     const aside = size(side) > 3 ? plus([0, 0], side, 5 / size(side)) : [0, 0];
@@ -485,7 +488,7 @@ export class Picture {
     // Where there is no rectangle, what was is on one side of the line and what is on the other.
     const free = size(side) > 3 ? side : [k * n[1], k * n[0]];
     const beside = plus([0, 0], free, 12 / size(free));
-    this.numbers(part, when ? 2 : 0, [
+    this.numbers(part, when === "came" ? 2 : 0, [
       [first, x, place, beside],
       [second, y, place, [0, 0]],
     ]);

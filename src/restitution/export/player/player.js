@@ -15,7 +15,7 @@ import { Clock } from "./clock.js";
 import { check } from "./controls.js";
 import { button, html, mathematics, reachable } from "./elements.js";
 import { listOfKeys, obey } from "./keys.js";
-import { bounds, names, spoken } from "./motion.js";
+import { bounds, spoken, wordsOf } from "./motion.js";
 import { Picture } from "./picture.js";
 import { Card, Values } from "./tables.js";
 import { Transport } from "./transport.js";
@@ -35,7 +35,7 @@ const KEYS = [
   ["?", "this list"],
 ];
 
-export class Player {
+class Player {
   constructor(root, data, { page = false, heading = "h1" } = {}) {
     this.root = root;
     this.clock = new Clock({
@@ -155,7 +155,7 @@ export class Player {
     this.drawn.hidden = !motion.drawn;
     this.notes.textContent = [LEGEND, ...motion.notes].join(" ");
     const moving = motion.spheres.map(({ name }) => name).join(", ");
-    const told = motion.events.slice(0, MANY).map((event, i) => `${i + 1}: ${names(event)}`);
+    const told = motion.events.slice(0, MANY).map((event, i) => `${i + 1}: ${wordsOf(event)}`);
     const label = `Motion of ${moving} seen from above. ${told.join("; ")}.`;
     this.picture.node.setAttribute("aria-label", label);
     this.values.lay(motion);

@@ -1,7 +1,7 @@
 // What an event does, and all that is known of every sphere, in tables.
 
 import { html, mathematics, reachable } from "./elements.js";
-import { across, along, names, pieceAt } from "./motion.js";
+import { across, along, pieceAt, wordsOf } from "./motion.js";
 import { dot, figures, seconds, size } from "./numbers.js";
 import { COLOURS, CROWD } from "./picture.js";
 
@@ -45,7 +45,7 @@ export class Card {
     if (event === null) return;
     const e = event.kind === "impact" ? [", ", html("var", {}, "e"), " = "] : [];
     if (e.length) e.push(...mathematics(event.said?.e ?? String(Number(event.e.toPrecision(3)))));
-    this.heading.append(`${number}: ${names(event)}`, ...e);
+    this.heading.append(`${number}: ${wordsOf(event)}`, ...e);
     if (event.kind === "impact") {
       this.body.append(this.table(this.components(event, done), "Components of velocity"));
       if (this.angles && event.wall) this.body.append(this.measured(event, done));

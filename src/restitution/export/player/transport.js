@@ -2,7 +2,7 @@
 
 import { iconButton, ICONS } from "./controls.js";
 import { html } from "./elements.js";
-import { names } from "./motion.js";
+import { wordsOf } from "./motion.js";
 import { seconds } from "./numbers.js";
 
 const MARKED = 300; // events, beyond which none is marked
@@ -62,7 +62,7 @@ export class Transport {
       const share = (event.time - start) / span;
       const room = (share - last) * width > 9 * String(i + 1).length + 4;
       if (room) last = share;
-      const mark = html("span", { title: names(event) }, room ? String(i + 1) : "");
+      const mark = html("span", { title: wordsOf(event) }, room ? String(i + 1) : "");
       mark.style.setProperty("--share", share);
       return mark;
     });

@@ -1,7 +1,7 @@
 // Asking the server. Every address is relative to the page.
 
 // `message` begins small and ends without a full stop, as the server's own do: see `sentence`.
-export class Refused extends Error {
+class Refused extends Error {
   constructor(status, message, wait = null) {
     super(message);
     this.status = status; // 0 where there is no answer at all

@@ -10,9 +10,10 @@ import { CROWD } from "../player/picture.js";
 import { Card } from "../player/tables.js";
 import { Transport } from "../player/transport.js";
 import { ask, sentence } from "../api.js";
+import { fragment, read } from "./address.js";
 import { Bars } from "./bars.js";
 import { History } from "./history.js";
-import { at, fromRows, fromText, still, toText } from "./scene.js";
+import { at, fromRows, still } from "./scene.js";
 import { SCENES } from "./scenes.js";
 import { Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
@@ -171,7 +172,7 @@ class Lab {
   edit(event) {
     const letter = event.key.toLowerCase();
     const back = letter === "z" && !event.shiftKey;
-    if (isTyping(event.target) || !"yz".includes(letter)) return;
+    if (isTyping(event.target) || !["y", "z"].includes(letter)) return;
     event.preventDefault();
     if (back) this.undo();
     else this.redo();
@@ -183,23 +184,19 @@ class Lab {
   open() {
     const text = location.hash.slice(1);
     if (text === this.address) return;
-    const told = new URLSearchParams(text);
-    const prepared = SCENES.find(({ id }) => id === told.get("scene")) ?? null;
-    const own = fromText(told);
-    const chosen = prepared ?? (own ? null : SCENES[0]);
-    this.prepared = chosen;
-    this.base = chosen ? fromRows(chosen) : own;
+    const { scene, base, prepared, readable } = read(text);
+    this.prepared = prepared;
+    this.base = base;
     this.address = text;
-    this.begin(own ?? this.base);
-    if (text && !prepared && !own) this.say("The address holds no scene that can be read.");
+    this.begin(scene);
+    if (!readable) this.say("The address holds no scene that can be read.");
   }
 
   // A prepared scene, as a page of its own in the history of the browser.
   prepare(id) {
-    const chosen = SCENES.find((scene) => scene.id === id);
-    this.prepared = chosen;
-    this.base = fromRows(chosen);
-    this.address = `scene=${id}`;
+    this.prepared = SCENES.find((scene) => scene.id === id);
+    this.base = fromRows(this.prepared);
+    this.address = fragment(this.base, this.base, this.prepared);
     history.pushState(null, "", `#${this.address}`);
     this.begin(this.base);
   }
@@ -229,9 +226,7 @@ class Lab {
 
   write() {
     const scene = this.initial();
-    const mine = this.prepared ? `scene=${this.prepared.id}` : "";
-    const whole = [mine, toText(scene)].filter(Boolean).join("&");
-    const text = scene === this.base && mine ? mine : whole;
+    const text = fragment(scene, this.base, this.prepared);
     if (text === this.address || (scene === this.base && !this.address)) return;
     this.address = text;
     history.replaceState(null, "", `#${text}`);

@@ -27,9 +27,9 @@ export class Tools {
     };
     handles.addEventListener("touchstart", held, { passive: false });
     handles.addEventListener("pointerdown", (event) => this.down(event));
-    handles.addEventListener("pointermove", (event) => this.drag?.move(event));
+    handles.addEventListener("pointermove", (event) => this.dragging(event)?.move(event));
     handles.addEventListener("pointerup", (event) => this.up(event));
-    handles.addEventListener("pointercancel", () => this.give());
+    handles.addEventListener("pointercancel", (event) => this.give(event));
     handles.addEventListener("dblclick", (event) => this.double(event));
     handles.addEventListener("keydown", (event) => this.key(event));
     handles.addEventListener("focusin", (event) => {
@@ -69,16 +69,22 @@ export class Tools {
     event.preventDefault();
   }
 
+  // What is dragged by this pointer: another finger does nothing.
+  dragging({ pointerId }) {
+    return this.drag?.id === pointerId ? this.drag : null;
+  }
+
   up(event) {
-    const { drag } = this;
+    const drag = this.dragging(event);
     if (!drag) return;
     this.drag = null;
     this.stage.handles.releasePointerCapture?.(event.pointerId);
     drag.end?.();
   }
 
-  give() {
-    if (!this.drag) return;
+  // The browser has taken the pointer for itself: nothing was done.
+  give(event) {
+    if (!this.dragging(event)) return;
     this.drag = null;
     this.stage.drawDraft(null);
     this.lab.preview(null);
