@@ -187,6 +187,19 @@ def test_words_are_completed_by_keyboard(open_):
     assert typed(page).endswith("find energy_l")
 
 
+def test_suggestions_lie_over_the_results(open_):
+    page = open_()
+    page.set_viewport_size({"width": 1280, "height": 800})
+    page.locator("#statement").press("Control+End")
+    page.keyboard.type("\nfind angle(velocity(A), li")
+    option = page.get_by_role("option").last
+    option.wait_for()
+    page.evaluate("() => document.querySelector('.suggestions').style.left = '600px'")
+    there = option.bounding_box()
+    place = [there["x"] + there["width"] - 10, there["y"] + there["height"] / 2]
+    assert page.evaluate("([x, y]) => !!document.elementFromPoint(x, y).closest('li')", place)
+
+
 def test_an_end_of_line_is_never_taken_for_a_choice(open_):
     page = open_(WALL)
     field = page.locator("#statement")
@@ -226,6 +239,12 @@ def test_a_rejected_value_has_its_reason(open_):
 def test_what_is_false_is_refuted(open_):
     page = open_(FALSE)
     assert "✗Nottrue,forinstancewithe=" in answers(page)
+
+
+def test_numbers_that_refute_are_mathematics(open_):
+    page = open_("wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow speed(P) = u")
+    assert re.search("instancewith(.*,)?α=[0-9]+°", answers(page))
+    assert "alpha" not in answers(page)
 
 
 def test_what_is_missing_is_said(open_):
@@ -548,6 +567,18 @@ def test_the_keyboard_alone(open_):
     assert page.evaluate("() => document.activeElement.textContent") == "Next line"
     page.keyboard.press("Enter")
     assert page.locator("#working .progress").inner_text().startswith("line 2 of ")
+
+
+@pytest.mark.parametrize("width", [360, 1920])
+def test_axe_finds_nothing_in_fractions_and_headings(open_, width):
+    """High fractions in long lines, sections with and without parts, an earlier solution."""
+    page = open_(CORNER + "find energy_lost/energy(0) as a percentage, deflection(P)\n")
+    page.set_viewport_size({"width": width, "height": 800})
+    page.evaluate("() => document.fonts.ready")
+    accessible(page)
+    page.locator("#statement").fill(CORNER + "find speed(P")
+    page.locator("#mistakes button").wait_for()
+    accessible(page)
 
 
 def test_axe_finds_nothing(open_):

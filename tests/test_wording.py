@@ -371,6 +371,12 @@ def test_once_a_quantity_is_the_quantity():
     assert "Find the magnitude of the impulse" in to_text(question(parse(text)), 200)
 
 
+def test_what_all_bodies_have_gained_has_words():
+    text = "sphere P: mass 2, velocity 3i\nP receives 2j\nfind energy - energy(0)"
+    said = to_text(question(parse(text)), 200)
+    assert "Find the increase in the kinetic energy of P due to the impulse" in said
+
+
 def test_long_labels_have_room_in_print(tmp_path):
     """In Typst's own layout every label of a list ends before the column of the words begins."""
     typst = pytest.importorskip("typst")

@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.explain.phrases import answer, listed, look
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
 from restitution.explain.steps import Words
+from restitution.expression import read_expression
 from restitution.expression.tree import Expression, Name, Quantity
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
 from restitution.render import layout as lay
@@ -151,6 +152,17 @@ def _number(text: str) -> sp.Expr | None:
     except (TypeError, ValueError):
         return None
     return number * sp.pi if "pi" in text else number
+
+
+def instances(given: Mapping[str, str]) -> list[Layout]:
+    """The numbers of a counter-example, each with its letter: ``α = 10°``, ``e = 9/10``."""
+    return [
+        lay.equation(
+            lay.letter(name),
+            lay.from_tree(read_expression(text)) if _number(text) is None else _number_look(text),
+        )
+        for name, text in given.items()
+    ]
 
 
 def _number_look(text: str) -> Layout:

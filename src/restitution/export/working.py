@@ -17,6 +17,7 @@ from restitution.errors import RestitutionError, TimeLimitError
 from restitution.explain import explain, to_latex
 from restitution.explain.html import said, table_rows
 from restitution.explain.principles import about
+from restitution.explain.refuting import instances
 from restitution.explain.steps import Explanation, Row, Step
 from restitution.export.answers import is_equal, layout_of
 from restitution.export.pictures import chosen
@@ -214,7 +215,9 @@ def _answers(part: PartSolution, names: _Names) -> list[Object]:
             "values": [_value(item, answer) for answer in item.distinct],
             "equal": is_equal(item),
             "holds": item.holds,
-            "counterexample": item.counterexample and dict(item.counterexample),
+            "counterexample": None
+            if item.counterexample is None
+            else [tree(to_mathml(each)) for each in instances(item.counterexample)],
             "error": None if item.error is None else item.error.message,
             "rejected": [
                 {"value": _value(item, root), "reason": root.reason} for root in item.rejected

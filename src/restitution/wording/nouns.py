@@ -186,7 +186,7 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
         return None
     if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _OF_BODY:
         return None
-    body = name_of(left.arguments[0])
+    body = name_of(left.arguments[0]) if left.arguments else None  # of all bodies
     stages = [scene.stage(each.stage, body) for each in (left, right)]
     if stages not in ([1, 0], [0, 1]):
         return None

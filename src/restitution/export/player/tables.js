@@ -42,6 +42,7 @@ export class Card {
     this.key = key;
     this.body.replaceChildren();
     this.heading.replaceChildren();
+    this.heading.hidden = event === null;
     if (event === null) return;
     const e = event.kind === "impact" ? [", ", html("var", {}, "e"), " = "] : [];
     if (e.length) e.push(...mathematics(event.said?.e ?? String(Number(event.e.toPrecision(3)))));

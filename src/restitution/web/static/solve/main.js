@@ -7,6 +7,7 @@ import { makeNotice } from "./notice.js";
 import { lazily, makeFold, makePanel } from "./panels.js";
 import { makePictures } from "./pictures.js";
 import { answersOf, failure, mistakes, spoken } from "./results.js";
+import { keepReachable } from "./scrolling.js";
 import { makeShare } from "./share.js";
 import { makeSolver } from "./solver.js";
 import { grown } from "./trees.js";
@@ -26,6 +27,7 @@ const working = makeWorking($("working"));
 const motion = makeMotion($("motion"));
 const solver = makeSolver(show);
 const notice = makeNotice($("notice"), () => solver.solve(editor.text));
+const look = keepReachable($("answers"), "li");
 const share = makeShare($("share"), now, { sheet, say });
 let solved = null; // the last { text, reply }
 let settling = 0;
@@ -110,6 +112,7 @@ async function showSolved({ text, reply }) {
   $("title").textContent = answer.title ?? "";
   $("title").hidden = !answer.title;
   $("answers").replaceChildren(...answersOf(reply, editor.goTo));
+  look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
   working.put(reply.working);

@@ -50,12 +50,12 @@ const maths = (value) => html("span", { class: "value" }, grown(value));
 
 function verdict(holds, counterexample) {
   if (holds) return html("strong", { class: "shown" }, "✓ Shown");
-  const values = Object.entries(counterexample ?? {}).map(([name, value]) => `${name} = ${value}`);
+  const values = (counterexample ?? []).flatMap((each, index) => [index ? ", " : "", maths(each)]);
   return html(
     "span",
     {},
     html("strong", { class: "refuted" }, "✗ Not true"),
-    values.length ? `, for instance with ${values.join(", ")}` : null,
+    values.length ? [", for instance with ", ...values] : null,
   );
 }
 

@@ -1,6 +1,7 @@
 // The worked solution: whole, or line by line as on a board.
 
-import { button, html, reachable } from "../player/elements.js";
+import { button, html } from "../player/elements.js";
+import { keepReachable } from "./scrolling.js";
 import { grown } from "./trees.js";
 
 // The sections, and for each line the elements that appear with it: a heading or a sentence comes
@@ -18,7 +19,8 @@ function laid(working) {
     const section = html("section", { class: "part" });
     const heading = part.label && html("h3", {}, `(${part.label})`, worth(part.marks));
     if (heading) section.append(put(heading, false));
-    for (const step of part.steps) section.append(...stepped(step, put));
+    const level = part.label ? "h4" : "h3";
+    for (const step of part.steps) section.append(...stepped(step, put, level));
     sections.push(section);
   }
   const last = lines.pop();
@@ -29,9 +31,9 @@ function laid(working) {
 const worth = (marks) =>
   marks ? html("span", { class: "mark" }, ` ${marks} ${marks === 1 ? "mark" : "marks"}`) : null;
 
-function stepped(step, put) {
+function stepped(step, put, level) {
   const said = step.said === null ? null : grown(step.said);
-  if (step.kind === "heading") return [put(html("h4", {}, said), false)];
+  if (step.kind === "heading") return [put(html(level, {}, said), false)];
   const nodes = [];
   const named = step.principle &&
     html("em", { class: "principle" }, `${step.principle}:`, said && " ");
@@ -86,6 +88,7 @@ export function makeWorking(root) {
     body,
     pace,
   );
+  const look = keepReachable(body, ".scroll");
   let lines = [];
   let byLine = false;
   let shown = 0;
@@ -118,12 +121,8 @@ export function makeWorking(root) {
     back.disabled = shown <= 1;
     next.disabled = shown >= lines.length;
     progress.textContent = `line ${shown} of ${lines.length}`;
-    measure();
+    look();
     if (byLine && follow) lines[shown - 1]?.at(-1).scrollIntoView({ block: "nearest" });
-  }
-
-  function measure() {
-    body.querySelectorAll(".scroll").forEach(reachable);
   }
 
   marks.addEventListener("change", () => body.classList.toggle("unmarked", !marks.checked));
@@ -135,7 +134,6 @@ export function makeWorking(root) {
     event.preventDefault();
     show(shown + does);
   });
-  new ResizeObserver(measure).observe(body);
 
   return {
     put(working) {
