@@ -449,9 +449,10 @@ def test_nothing_is_wider_than_the_screen(lab):
             .filter((box) => Math.max(box.width, box.height) < 24).length"""
         )
         assert small == 0, width
-    page.set_viewport_size({"width": 1280, "height": 800})
     enlarge_text(page)
-    assert not too_wide(page)
+    for width, height in SCREENS:
+        page.set_viewport_size({"width": width, "height": height})
+        assert not too_wide(page), width
 
 
 def test_a_frame_of_fifty_spheres_makes_little_anew(lab, page):
