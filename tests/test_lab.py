@@ -232,6 +232,28 @@ def test_a_question_is_read_and_solved(impact):
     names = [each["name"] for each in impact["spheres"]]
     assert {hit.first, hit.second} == {*[*names, impact["wall"]][:2]}
     assert any(isinstance(step, Find) for _, step in problem.steps())
+    # Its answers are what was seen in the Lab, but for rounding.
+    fastest = max(math.hypot(*each["velocity"]) for each in impact["spheres"])
+    found = {item.text: item for item in items}
+    for name, velocity in afterwards(impact).items():
+        answer = found[f"velocity({name})"].decimal
+        assert math.dist(answer, velocity) <= 0.02 * fastest, statement
+
+
+def afterwards(impact):
+    """The velocities after an impact, by conservation of momentum and Newton's law."""
+    first, *rest = impact["spheres"]
+    u, m = first["velocity"], first["mass"]
+    w, share = (
+        (rest[0]["velocity"], rest[0]["mass"] / (m + rest[0]["mass"])) if rest else ((0, 0), 1)
+    )
+    x, y = impact["line"]
+    change = (1 + impact["e"]) * ((u[0] - w[0]) * x + (u[1] - w[1]) * y) / (x * x + y * y)
+    found = {first["name"]: [u[0] - share * change * x, u[1] - share * change * y]}
+    if rest:
+        back = (1 - share) * change
+        found[rest[0]["name"]] = [w[0] + back * x, w[1] + back * y]
+    return found
 
 
 def test_numbers_are_tidy():

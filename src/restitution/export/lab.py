@@ -199,8 +199,11 @@ def _pair(told: object, what: str) -> tuple[float, float]:
 
 # Directions that people like to reckon with: whole numbers, no larger than this.
 _WHOLE = 12
-# Within so many radians of one of them a line of centres is taken to be along it.
-_NEAR = math.radians(1.5)
+# Within so many radians of one of them a line of centres is taken to be along it, the tidier the
+# better, while by its answers the impact is still recognized: velocities differ by no more than
+# this share of the greatest.
+_NEAR = (math.radians(1.5), math.radians(0.5), 0.0)
+_ALIKE = 0.01
 # Places after the point, at most: what is smaller is nothing.
 _PLACES = 12
 
@@ -224,14 +227,26 @@ def question(told: object) -> str:
     approach one another.
     """
     impact = _object(told, "an impact")
-    for figures, tidy in ((3, True), (3, False), (6, False), (12, False)):
-        hit = _rounded(impact, figures, tidy)
-        if _approach(hit) > 0:
+    true = _rounded(impact, _PLACES, None)
+    for figures, near in (*((3, each) for each in _NEAR), (3, None), (6, None), (12, None)):
+        hit = _rounded(impact, figures, near)
+        if _approach(hit) > 0 and _alike(hit, true):
             return to_statement(parse("\n".join(_lines(hit))))
     raise ImpossibleError("the bodies of this impact hardly approach one another")
 
 
-def _rounded(impact: Mapping[str, Any], figures: int, tidy: bool) -> _Hit:
+def _alike(hit: _Hit, true: _Hit) -> bool:
+    """Whether the velocities after both impacts are the same, but for what rounding does."""
+    after = dict(zip(true.names, _after(true)))
+    fastest = max(math.hypot(*velocity) for velocity in true.velocities)
+    return all(
+        math.hypot(*(velocity - after[name])) <= _ALIKE * fastest
+        for name, velocity in zip(hit.names, _after(hit))
+    )
+
+
+def _rounded(impact: Mapping[str, Any], figures: int, near: float | None) -> _Hit:
+    """An impact rounded to so many figures, its line of centres to a tidy one ``near`` to it."""
     spheres = [_object(each, "a sphere") for each in _list(impact.get("spheres"), "spheres", 2)]
     wall = impact.get("wall")
     if wall is not None:
@@ -254,7 +269,10 @@ def _rounded(impact: Mapping[str, Any], figures: int, tidy: bool) -> _Hit:
     if not 0 <= e <= 1:
         raise ImpossibleError(f"e is {e:g}: a coefficient of restitution lies in [0, 1]")
     size = math.hypot(x, y)
-    line = _tidy(x, y) if tidy else Vector(*(_near(c / size, 1.0, figures) for c in (x, y)))
+    if near is None:
+        line = Vector(*(_near(c / size, 1.0, figures) for c in (x, y)))
+    else:
+        line = _tidy(x, y, near)
     simple = tuple(_simple(mass) for mass in masses)
     if wall is None and velocities[0].dot(line) <= 0:
         # The second catches up with the first: it is the one that hits.
@@ -283,7 +301,7 @@ def _simple(x: float, least: float = 0.0) -> Fraction:
     return short
 
 
-def _tidy(x: float, y: float) -> Vector:
+def _tidy(x: float, y: float, within: float) -> Vector:
     """A vector of small whole numbers nearly along another one, if there is one; else the best."""
     turn = math.atan2(y, x)
 
@@ -291,7 +309,7 @@ def _tidy(x: float, y: float) -> Vector:
         return abs(math.remainder(math.atan2(v[1], v[0]) - turn, math.tau))
 
     # Those with a whole length come first, then the shorter ones.
-    near = [v for v in _whole_vectors() if off(v) < _NEAR]
+    near = [v for v in _whole_vectors() if off(v) < within]
     if near:
         best = min(near, key=lambda v: (not math.hypot(*v).is_integer(), math.hypot(*v), off(v)))
     else:
