@@ -10,6 +10,7 @@ export const COLOURS = 6;
 export const CROWD = 12; // spheres, beyond which those without room for their names have none
 const TRAIL = 30; // pieces that are seen of where a sphere has been
 const ARC = 34; // px: the radius of an angle
+const LETTER = 4.2; // px: half the width of one, about
 const DOT = 5; // px: the radius of a sphere of negligible size
 
 export class Picture {
@@ -167,7 +168,9 @@ export class Picture {
     const way = plus(b, a, -1);
     const length = size(way) || 1;
     const out = [way[1] / length, -way[0] / length];
-    const by = plus(plus(a, way, 0.88), out, (side || 1) * 20);
+    // Beside an upright wall a long name stands further off.
+    const off = Math.max(20, 12 + LETTER * name.length * Math.abs(out[0]));
+    const by = plus(plus(a, way, 0.88), out, (side || 1) * off);
     return svg("text", { class: "name", x: by[0], y: by[1] }, name);
   }
 
@@ -227,10 +230,12 @@ export class Picture {
     };
     const best = turns.reduce((a, b) => (room(b) > room(a) + 1e-9 ? b : a));
     const { r } = this.discs[i];
-    const far = r >= 22 && room(best) > 0.6 ? 0.62 * r : r + 11;
-    const [x, y] = [place[0] + far * Math.cos(best), place[1] - far * Math.sin(best)];
+    const within = r >= 22 && room(best) > 0.6;
+    const off = (far) => [place[0] + far * Math.cos(best), place[1] - far * Math.sin(best)];
+    const [x, y] = off(within ? 0.62 * r : r + 11);
     this.names[i].setAttribute("x", x);
     this.names[i].setAttribute("y", y);
+    if (within) return off(r + 12 + 8 * Math.abs(Math.cos(best)));
     return [x, y + (Math.sin(best) > 0.1 ? -15 : 15)];
   }
 

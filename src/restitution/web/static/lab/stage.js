@@ -30,14 +30,16 @@ export class Stage {
   // A view of a whole scene, with room for its arrows.
   fit(scene, width, height) {
     const [left, bottom, right, top] = bounds(still(scene));
-    const margin = 42; // for the names of walls
+    // For the names of walls; those of upright ones stand beside them.
+    const longest = Math.max(0, ...scene.walls.map(({ name }) => name.length));
+    const [beside, above] = [Math.max(42, Math.min(20 + 9 * longest, 0.15 * width)), 42];
     const k = Math.min(
-      (width - 2 * margin) / Math.max(right - left, 0.5),
-      (height - 2 * margin) / Math.max(top - bottom, 0.5),
+      (width - 2 * beside) / Math.max(right - left, 0.5),
+      (height - 2 * above) / Math.max(top - bottom, 0.5),
     );
     const fastest = Math.max(...scene.spheres.map(({ velocity }) => size(velocity)), 0) || 1;
-    const longest = Math.min(0.16 * width, 0.28 * height, 150);
-    const arrow = longest / Math.sqrt(Math.max(1, scene.spheres.length / 6)) / fastest;
+    const most = Math.min(0.16 * width, 0.28 * height, 150);
+    const arrow = most / Math.sqrt(Math.max(1, scene.spheres.length / 6)) / fastest;
     this.view = { k, middle: [(left + right) / 2, (bottom + top) / 2], arrow };
   }
 
