@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 import restitution as r
 from restitution.export import lab
+from restitution.export.lab.question import simple, written
 from restitution.problem import Find, Impact
 
 SCENES = Path(__file__).parent.parent / "src/restitution/web/static/lab/scenes.js"
@@ -357,7 +358,6 @@ def test_what_is_no_impact_is_refused(change, what):
 
 @given(st.floats(0.001, 1000))
 def test_numbers_are_written_as_they_are_read(x):
-    simple = lab._simple(x)
-    text = lab._written(simple)
-    assert Fraction(text) == simple
-    assert float(simple) == pytest.approx(x, rel=6e-3)
+    rounded = simple(x)
+    assert Fraction(written(rounded)) == rounded
+    assert float(rounded) == pytest.approx(x, rel=6e-3)

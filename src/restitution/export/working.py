@@ -95,7 +95,7 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     told: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        told, untold = clock.piece(1.0, lambda: working(solution, explanation, names or {}))
+        told, untold = clock.piece(1.0, lambda: _worked(solution, explanation, names or {}))
         unexplained = unexplained or untold
         latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
     motion, unmoved = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
@@ -153,12 +153,12 @@ class _Clock:
 def pictured(solution: Solution, event: int | None = None) -> Object:
     """The pictures of a solved problem, or that of one event, or the reason why there is none."""
     try:
-        return {"pictures": [picture(s) for s in chosen(solution, event)], "pictures_error": None}
+        return {"pictures": [_picture(s) for s in chosen(solution, event)], "pictures_error": None}
     except RestitutionError as error:
         return {"pictures": [], "pictures_error": error.message}
 
 
-def picture(scene: Scene) -> Object:
+def _picture(scene: Scene) -> Object:
     """One picture."""
     return {
         "event": scene.event,
@@ -181,7 +181,7 @@ def _names(solution: Solution) -> _Names:
     }
 
 
-def working(solution: Solution, explanation: Explanation, names: _Names) -> list[Object]:
+def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list[Object]:
     """The worked solution part by part, each line by itself."""
     return [
         {
