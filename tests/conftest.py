@@ -9,7 +9,7 @@ from typing import Any
 import browsing
 import pytest
 from hypothesis import settings
-from playwright.sync_api import expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 # New examples at every run, but the same ones on the CI machine.
 
@@ -30,6 +30,20 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
         pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
     arguments = list(browsing.ARGUMENTS)
     return {**browser_type_launch_args, "executable_path": found, "args": arguments}
+
+
+@pytest.fixture(scope="session")
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """One for all tests, so that files which may be kept are fetched and compiled once."""
+    with browser.new_context() as one:
+        yield one
+
+
+@pytest.fixture
+def page(context: BrowserContext) -> Iterator[Page]:
+    """A tab of its own for each test: what a tab keeps, no other sees."""
+    with context.new_page() as one:
+        yield one
 
 
 @pytest.fixture(scope="session")
