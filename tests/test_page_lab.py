@@ -488,3 +488,51 @@ def test_a_frame_of_fifty_spheres_makes_little_anew(lab, page):
     made = sorted(page.evaluate("window.made"))
     frames = page.evaluate("window.frames")
     assert sum(made[:-1]) / frames < 20, made
+
+
+def focused(page) -> str:
+    """What has the focus, by its accessible name or text."""
+    return page.evaluate(
+        "() => document.activeElement.getAttribute('aria-label') || document.activeElement.innerText"
+    )
+
+
+def test_the_focus_is_never_lost(lab, page):
+    lab(HEAD_ON + "&walls=W,3,0,3,1,0.5")
+    page.locator('[data-kind="sphere"][data-index="1"]').focus()
+    page.keyboard.press("Delete")
+    until(page, "document.getElementById('lab').lab.initial().spheres.length === 1")
+    assert focused(page).startswith("A: mass 2 kg")
+    page.get_by_role("button", name="Undo").press("Enter")
+    assert focused(page) == "Undo"
+    page.keyboard.press("Enter")
+    assert "nothing to undo" in page.locator(".note").inner_text()
+    page.get_by_role("button", name="Take A away").press("Enter")
+    assert focused(page) == "Take B away"
+
+
+def test_a_field_that_was_wrong_is_right_again(lab, page):
+    lab(HEAD_ON)
+    field = page.get_by_label("mass of A, kg")
+    field.fill("-1")
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") == "true"
+    assert "is positive" in page.locator(".note").inner_text()
+    field.fill("2")  # as it was
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") == "false"
+    assert page.locator(".note").inner_text() == ""
+    field.fill("20000000")
+    field.press("Enter")
+    assert "out of bounds" in page.locator(".note").inner_text()
+    assert sphere(page, "A")["mass"] == 2
+    field.fill("3/4")
+    field.press("Enter")
+    assert field.get_attribute("aria-invalid") == "false"
+    assert sphere(page, "A")["mass"] == 0.75
+
+
+@pytest.mark.parametrize("mass", ["1e308", "NaN", "Infinity", ""])
+def test_numbers_of_an_address_have_bounds(lab, page, mass):
+    lab(f"spheres=A,{mass},0.1,0.5,0.5,2,0&seconds=2")
+    assert "no scene that can be read" in page.locator(".note").inner_text()

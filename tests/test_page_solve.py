@@ -284,6 +284,16 @@ def test_line_by_line(open_):
     assert lines.count() == whole
 
 
+def test_at_the_last_line_the_focus_is_not_lost(open_):
+    page = open_(WALL)
+    page.get_by_role("button", name="Line by line").press("Enter")
+    total = int(page.locator("#working .progress").inner_text().split()[-1])
+    for _ in range(total + 1):
+        page.keyboard.press("Enter")
+    assert page.locator("#working .progress").inner_text() == f"line {total} of {total}"
+    assert page.evaluate("() => document.activeElement.textContent") == "Next line"
+
+
 def test_a_line_says_more_about_its_principle(open_):
     page = open_()
     why = page.get_by_role("button", name="Why? Newton's experimental law")

@@ -29,6 +29,11 @@ export function mathematics(text) {
   );
 }
 
+// Whether a button does anything just now. One that does not keeps the focus, which is never lost.
+export function allow(button, on) {
+  button.setAttribute("aria-disabled", String(!on));
+}
+
 // What has to be scrolled, by more than sizes are rounded, can be reached by the keyboard.
 export function reachable(scroll) {
   const { scrollWidth, clientWidth, scrollHeight, clientHeight } = scroll;

@@ -2,7 +2,7 @@
 
 import { Clock } from "../player/clock.js";
 import { check } from "../player/controls.js";
-import { button, html } from "../player/elements.js";
+import { allow, button, html } from "../player/elements.js";
 import { isTyping, listOfKeys, obey } from "../player/keys.js";
 import { spoken } from "../player/motion.js";
 import { seconds } from "../player/numbers.js";
@@ -76,7 +76,7 @@ class Lab {
     this.simulation = new Simulation({
       came: (told) => this.arrive(told),
       refused: (error) => this.blame(error),
-      failed: (text) => this.say(text),
+      failed: (text) => this.say(`${text[0].toUpperCase()}${text.slice(1)}`),
     });
     this.history = new History(null);
     this.looked = -Infinity;
@@ -270,7 +270,7 @@ class Lab {
     const { selected } = this.stage;
     if (item?.kind === selected?.kind && item?.index === selected?.index) return;
     this.stage.selected = item;
-    this.edits.remove.disabled = !item;
+    allow(this.edits.remove, item);
     this.stage.hold(this.current());
   }
 
@@ -281,6 +281,7 @@ class Lab {
   remove(kind, index) {
     this.stage.selected = { kind, index };
     this.tools.remove();
+    this.values.focusAway(kind, index);
   }
 
   take(tool) {
@@ -312,9 +313,9 @@ class Lab {
     const scene = this.initial();
     const { selected } = this.stage;
     if (selected && !scene[selected.kind][selected.index]) this.stage.selected = null;
-    this.edits.remove.disabled = !this.stage.selected;
-    this.edits.undo.disabled = !this.history.past.length;
-    this.edits.redo.disabled = !this.history.future.length;
+    allow(this.edits.remove, this.stage.selected);
+    allow(this.edits.undo, this.history.past.length);
+    allow(this.edits.redo, this.history.future.length);
     this.eager = false;
     this.load(still(scene), false);
     this.write();
@@ -453,7 +454,7 @@ class Lab {
     if (!playing || began - this.looked >= SELDOM || (close && !crowd)) {
       this.looked = began;
       this.shown = shown;
-      this.make.disabled = shown?.kind !== "impact";
+      allow(this.make, shown?.kind === "impact");
       this.card.show(shown, number, moment ? shown.time : now);
       this.bars.show(now);
       if (!playing) this.look();

@@ -9,6 +9,7 @@ import { cross, dot, plus, size } from "../player/numbers.js";
 
 export const MOST_SPHERES = 60; // what the server takes
 export const MOST_WALLS = 40;
+export const LARGEST = 1e6; // of all numbers
 const DIGITS = 12; // as many as a motion has
 
 const short = (x) => String(Number(Number(x).toPrecision(DIGITS)));
@@ -73,7 +74,7 @@ function named(text) {
 
 function numbered(text) {
   const x = Number(text);
-  if (text.trim() === "" || !Number.isFinite(x)) throw new Error(text);
+  if (text.trim() === "" || !(Math.abs(x) <= LARGEST)) throw new Error(text);
   return x;
 }
 

@@ -149,7 +149,8 @@ export class Stage {
       ...this.balls.map(({ tip }) => tip),
       this.draft,
     );
-    if (had) this.focus(had.kind, had.index);
+    // Where that was taken away, another is taken hold of.
+    if (had && !this.focus(had.kind, had.index)) this.focus("sphere", scene.spheres.length - 1);
   }
 
   holdSphere({ name, mass, radius, position, velocity }, { ball, tip }, i, scene) {

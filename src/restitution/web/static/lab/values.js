@@ -3,7 +3,9 @@
 import { button, html, reachable } from "../player/elements.js";
 import { COLOURS } from "../player/picture.js";
 import { coefficient, COLUMNS, FORMS, POSITIVE, put, typed, written } from "./fields.js";
-import { isName, overlaps, withSphere, withWall } from "./scene.js";
+import { isName, LARGEST, overlaps, withSphere, withWall } from "./scene.js";
+
+const BOUNDS = `numbers go up to ${LARGEST}`;
 
 const unit = (text) => html("span", { class: "unit" }, text);
 const labelled = (label, what, node) =>
@@ -132,6 +134,7 @@ export class ValuesTable {
     const names = scene.spheres.map(({ name }) => name);
     const key = JSON.stringify([scene.pairs.map(([a, b]) => [a, b]), names]);
     if (key === this.pairKey) return;
+    const had = this.pairs.contains(document.activeElement);
     this.pairKey = key;
     this.pairE = scene.pairs.map(([a, b], i) =>
       coefficient(`e of ${a} and ${b}`, 1, (e) => this.setPair(i, e)));
@@ -150,13 +153,14 @@ export class ValuesTable {
       )),
       html("span", { class: "field" }, "A pair:", first, second, add),
     );
+    if (had) add.focus();
   }
 
   field(change) {
     const field = html("input", {
       class: "number", inputmode: "decimal",
       onchange: () => {
-        if (!change(field.value)) field.setAttribute("aria-invalid", "true");
+        field.setAttribute("aria-invalid", String(!change(field.value)));
       },
       onkeydown: (event) => event.key === "Enter" && field.dispatchEvent(new Event("change")),
       onfocus: () => this.lab.pause(),
@@ -168,7 +172,7 @@ export class ValuesTable {
     const field = html("input", {
       class: "name", maxlength: 12, autocomplete: "off",
       onchange: () => {
-        if (!this.setName(kind, i, field.value.trim())) field.setAttribute("aria-invalid", "true");
+        field.setAttribute("aria-invalid", String(!this.setName(kind, i, field.value.trim())));
       },
       onfocus: () => {
         this.lab.pause();
@@ -176,6 +180,12 @@ export class ValuesTable {
       },
     });
     return field;
+  }
+
+  // To the button that takes away what stands now in a row of the table.
+  focusAway(kind, i) {
+    const rows = kind === "spheres" ? this.balls : this.walls;
+    (rows[i] ?? rows.at(-1))?.away.focus();
   }
 
   away(kind, i) {
@@ -244,6 +254,12 @@ export class ValuesTable {
     return false;
   }
 
+  // What stands there already: whatever was said against another value holds no more.
+  accept() {
+    this.lab.say("");
+    return true;
+  }
+
   setSphere(i, key, text) {
     const scene = POSITIVE.includes(key) ? this.lab.initial() : this.lab.current();
     const sphere = scene.spheres[i];
@@ -251,7 +267,8 @@ export class ValuesTable {
     const x = typed(text);
     const what = `The ${label} of ${sphere.name}`;
     if (!Number.isFinite(x)) return this.refuse(`${what} is a number, such as 1.5 or 3/4.`);
-    if (text.trim() === written(get(sphere))) return true;
+    if (text.trim() === written(get(sphere))) return this.accept();
+    if (Math.abs(x) > LARGEST) return this.refuse(`${what} is out of bounds: ${BOUNDS}.`);
     if (POSITIVE.includes(key) && x <= 0) return this.refuse(`${what} is positive.`);
     if (key === "speed" && x < 0) {
       return this.refuse("A speed is not negative: turn the direction.");
@@ -274,6 +291,7 @@ export class ValuesTable {
     const x = typed(text);
     const { name } = scene.walls[i];
     if (!Number.isFinite(x)) return this.refuse(`Where ${name} is, is told in numbers.`);
+    if (Math.abs(x) > LARGEST) return this.refuse(`That is out of bounds: ${BOUNDS}.`);
     const next = withWall(scene, i, { [end]: put(scene.walls[i][end], k, x) });
     return this.settle(next, name);
   }
@@ -290,7 +308,7 @@ export class ValuesTable {
 
   setName(kind, i, name) {
     const scene = this.lab.initial();
-    if (name === scene[kind][i].name) return true;
+    if (name === scene[kind][i].name) return this.accept();
     if (!isName(name)) return this.refuse("A name is a capital letter, then letters or digits.");
     const taken = [...scene.spheres, ...scene.walls].some((body) => body.name === name);
     if (taken) return this.refuse(`There is a ${name} already.`);

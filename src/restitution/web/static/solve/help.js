@@ -3,6 +3,10 @@
 import { html } from "../player/elements.js";
 
 export function mountHelp(root, words) {
+  // Nothing in it takes the focus, so it does itself, to be scrolled by keys.
+  root.tabIndex = 0;
+  root.setAttribute("role", "group");
+  root.setAttribute("aria-labelledby", "language-heading");
   root.replaceChildren(
     html("p", {}, "One fact a line, in the order in which things happen. ",
       "Everything is seen from above, in SI units; none is typed."),

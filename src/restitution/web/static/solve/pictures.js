@@ -1,6 +1,6 @@
 // The diagrams: one at a time, each enlarged when it is chosen; all of them on paper.
 
-import { button, html } from "../player/elements.js";
+import { allow, button, html } from "../player/elements.js";
 
 export function makePictures(root) {
   const figures = html("div", { class: "figures" });
@@ -18,8 +18,8 @@ export function makePictures(root) {
     at = Math.max(0, Math.min(index, pictures.length - 1));
     [...figures.children].forEach((figure, k) => figure.classList.toggle("aside", k !== at));
     turning.hidden = pictures.length < 2;
-    previous.disabled = at === 0;
-    next.disabled = at === pictures.length - 1;
+    allow(previous, at > 0);
+    allow(next, at < pictures.length - 1);
     count.textContent = `${at + 1} of ${pictures.length}`;
   }
 

@@ -1,6 +1,6 @@
 // The worked solution: whole, or line by line as on a board.
 
-import { button, html } from "../player/elements.js";
+import { allow, button, html } from "../player/elements.js";
 import { keepReachable } from "./scrolling.js";
 import { grown } from "./trees.js";
 
@@ -118,8 +118,8 @@ export function makeWorking(root) {
     }
     for (const section of body.children) hideWith(section, section.children);
     pace.hidden = !byLine;
-    back.disabled = shown <= 1;
-    next.disabled = shown >= lines.length;
+    allow(back, shown > 1);
+    allow(next, shown < lines.length);
     progress.textContent = `line ${shown} of ${lines.length}`;
     look();
     if (byLine && follow) lines[shown - 1]?.at(-1).scrollIntoView({ block: "nearest" });
