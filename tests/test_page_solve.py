@@ -236,6 +236,15 @@ def test_a_rejected_value_has_its_reason(open_):
     assert "coefficient of restitution lies" in rejected
 
 
+def test_a_rejected_angle_is_in_degrees(open_):
+    page = open_(
+        "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\n"
+        "given speed(P)^2 = 13\nfind arctan(e)"
+    )
+    assert "arctan(12)=26.6°" in answers(page)
+    assert "−arctan(12)=−26.6°" in answers(page)
+
+
 def test_what_is_false_is_refuted(open_):
     page = open_(FALSE)
     assert "✗Nottrue,forinstancewithe=" in answers(page)

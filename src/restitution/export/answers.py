@@ -96,8 +96,7 @@ def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
         return answer.layout
     match item.kind:
         case "value" if isinstance(item.item, Value):
-            angle = isinstance(answer, Answer) and answer.angle
-            return display(value, angle=angle, percentage=item.item.percentage)
+            return display(value, angle=answer.angle, percentage=item.item.percentage)
         case "point":
             return display_point(*value)
         case "vector" | "direction":

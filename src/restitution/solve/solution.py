@@ -49,6 +49,7 @@ class Rejected:
     exact: str | tuple[str, str]
     display: str
     reason: str
+    angle: bool = False
 
 
 @dataclass(frozen=True)

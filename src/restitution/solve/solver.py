@@ -492,7 +492,8 @@ class _Worker:
                 continue
             made = _answer(0, value, kind, angle, item.percentage)
             if not any(made.exact == each.exact for each in found):
-                found.append(Rejected(made.value, made.exact, made.display, trial.reason or ""))
+                reason = trial.reason or ""
+                found.append(Rejected(made.value, made.exact, made.display, reason, made.angle))
         return tuple(found)
 
     # --- show ---------------------------------------------------------------------------------
