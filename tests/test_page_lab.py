@@ -493,7 +493,8 @@ def test_a_frame_of_fifty_spheres_makes_little_anew(lab, page):
 def focused(page) -> str:
     """What has the focus, by its accessible name or text."""
     return page.evaluate(
-        "() => document.activeElement.getAttribute('aria-label') || document.activeElement.innerText"
+        """() => document.activeElement.getAttribute("aria-label")
+        || document.activeElement.innerText"""
     )
 
 
