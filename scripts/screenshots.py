@@ -93,7 +93,7 @@ def at(page: Page, address: str, statement: str) -> None:
 
 def of_example(name: str) -> View:
     """Solve with an example in it."""
-    return lambda page, address: at(page, address, examples.text(name))
+    return lambda page, address: at(page, address, examples.statement(name))
 
 
 def mistaken(page: Page, address: str) -> None:
