@@ -528,6 +528,14 @@ def test_a_busy_server_is_asked_again(open_, complaints):
     complaints[:] = [said for said in complaints if "503" not in said]
 
 
+def test_a_statement_that_is_refused_is_told_in_sentences(page, served):
+    page.goto(served + "/")
+    page.locator("#statement").fill("a" * 20_001)
+    notice = page.locator("#notice").get_by_text("Your work is kept.")
+    notice.wait_for()
+    assert re.fullmatch(r"A statement has .*, this one 20001\. Your.*", notice.inner_text())
+
+
 def test_without_a_network_the_work_is_kept(open_, complaints):
     page = open_(WALL)
     page.route("**/api/check", lambda route: route.abort())

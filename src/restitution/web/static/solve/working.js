@@ -39,7 +39,7 @@ function stepped(step, put, level) {
     html("em", { class: "principle" }, `${step.principle}:`, said && " ");
   if (named || said) {
     const mark = step.mark && html("span", { class: "mark" }, step.mark);
-    const { asking, more } = step.about ? why(step) : {};
+    const { asking, more } = step.about ? why(step.principle ?? said.textContent, step.about) : {};
     const sentence = html("p", {}, mark || null, named || null, said, asking && [" ", asking]);
     nodes.push(put(html("div", { class: "said" }, sentence, more), !step.rows.length));
   }
@@ -58,13 +58,12 @@ function stepped(step, put, level) {
 }
 
 // A button behind a line, and what it unfolds below.
-function why({ principle, about }) {
+function why(of, about) {
   const more = html("p", { class: "about", hidden: true }, about);
   const asking = button("Why?", () => {
     more.hidden = !more.hidden;
     asking.setAttribute("aria-expanded", String(!more.hidden));
-  }, { class: "why", "aria-expanded": "false" });
-  if (principle) asking.setAttribute("aria-label", `Why? ${principle}`);
+  }, { class: "why", "aria-expanded": "false", "aria-label": `Why? ${of}` });
   return { asking, more };
 }
 
