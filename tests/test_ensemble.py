@@ -365,12 +365,16 @@ def test_ctrl_c_in_a_terminal(tmp_path):
     script = tmp_path / "long.py"
     script.write_text(
         dedent("""
+        import sys
         import time
+        from pathlib import Path
         from restitution import ensemble
         from restitution.motion.ensemble import EnsembleInterrupt
 
         def slow(case):
-            time.sleep(0.01 if case < 4 else 60)
+            if case >= 4:
+                Path(sys.argv[1], f"case{case}").touch()
+                time.sleep(60)
             return case
 
         if __name__ == "__main__":
@@ -383,16 +387,19 @@ def test_ctrl_c_in_a_terminal(tmp_path):
         encoding="utf-8",
     )
     process = subprocess.Popen(
-        [sys.executable, script],
+        [sys.executable, script, tmp_path],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
     )
     assert process.stdout.readline() == "begun\n"
-    time.sleep(1.0)
+    while len(list(tmp_path.glob("case*"))) < 2:  # both workers are at work
+        assert process.poll() is None
+        time.sleep(0.05)
+    time.sleep(0.5)
     os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=60)
     assert out == "(0, 1, 2, 3) (4, 5, 6, 7, 8, 9)\n"
     assert err == ""
 

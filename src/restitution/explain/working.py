@@ -228,9 +228,14 @@ class Working:
                 return frozenset()
             return self.open(residual)
 
-        for block in needed(blocks(sets, left_in), goal):
+        ordered = blocks(sets, left_in)
+        ahead = needed(ordered, goal | (self.wanted & set(self.model.final)) - set(self.known))
+        for block in needed(ordered, goal):
             group = [equations[index] for index in block.equations]
-            self._block(group, set(block.unknowns))
+            elsewhere = {
+                s for other in ahead if other is not block for i in other.equations for s in sets[i]
+            }
+            self._block(group, set(block.unknowns), self.wanted | elsewhere)
         left = sorted(goal - set(self.known), key=lambda s: s.name)
         if left:
             self._state(left)
@@ -322,7 +327,10 @@ class Working:
             ),
         )
 
-    def _block(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+    def _block(
+        self, group: list[Equation], unknowns: set[sp.Symbol], of_use: Collection[sp.Symbol]
+    ) -> None:
+        """Determines unknowns; those ``of_use``, here or in what follows, are written down."""
         if len(group) == 1:
             method = self._use(group[0])
             (x,) = unknowns
@@ -332,9 +340,9 @@ class Working:
             return
         kinds = {(each.kind, each.number) for each in group}
         if kinds == {("momentum", group[0].number), ("restitution", group[0].number)}:
-            self._pair(group, unknowns)
+            self._pair(group, unknowns, of_use)
             return
-        self._system(group, unknowns)
+        self._system(group, unknowns, of_use)
 
     def _speaks_of(self, group: Sequence[Equation]) -> list[int]:
         """The impacts whose components stand in these equations."""
@@ -378,11 +386,13 @@ class Working:
             step is not None and any("M1" in row.mark for row in step.rows)
         )
 
-    def _pair(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+    def _pair(
+        self, group: list[Equation], unknowns: set[sp.Symbol], of_use: Collection[sp.Symbol]
+    ) -> None:
         for each in group:
             self._use(each)
         ordered = self._ordered(unknowns)
-        chosen = [x for x in ordered if x in self.wanted] or ordered
+        chosen = [x for x in ordered if x in of_use] or ordered
         for x in ordered:
             self.determine(x)
         self._solved("Solving simultaneously:", chosen)
@@ -415,7 +425,9 @@ class Working:
 
     # --- systems ----------------------------------------------------------------------------------
 
-    def _system(self, group: list[Equation], unknowns: set[sp.Symbol]) -> None:
+    def _system(
+        self, group: list[Equation], unknowns: set[sp.Symbol], of_use: Collection[sp.Symbol]
+    ) -> None:
         left = list(group)
         local: list[sp.Symbol] = []
         self._take_carried(left, local)
@@ -440,7 +452,7 @@ class Working:
                 local.append(symbol)
             needed_later = {
                 s for e in left for s in sp.sympify(e.residual, strict=True).free_symbols
-            } | self.wanted
+            }.union(of_use)
             chosen = [x for x in parts if x in needed_later] or parts
             if len(pair) > 1:
                 self._solved("Solving simultaneously:", chosen)

@@ -1,7 +1,7 @@
 // The table seen from above: a picture at a fixed scale, and over it what can be taken hold of.
 
 import { svg } from "../player/elements.js";
-import { bounds } from "../player/motion.js";
+import { around, bounds } from "../player/motion.js";
 import { figures, plus, size } from "../player/numbers.js";
 import { Picture } from "../player/picture.js";
 import { still, tidyStep } from "./scene.js";
@@ -29,18 +29,24 @@ export class Stage {
 
   // A view of a whole scene, with room for its arrows.
   fit(scene, width, height) {
-    const [left, bottom, right, top] = bounds(still(scene));
-    // For the names of walls; those of upright ones stand beside them.
-    const longest = Math.max(0, ...scene.walls.map(({ name }) => name.length));
-    const [beside, above] = [Math.max(42, Math.min(20 + 9 * longest, 0.15 * width)), 42];
-    const k = Math.min(
-      (width - 2 * beside) / Math.max(right - left, 0.5),
-      (height - 2 * above) / Math.max(top - bottom, 0.5),
-    );
     const fastest = Math.max(...scene.spheres.map(({ velocity }) => size(velocity)), 0) || 1;
     const most = Math.min(0.16 * width, 0.28 * height, 150);
     const arrow = most / Math.sqrt(Math.max(1, scene.spheres.length / 6)) / fastest;
-    this.view = { k, middle: [(left + right) / 2, (bottom + top) / 2], arrow };
+    // For the names of walls; those of upright ones stand beside them.
+    const longest = Math.max(0, ...scene.walls.map(({ name }) => name.length));
+    const [beside, above] = [Math.max(42, Math.min(20 + 9 * longest, 0.15 * width)), 42];
+    const fitting = ([left, bottom, right, top]) => ({
+      k: Math.min(
+        (width - 2 * beside) / Math.max(right - left, 0.5),
+        (height - 2 * above) / Math.max(top - bottom, 0.5),
+      ),
+      middle: [(left + right) / 2, (bottom + top) / 2],
+      arrow,
+    });
+    const bare = bounds(still(scene));
+    const metres = arrow / fitting(bare).k;
+    const tips = scene.spheres.map(({ position, velocity }) => plus(position, velocity, metres));
+    this.view = fitting(around(bare, tips));
   }
 
   zoom(factor) {

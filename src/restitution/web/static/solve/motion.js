@@ -1,5 +1,6 @@
 // The motion of the very problem: the player is fetched when it is first seen.
 
+import { sentence } from "../api.js";
 import { html } from "../player/elements.js";
 import { style } from "../styles.js";
 
@@ -25,7 +26,7 @@ export function makeMotion(root) {
   async function update() {
     if (!given || !seen || played === given) return;
     const { motion, motion_error: reason } = (played = given);
-    say(motion ? null : `There is no motion to play: ${reason ?? "nothing moves"}.`);
+    say(motion ? null : sentence(reason ?? "there is no motion to play"));
     if (!motion) {
       player?.pause();
       return;
