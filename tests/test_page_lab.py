@@ -208,6 +208,19 @@ def test_the_values_table_mirrors_the_picture_and_is_typed_in(lab):
     assert "between 0 and 1" in page.locator(".note").inner_text()
 
 
+def test_another_scene_begins_with_nothing_to_undo(lab):
+    """The step of a slider there does not belong to one of the same slider before."""
+    page = lab("scene=snooker")
+    slider = page.get_by_label("e between spheres, slider")
+    slider.press("ArrowLeft")
+    page.get_by_label("Scene", exact=True).select_option("newton")
+    before = scene(page)
+    slider.press("ArrowLeft")
+    assert scene(page) != before
+    page.get_by_role("button", name="Undo").click()
+    assert scene(page) == before
+
+
 def test_edits_are_undone_and_done_again(lab):
     page = lab(HEAD_ON)
     first = scene(page)

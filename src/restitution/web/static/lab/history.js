@@ -9,6 +9,7 @@ export class History {
     this.past = [];
     this.future = [];
     this.value = value;
+    this.key = null;
   }
 
   // `key` joins edits of one kind that follow one another, such as the steps of a slider.
@@ -19,18 +20,19 @@ export class History {
     this.future = [];
   }
 
+  // Each tells whether there was anything to go to.
   undo() {
-    if (!this.past.length) return false;
-    this.future.push(this.value);
-    this.value = this.past.pop();
-    this.key = null;
-    return true;
+    return this.turn(this.past, this.future);
   }
 
   redo() {
-    if (!this.future.length) return false;
-    this.past.push(this.value);
-    this.value = this.future.pop();
+    return this.turn(this.future, this.past);
+  }
+
+  turn(from, to) {
+    if (!from.length) return false;
+    to.push(this.value);
+    this.value = from.pop();
     this.key = null;
     return true;
   }
