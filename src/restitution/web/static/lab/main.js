@@ -76,7 +76,7 @@ class Lab {
     this.simulation = new Simulation({
       came: (told) => this.arrive(told),
       refused: (error) => this.blame(error),
-      failed: (text) => this.say(`${text[0].toUpperCase()}${text.slice(1)}`),
+      failed: (text) => this.say(text),
     });
     this.history = new History(null);
     this.looked = -Infinity;
