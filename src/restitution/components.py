@@ -24,8 +24,8 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
+from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
-from restitution.solve.letters import DIRECTION, POSITIVE, REAL, Role
 from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, UndefinedError, at
 from restitution.solve.solution import Branch

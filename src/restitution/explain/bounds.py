@@ -20,13 +20,13 @@ from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
+from restitution.oracle.roles import Role
 from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.letters import Role
 from restitution.solve.numbers import UndefinedError, at, sample
 from restitution.solve.solution import Answer, ItemResult
 

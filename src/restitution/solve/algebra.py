@@ -16,7 +16,7 @@ import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested
-from restitution.solve.letters import Role
+from restitution.oracle.roles import Role
 from restitution.solve.neat import factors, neat, numerator
 from restitution.solve.numbers import changes_sign, vanishes
 

@@ -8,8 +8,7 @@ default that letters are positive.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
 
 import sympy as sp
 
@@ -33,6 +32,15 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.oracle.roles import (
+    ACUTE,
+    COEFFICIENT,
+    DIRECTION,
+    POSITIVE,
+    REAL,
+    TO_180,
+    Role,
+)
 from restitution.problem import (
     Aligned,
     Compare,
@@ -49,36 +57,9 @@ from restitution.problem import (
     trees,
 )
 
-Kind = Literal["positive", "real", "angle", "restitution"]
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 VECTOR_QUANTITIES = frozenset({"velocity", "momentum", "line_of_centres", "position"})
 ANGLE_QUANTITIES = frozenset({"angle", "deflection"})
-
-
-@dataclass(frozen=True)
-class Role:
-    """A letter's kind and the interval in which its values lie (None is no bound)."""
-
-    kind: Kind
-    low: sp.Expr | None
-    high: sp.Expr | None
-    closed: tuple[bool, bool] = (False, False)
-
-    def symbol(self, name: str) -> sp.Symbol:
-        """The letter as a SymPy symbol that knows its sign."""
-        if self.low is not None and self.low.is_nonnegative:
-            if self.low == 0 and self.closed[0]:
-                return sp.Symbol(name, nonnegative=True)
-            return sp.Symbol(name, positive=True)
-        return sp.Symbol(name, real=True)
-
-
-POSITIVE = Role("positive", sp.Integer(0), None)
-REAL = Role("real", None, None)
-ACUTE = Role("angle", sp.Integer(0), sp.pi / 2)
-TO_180 = Role("angle", sp.Integer(0), sp.pi, (True, True))
-DIRECTION = Role("angle", -sp.pi, sp.pi, (False, True))
-COEFFICIENT = Role("restitution", sp.Integer(0), sp.Integer(1), (True, True))
 
 
 def roles(problem: Problem) -> dict[str, Role]:

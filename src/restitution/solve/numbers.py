@@ -17,7 +17,7 @@ import mpmath
 import sympy as sp
 
 from restitution.expression.evaluate import Numeric
-from restitution.solve.letters import REAL, Role
+from restitution.oracle.roles import REAL, Role
 
 DIGITS = 100
 TINY = mpmath.mpf(10) ** -25

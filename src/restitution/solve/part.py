@@ -20,6 +20,7 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Symbolic, Value
 from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
+from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.problem import (
     Compare,
     Extremum,
@@ -38,9 +39,6 @@ from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
 from restitution.solve.letters import (
-    POSITIVE,
-    REAL,
-    Role,
     narrowed_by,
     parts_until,
     roles,

@@ -26,13 +26,14 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.oracle.roles import Role
 from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.algebra import solve_system
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.letters import Role, is_angle, roles
+from restitution.solve.letters import is_angle, roles
 from restitution.solve.numbers import (
     DIGITS,
     FIELD,

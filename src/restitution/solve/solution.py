@@ -10,9 +10,9 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.render.layout import Layout
-from restitution.solve.letters import Role
 from restitution.solve.story import Story, Unknowns
 
 ItemKind = Literal["value", "vector", "point", "direction", "range", "extremum", "show"]

@@ -1,0 +1,48 @@
+"""One oracle for every claim about letters: proved, refuted with a witness, or undecided.
+
+It knows no story: claims and facts are relations between expressions, or trees of the statement
+language (`of_tree`), and roles say what each letter may be.
+"""
+
+from __future__ import annotations
+
+from restitution.oracle.formula import (
+    FALSE,
+    TRUE,
+    All,
+    Formula,
+    Relation,
+    Some,
+    compared,
+    joined,
+    letters_of,
+    negation,
+    relations,
+)
+from restitution.oracle.oracle import Answer, Oracle, Proof, Verdict, holds_at
+from restitution.oracle.points import BeyondError, Point, Program
+from restitution.oracle.roles import REAL, Role
+
+__all__ = [
+    "FALSE",
+    "REAL",
+    "TRUE",
+    "All",
+    "Answer",
+    "BeyondError",
+    "Formula",
+    "Oracle",
+    "Point",
+    "Program",
+    "Proof",
+    "Relation",
+    "Role",
+    "Some",
+    "Verdict",
+    "compared",
+    "holds_at",
+    "joined",
+    "letters_of",
+    "negation",
+    "relations",
+]

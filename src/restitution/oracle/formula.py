@@ -1,0 +1,91 @@
+"""Claims and facts: relations of one expression to zero, joined by *and* and *or*."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import sympy as sp
+
+Operator = Literal["=", "!=", ">", ">="]
+
+
+@dataclass(frozen=True)
+class Relation:
+    """``value`` stands in this relation to zero. Angles are in radians."""
+
+    value: sp.Expr
+    operator: Operator
+
+
+@dataclass(frozen=True)
+class All:
+    """Every part holds; of no parts, this is true."""
+
+    parts: tuple[Formula, ...]
+
+
+@dataclass(frozen=True)
+class Some:
+    """At least one part holds; of no parts, this is false."""
+
+    parts: tuple[Formula, ...]
+
+
+Formula = Relation | All | Some
+
+TRUE = All(())
+FALSE = Some(())
+
+
+def compared(left: sp.Expr, operator: str, right: sp.Expr) -> Formula:
+    """The relation between two expressions, ``left operator right``.
+
+    Raises KeyError for an operator other than ``= != < <= > >=``.
+    """
+    if operator in ("<", "<="):
+        left, right, operator = right, left, {"<": ">", "<=": ">="}[operator]
+    operators: dict[str, Operator] = {"=": "=", "!=": "!=", ">": ">", ">=": ">="}
+    return Relation(sp.sympify(left - right, strict=True), operators[operator])
+
+
+def negation(formula: Formula) -> Formula:
+    """The formula that holds exactly where this one does not."""
+    match formula:
+        case Relation(value, "="):
+            return Relation(value, "!=")
+        case Relation(value, "!="):
+            return Relation(value, "=")
+        case Relation(value, ">"):
+            return Relation(-value, ">=")
+        case Relation(value, _):
+            return Relation(-value, ">")
+        case All(parts):
+            return Some(tuple(negation(each) for each in parts))
+        case Some(parts):
+            return All(tuple(negation(each) for each in parts))
+
+
+def joined(formulas: Iterable[Formula]) -> Formula:
+    """All of the formulas, without an *and* inside an *and*."""
+    parts: list[Formula] = []
+    for each in formulas:
+        parts.extend(each.parts if isinstance(each, All) else (each,))
+    return parts[0] if len(parts) == 1 else All(tuple(parts))
+
+
+def relations(formula: Formula) -> Iterator[Relation]:
+    """The relations of a formula, from left to right."""
+    if isinstance(formula, Relation):
+        yield formula
+    else:
+        for part in formula.parts:
+            yield from relations(part)
+
+
+def letters_of(formula: Formula) -> frozenset[str]:
+    """The names of the letters in a formula."""
+    return frozenset(
+        symbol.name for each in relations(formula) for symbol in each.value.free_symbols
+    )

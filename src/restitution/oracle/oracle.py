@@ -1,0 +1,384 @@
+"""Claims about letters decided: proved, refuted by values of the letters, or left undecided."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import Literal
+
+import sympy as sp
+
+from restitution.oracle import decision, intervals
+from restitution.oracle.draws import draws
+from restitution.oracle.formula import (
+    All,
+    Formula,
+    Relation,
+    Some,
+    joined,
+    letters_of,
+    negation,
+    relations,
+)
+from restitution.oracle.points import BeyondError, Point, Program, Value, ends_of
+from restitution.oracle.polynomials import Polynomials, TooLargeError
+from restitution.oracle.roles import REAL, Role
+from restitution.oracle.simple import simpler
+
+Answer = Literal["proved", "refuted", "undecided"]
+Proof = Literal["algebra", "decision", "intervals", "witness", "undecided"]
+
+FEW, MANY = 48, 160
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of a claim.
+
+    ``proof`` is what the answer rests on: exact algebra, a decision procedure for polynomials,
+    interval arithmetic, or a point that refutes it (``witness``: a value for each letter).
+    ``trials`` counts the points at which it was tried.
+    """
+
+    answer: Answer
+    proof: Proof
+    witness: Point | None = None
+    trials: int = 0
+
+    def __bool__(self) -> bool:
+        """Whether the claim is proved."""
+        return self.answer == "proved"
+
+
+@dataclass
+class Oracle:
+    """Decides claims for all values of the letters that ``roles`` and ``facts`` allow.
+
+    ``roles`` tells what each letter may be; any other letter is any real number. What has no real
+    value at a point speaks neither for a claim there nor against it.
+    """
+
+    roles: Mapping[str, Role]
+    facts: tuple[Formula, ...] = ()
+    _verdicts: dict[Formula, Verdict] = field(default_factory=dict, repr=False)
+    _signs: dict[sp.Expr, int | None] = field(default_factory=dict, repr=False)
+
+    def with_facts(self, facts: Iterable[Formula]) -> Oracle:
+        """The same letters, under more facts."""
+        return Oracle(self.roles, (*self.facts, *facts))
+
+    # --- points ----------------------------------------------------------------------------------
+
+    @cached_property
+    def _every(self) -> _Tester:
+        return _Tester(joined(self.facts))
+
+    def points(self, names: frozenset[str], count: int = FEW) -> list[dict[str, Value]]:
+        """Points at which all facts hold for certain, with a value for each of these letters."""
+        wanted = sorted(names | self._every.letters)
+        return [
+            point for point in draws(wanted, self.roles, count) if self._every.holds(point) is True
+        ]
+
+    @cached_property
+    def possible(self) -> Verdict:
+        """Whether some values satisfy the facts: refuted means that none do."""
+        names = self._every.letters
+        tried = 0
+        for point in draws(sorted(names), self.roles, MANY if names else 1):
+            tried += 1
+            if self._every.holds(point) is True:
+                return Verdict("proved", "witness", point, tried)
+        reply, world = self._asked(())
+        if reply.satisfiable == "no":
+            return Verdict("refuted", "decision" if names else "algebra", None, tried)
+        if reply.satisfiable == "yes" and world is not None:
+            point = self._point(reply, world, names)
+            if self._every.holds(point) is True:
+                return Verdict("proved", "witness", self._simple(point, ()), tried)
+            if not world.loose:
+                return Verdict("proved", "decision", point, tried)
+        if intervals.refutes(joined(self.facts), self.roles):
+            return Verdict("refuted", "intervals", None, tried)
+        return Verdict("undecided", "undecided", None, tried)
+
+    def admits(self, point: Point) -> bool:
+        """Whether every letter has a value that its role allows."""
+        return all(_allowed(value, self.roles.get(name, REAL)) for name, value in point.items())
+
+    # --- claims ----------------------------------------------------------------------------------
+
+    def decide(self, claim: Formula) -> Verdict:
+        """Whether a claim holds wherever the facts do."""
+        if claim not in self._verdicts:
+            self._verdicts[claim] = self._decide(claim)
+        return self._verdicts[claim]
+
+    def _decide(self, claim: Formula) -> Verdict:
+        if isinstance(claim, All):
+            return self._all(claim)
+        algebra = self._by_algebra(claim)
+        if algebra is not None and algebra.answer == "proved":
+            return algebra
+        names = letters_of(claim) | self._every.letters
+        tester = _Tester(claim)
+        tried = 0
+        for point in draws(sorted(names), self.roles, MANY if names else 1):
+            if self._every.holds(point) is not True:
+                continue
+            tried += 1
+            if tester.holds(point) is False:
+                return Verdict("refuted", "witness", self._simple(point, (claim,)), tried)
+        return self._by_decision(claim, names, tester, tried)
+
+    def _all(self, claim: All) -> Verdict:
+        parts = [self.decide(each) for each in claim.parts]
+        tried = max((each.trials for each in parts), default=0)
+        for each in parts:
+            if each.answer == "refuted":
+                return each
+        for each in parts:
+            if each.answer == "undecided":
+                return Verdict("undecided", "undecided", None, tried)
+        order: tuple[Proof, ...] = ("intervals", "decision", "algebra")
+        proofs = {each.proof for each in parts}
+        return Verdict("proved", next((p for p in order if p in proofs), "algebra"), None, tried)
+
+    def _by_decision(
+        self, claim: Formula, names: frozenset[str], tester: _Tester, tried: int
+    ) -> Verdict:
+        reply, world = self._asked((negation(claim),))
+        if reply.satisfiable == "no":
+            return Verdict("proved", "decision" if names else "algebra", None, tried)
+        if reply.satisfiable == "yes" and world is not None:
+            point = self._point(reply, world, names)
+            if self._every.holds(point) is True and tester.holds(point) is False:
+                return Verdict("refuted", "witness", self._simple(point, (claim,)), tried)
+            if not world.loose and self._every.holds(point) is not False:
+                return Verdict("refuted", "decision", point, tried)
+        if intervals.proves(claim, joined(self.facts), self.roles):
+            return Verdict("proved", "intervals", None, tried)
+        return Verdict("undecided", "undecided", None, tried)
+
+    def _by_algebra(self, claim: Formula) -> Verdict | None:
+        """What coefficients and normal forms alone show."""
+        if not isinstance(claim, Relation):
+            return None
+        try:
+            world = Polynomials([claim.value], self.roles)
+            above, below = world.quotient(claim.value)
+            if world.vanishes(above):
+                holds = claim.operator in ("=", ">=")
+                return Verdict("proved" if holds else "refuted", "algebra")
+            if claim.operator == "=":
+                return None
+            sign = 1
+            weak = False
+            for polynomial, part in ((above, 1), (below, -1)):
+                for factor, power in world.factors(polynomial):
+                    own = world.sign(factor)
+                    if own is not None:
+                        sign *= own**power
+                    elif (power % 2 == 0 and part == 1) or (
+                        part == 1 and claim.operator == ">=" and world.not_negative(factor)
+                    ):
+                        weak = True
+                    elif part == 1 and claim.operator == ">=" and world.not_negative(-factor):
+                        weak, sign = True, -sign
+                    else:
+                        return None
+        except (TooLargeError, BeyondError):
+            return None
+        if sign == 1 and (claim.operator == ">=" or not weak):
+            return Verdict("proved", "algebra")
+        if claim.operator == "!=" and not weak:
+            return Verdict("proved", "algebra")
+        return None
+
+    def sign(self, x: sp.Expr) -> int | None:
+        """The sign of an expression wherever the facts hold, if it is proved to be one, else None.
+
+        0 is for what vanishes throughout.
+        """
+        x = sp.sympify(x, strict=True)
+        if x not in self._signs:
+            self._signs[x] = self._sign(x)
+        return self._signs[x]
+
+    def _sign(self, x: sp.Expr) -> int | None:
+        if x.is_Rational:
+            return int(sp.sign(x))
+        tester = Program.of([x])
+        seen: set[int] = set()
+        for point in self.points(tester.letters, FEW):
+            sign = tester.signs(point)[0]
+            if sign is not None:
+                seen.add(sign)
+            if len(seen - {0}) > 1 or (0 in seen and len(seen) > 1):
+                return None
+        if seen == {1} or (not seen and self.decide(Relation(x, ">"))):
+            return 1 if self.decide(Relation(x, ">")) else None
+        if seen == {-1} or (not seen and self.decide(Relation(-x, ">"))):
+            return -1 if self.decide(Relation(-x, ">")) else None
+        return 0 if self.decide(Relation(x, "=")) else None
+
+    def vanishes(self, x: sp.Expr) -> bool:
+        """Whether an expression is proved to be zero wherever the facts hold."""
+        return bool(self.decide(Relation(sp.sympify(x, strict=True), "=")))
+
+    # --- asking Z3 -------------------------------------------------------------------------------
+
+    def _asked(self, more: Sequence[Formula]) -> tuple[decision.Reply, Polynomials | None]:
+        formulas = [*self.facts, *more]
+        values = [each.value for formula in formulas for each in relations(formula)]
+        try:
+            world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
+            prepared = [_prepared(each, self.roles) for each in formulas]
+            return decision.satisfy(world, prepared), world
+        except (TooLargeError, BeyondError):
+            return decision.UNKNOWN, None
+
+    def _point(
+        self, reply: decision.Reply, world: Polynomials, names: frozenset[str]
+    ) -> dict[str, Value]:
+        assert reply.model is not None
+        point: dict[str, Value] = {}
+        for name in sorted(names):
+            if name in world.letters:
+                value = reply.model.get(world.letters[name])
+                if value is not None:
+                    point[name] = (
+                        Fraction(int(value.p), int(value.q)) if value.is_Rational else value
+                    )
+            elif name in world.angles:
+                cosine, sine = (reply.model.get(each) for each in world.angles[name][:2])
+                if cosine is not None and sine is not None:
+                    point[name] = _angle_within(
+                        world.angles[name][2] * sp.atan2(sine, cosine), self.roles.get(name, REAL)
+                    )
+        missing = sorted(names - set(point))
+        if missing:
+            usual = next(draws(missing, self.roles, 1))
+            point.update(usual)
+        return point
+
+    def _simple(self, point: Point, against: Sequence[Formula]) -> dict[str, Value]:
+        """A point of the same kind in plainer numbers."""
+        testers = [_Tester(each) for each in against]
+
+        def serves(candidate: Point) -> bool:
+            return (
+                self.admits(candidate)
+                and self._every.holds(candidate) is True
+                and all(each.holds(candidate) is False for each in testers)
+            )
+
+        return simpler(point, self.roles, serves)
+
+
+class _Tester:
+    """A formula compiled, to be tried at points."""
+
+    def __init__(self, formula: Formula) -> None:
+        self.formula = formula
+        self._values = tuple(dict.fromkeys(each.value for each in relations(formula)))
+        self._program = Program.of(self._values)
+        self.letters = frozenset(letters_of(formula))
+
+    def holds(self, point: Point) -> bool | None:
+        """Whether the formula holds at a point; None where that is not certain."""
+        signs = dict(zip(self._values, self._program.signs(point), strict=True))
+        return _holds(self.formula, signs)
+
+
+def _holds(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:
+    match formula:
+        case Relation(value, operator):
+            sign = signs[value]
+            if sign is None:
+                return None
+            return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[operator]
+        case All(parts):
+            truths = [_holds(each, signs) for each in parts]
+            return False if False in truths else None if None in truths else True
+        case Some(parts):
+            truths = [_holds(each, signs) for each in parts]
+            return True if True in truths else None if None in truths else False
+
+
+def _allowed(value: Value, role: Role) -> bool:
+    ends = [
+        (end, sense, closed)
+        for end, sense, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1]))
+        if end is not None
+    ]
+    number = value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
+    signs = Program.of([sense * (number - end) for end, sense, _ in ends]).signs({})
+    return all(
+        sign is not None and (sign > 0 or (closed and sign == 0))
+        for sign, (_, _, closed) in zip(signs, ends, strict=True)
+    )
+
+
+def holds_at(formula: Formula, point: Point) -> bool | None:
+    """Whether a formula holds at a point; None where that is not certain."""
+    return _Tester(formula).holds(point)
+
+
+def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
+    match formula:
+        case Relation(value, operator):
+            return Relation(_angular(value, roles), operator)
+        case All(parts):
+            return All(tuple(_prepared(each, roles) for each in parts))
+        case Some(parts):
+            return Some(tuple(_prepared(each, roles) for each in parts))
+
+
+def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
+    """A sum of angles as the sine of a share of it, which has the same sign."""
+    width = sp.Integer(0)
+    terms = sp.Add.make_args(sp.expand(x))
+    angular = open_ = False
+    for term in terms:
+        coefficient, atom = term.as_coeff_Mul()
+        if not coefficient.is_Rational:
+            return x
+        if atom.is_Symbol:
+            role = roles.get(atom.name, REAL)
+            if role.kind != "angle" or role.low is None or role.high is None:
+                return x
+            width += abs(coefficient) * sp.Max(abs(role.low), abs(role.high))
+            angular, open_ = True, open_ or not any(role.closed)
+        elif isinstance(atom, sp.atan | sp.asin):
+            width += abs(coefficient) * sp.pi / 2
+            angular, open_ = True, open_ or isinstance(atom, sp.atan)
+        elif isinstance(atom, sp.acos | sp.atan2):
+            width += abs(coefficient) * sp.pi
+            angular = True
+        elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
+            width += abs(term)
+        else:
+            return x
+    if not angular:
+        return x
+    share = 1
+    while not (bool(width < share * sp.pi) or (open_ and width == share * sp.pi)):
+        share += 1
+    return sp.sin(x / share)
+
+
+def _angle_within(angle: sp.Expr, role: Role) -> sp.Expr | float:
+    """An angle turned into the range of its letter."""
+    low, high = ends_of(Program.of([angle]).enclosures({}, 30)[0])
+    middle = (low + high) / 2
+    for turns in (0, 1, -1, 2, -2):
+        number = float(middle) + turns * 6.283185307179586
+        inside = (role.low is None or number >= float(role.low) - 1e-12) and (
+            role.high is None or number <= float(role.high) + 1e-12
+        )
+        if inside:
+            return angle + 2 * turns * sp.pi if turns else angle
+    return angle
