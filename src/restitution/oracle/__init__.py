@@ -19,7 +19,7 @@ from restitution.oracle.formula import (
     negation,
     relations,
 )
-from restitution.oracle.oracle import Answer, Oracle, Proof, Verdict, holds_at
+from restitution.oracle.oracle import Answer, Oracle, Proof, Verdict, holds_at, holds_with
 from restitution.oracle.points import BeyondError, Point, Program
 from restitution.oracle.roles import REAL, Role
 
@@ -41,6 +41,7 @@ __all__ = [
     "Verdict",
     "compared",
     "holds_at",
+    "holds_with",
     "joined",
     "letters_of",
     "negation",

@@ -290,10 +290,11 @@ class _Tester:
     def holds(self, point: Point) -> bool | None:
         """Whether the formula holds at a point; None where that is not certain."""
         signs = dict(zip(self._values, self._program.signs(point), strict=True))
-        return _holds(self.formula, signs)
+        return holds_with(self.formula, signs)
 
 
-def _holds(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:
+def holds_with(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:
+    """Whether a formula holds where its expressions have these signs; None if that is open."""
     match formula:
         case Relation(value, operator):
             sign = signs[value]
@@ -301,10 +302,10 @@ def _holds(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None
                 return None
             return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[operator]
         case All(parts):
-            truths = [_holds(each, signs) for each in parts]
+            truths = [holds_with(each, signs) for each in parts]
             return False if False in truths else None if None in truths else True
         case Some(parts):
-            truths = [_holds(each, signs) for each in parts]
+            truths = [holds_with(each, signs) for each in parts]
             return True if True in truths else None if None in truths else False
 
 

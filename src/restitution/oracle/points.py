@@ -91,6 +91,20 @@ class Program:
                 break
         return signs
 
+    def near_signs(self, point: Point) -> list[int | None]:
+        """The signs, with 0 for what cannot be told from zero in many digits.
+
+        None is for what has no real value. This is for a search; it decides nothing.
+        """
+        signs = self.signs(point)
+        if None in signs:
+            intervals = self.enclosures(point, DIGITS[-1])
+            signs = [
+                (None if interval is None else 0) if sign is None else sign
+                for sign, interval in zip(signs, intervals, strict=True)
+            ]
+        return signs
+
     def _balls(self, point: Point) -> list[tuple[float, float]]:
         values: list[tuple[float, float]] = []
         for operation, arguments in self.instructions:
@@ -165,6 +179,7 @@ class Program:
         return [values[place] for place in self.results]
 
 
+_NOTHING = frozenset({sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I})
 _RATIONAL = frozenset({"number", "letter", "add", "multiply", "power"})
 _FUNCTIONS: dict[type, str] = {
     sp.sin: "sin",
@@ -207,6 +222,8 @@ class _Compiler:
             return "number", (Fraction(str(x)),)
         if x is sp.pi:
             return "pi", ()
+        if x in _NOTHING:
+            return "nothing", ()
         if x.is_Add:
             return "add", tuple(self.place(each) for each in x.args)
         if x.is_Mul:
@@ -244,7 +261,8 @@ def _ball(value: Value) -> tuple[float, float]:
             middle = float(interval.mid)
             return middle, abs(middle) * 2 * _EPSILON + _TINY
     middle = float(value)
-    return middle, 0.0 if middle == value else abs(middle) * _EPSILON + _TINY
+    exact = isinstance(value, int | float | Fraction) and middle == value
+    return middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY
 
 
 def _ball_power(ball: tuple[float, float], n: int) -> tuple[float, float]:
@@ -284,6 +302,8 @@ def _ball_root(ball: tuple[float, float], p: int, q: int) -> tuple[float, float]
 
 
 def _ball_function(operation: str, values: list[tuple[float, float]]) -> tuple[float, float]:
+    if operation == "nothing":
+        raise BeyondError
     if operation == "pi":
         return math.pi, math.pi * _EPSILON
     middle, error = values[0]
@@ -331,6 +351,8 @@ def _enclosed(
         return _fraction_in(context, Fraction(str(value)) if isinstance(value, sp.Expr) else value)
     if operation == "pi":
         return context.pi
+    if operation == "nothing":
+        raise BeyondError
     if operation == "power":
         base, n = values[arguments[0]], arguments[1]
         if base is None or (n < 0 and base.a <= 0 <= base.b):
@@ -364,7 +386,7 @@ def _enclosed(
 
 
 def _fraction_in(context: Any, value: Any) -> Any:
-    fraction = Fraction(value)
+    fraction = Fraction(*to_rational(value._mpf_)) if hasattr(value, "_mpf_") else Fraction(value)
     return context.mpf(fraction.numerator) / fraction.denominator
 
 

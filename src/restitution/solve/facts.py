@@ -6,7 +6,7 @@ from typing import Literal
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Name, Place
+from restitution.expression.tree import Expression, Letter, Name, Place
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -79,12 +79,21 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
     evaluator = story.evaluator(now)
     values = [evaluator.value(tree) for tree in relation.operands]
     found: list[Requirement] = []
-    for left, op, right in zip(values, relation.operators, values[1:], strict=False):
+    sizes = [_measured(*each) for each in zip(relation.operands, values, strict=True)]
+    for n, op in enumerate(relation.operators):
+        left, right = (values if op == "=" else sizes)[n : n + 2]
         if op == "=":
             found.extend(equal(story, left, right, place))
         else:
             found.append(_ordered(story, left, op, right))
     return found
+
+
+def _measured(tree: Expression, value: Value) -> Value:
+    """An angle that is a letter as what it measures: it may be beyond 180°."""
+    if isinstance(tree, Letter) and isinstance(value, Angle):
+        return value.measure()
+    return value
 
 
 def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[Requirement]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -139,6 +140,14 @@ _FUNCTIONS: dict[type, Any] = {
     sp.Max: max,
     sp.Min: min,
 }
+
+
+def number_of(value: Any) -> Any:
+    """The value of a letter at a point as an mpmath number."""
+    if isinstance(value, sp.Expr):
+        return at(value, {})
+    fraction = Fraction(value)
+    return _CTX.mpf(fraction.numerator) / fraction.denominator
 
 
 @lru_cache(maxsize=256)

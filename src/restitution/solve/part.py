@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections import Counter
+from collections import ChainMap, Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -20,6 +20,7 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Symbolic, Value
 from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
+from restitution.oracle import BeyondError, Formula, Oracle, Relation
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.problem import (
     Compare,
@@ -35,6 +36,7 @@ from restitution.problem import (
     Unknown,
 )
 from restitution.problem import Value as ValueItem
+from restitution.solve.admission import Admission, demands_for, demands_of
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
@@ -50,6 +52,7 @@ from restitution.solve.numbers import (
     UndefinedError,
     at,
     bound,
+    number_of,
     sample,
     sign_at,
 )
@@ -59,6 +62,9 @@ SAMPLES_WANTED = 4
 # Where the form of an answer hangs on a sign, four points are too few.
 SAMPLES_FOR_SIGNS = 24
 SAMPLES_TRIED = 160
+POINTS_TRIED = 48
+# What is longer than this nobody would read, and takes long to put into a tidy form.
+UNWIELDY = 120
 EDGES_TRIED = 4
 SYMBOLIC = Symbolic()
 
@@ -73,6 +79,9 @@ class Letters:
     samples: Sequence[Sample] = ()
     phrases: dict[str, str] = field(default_factory=dict)
     hidden_roles: dict[str, Role] = field(default_factory=dict)
+    ground: Oracle | None = None
+    assumed: list[Formula] = field(default_factory=list)
+    undecided: list[sp.Expr] = field(default_factory=list)
 
     def letter(self, name: str) -> Value:
         if name in self.angles:
@@ -95,7 +104,16 @@ class Letters:
     def all_roles(self) -> dict[str, Role]:
         return {**self.roles, **self.hidden_roles}
 
+    def proved_by(self, oracle: Oracle) -> bool:
+        """Whether the signs that a telling rests on are what they were taken for."""
+        return not self.undecided and all(oracle.decide(each) for each in self.assumed)
+
     def sign(self, x: sp.Expr) -> int | None:
+        """The sign of an expression; None where it depends on the letters.
+
+        One that is seen at usual values, but is not proved for all, is among ``assumed``; what
+        has different signs is among ``undecided``.
+        """
         x = sp.sympify(x, strict=True)
         if x.is_positive:
             return 1
@@ -103,12 +121,23 @@ class Letters:
             return -1
         if x.is_zero:
             return 0
-        if self.samples:
-            return sign_at(x, self.samples)
-        rng = random.Random(7)
-        names = sorted(s.name for s in x.free_symbols)
-        known = self.all_roles()
-        return sign_at(x, [sample(names, known, rng) for _ in range(8)])
+        if self.ground is None:
+            self.ground = Oracle(ChainMap(dict(self.roles), self.hidden_roles))
+        proved = self.ground.sign(x)
+        if proved is not None:
+            return proved
+        points: Iterable[Sample] = self.samples
+        if not points:
+            rng = random.Random(7)
+            names = sorted(s.name for s in x.free_symbols)
+            known = self.all_roles()
+            points = [sample(names, known, rng) for _ in range(8)]
+        usual = sign_at(x, points)
+        if usual is None:
+            self.undecided.append(x)
+        else:
+            self.assumed.append(Relation(usual * x, ">") if usual else Relation(x, "="))
+        return usual
 
 
 @dataclass
@@ -140,6 +169,8 @@ class Trial:
     samples: tuple[Sample, ...]
     reason: str | None = None
     kind: str | None = None
+    admission: Admission | None = field(default=None, compare=False, repr=False)
+    story: Story | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass
@@ -222,8 +253,98 @@ class Setting:
                 return need.reason, "equation"
         return None
 
-    def try_out(self, found: Found, letters_: Letters, wanted: int = SAMPLES_WANTED) -> Trial:
+    def admission(
+        self, found: Found, letters_: Letters, told: Letters, story: Story
+    ) -> Admission | None:
+        """What a solution asks of the letters left free, where the story is told with it.
+
+        None where the telling hangs on a sign that differs with the letters.
+        Raises ImpossibleError where the facts are impossible whatever they are.
+        """
+        needs = self.requirements(story)
+        if told.undecided:
+            return None
+        demands, equations = demands_for([*story.conditions, *story.equations, *needs])
+        known = {**letters_.all_roles(), **told.all_roles()}
+        own = demands_of(found.values, found.angles, known, letters_.phrases)
+        assumed = tuple(dict.fromkeys(told.assumed))
+        return Admission(known, (*own, *demands), tuple(equations), assumed)
+
+    def try_out(self, found: Found, letters_: Letters) -> Trial:
         """Whether a solution is admissible for some values of the data."""
+        if any(sp.count_ops(each) > UNWIELDY for each in found.values.values()):
+            return self._tried(found, letters_)
+        told = Letters(self.roles, found.values, found.angles)
+        try:
+            story = self.tell(told)
+        except ImpossibleError as error:
+            return Trial(found, (), error.message, "place")
+        try:
+            admission = self.admission(found, letters_, told, story)
+        except ImpossibleError as error:
+            return Trial(found, (), error.message, "equation")
+        except BeyondError:
+            return self._tried(found, letters_)
+        if admission is None:
+            return self._tried(found, letters_)
+        return self._admitted(found, letters_, admission, story)
+
+    def _admitted(
+        self, found: Found, letters_: Letters, admission: Admission, story: Story
+    ) -> Trial:
+        known = admission.roles
+        free = sorted((set(self.roles) | set(known)) - set(found.values) - set(self.lets))
+        reasons: Counter[tuple[str, str]] = Counter()
+        accepted: list[Sample] = []
+        rng = random.Random(11)
+        for _ in range(POINTS_TRIED if free else 1):
+            values = sample(free, known, rng)
+            reason = self._objection(found, admission, values)
+            if reason is None:
+                accepted.append(values)
+                if len(accepted) == SAMPLES_WANTED:
+                    break
+            else:
+                reasons[reason] += 1
+        if not accepted:
+            possible = admission.oracle.possible
+            if possible.answer == "proved" and possible.witness is not None:
+                values = sample(free, known, rng)
+                values |= {name: number_of(each) for name, each in possible.witness.items()}
+                reason = self._objection(found, admission, values)
+                if reason is None:
+                    accepted.append(values)
+                else:
+                    reasons[reason] += 1
+        if accepted:
+            return Trial(found, tuple(accepted), admission=admission, story=story)
+        refusal = admission.refusal()
+        if refusal is not None:
+            return Trial(found, (), refusal.reason, refusal.kind, admission)
+        (reason_, kind), _ = reasons.most_common(1)[0]
+        return Trial(found, (), reason_, kind, admission)
+
+    def _objection(
+        self, found: Found, admission: Admission, values: Sample
+    ) -> tuple[str, str] | None:
+        """Why these values of the free letters are impossible; the solved ones are added."""
+        try:
+            try:
+                reason = admission.objection(values)
+                if reason is not None:
+                    return reason
+            except LookupError:
+                reason = None
+            for name, value in found.values.items():
+                values[name] = at(value, values)
+            return self.examine(values, [n for n in found.values if not n.startswith("_")])
+        except (StatementError, ImpossibleError) as error:
+            return error.message, "equation"
+        except (UndefinedError, ArithmeticError):
+            return "it would not be real", "equation"
+
+    def _tried(self, found: Found, letters_: Letters, wanted: int = SAMPLES_WANTED) -> Trial:
+        """The same by points alone, for what is too unwieldy to be told in letters."""
         known = letters_.all_roles()
         rng = random.Random(11)
         free = sorted(
@@ -536,7 +657,7 @@ class Witnesses:
         if len(known) < SAMPLES_WANTED:
             return ()  # all that could be found
         outcome = self.outcome
-        tried = outcome.setting.try_out(self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS)
+        tried = outcome.setting._tried(self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS)
         return tried.samples[len(known) :]
 
 

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.oracle import Proof
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.render.layout import Layout
@@ -54,7 +55,11 @@ class Rejected:
 
 @dataclass(frozen=True)
 class ItemResult:
-    """What became of one item of ``find``, or of one ``show``."""
+    """What became of one item of ``find``, or of one ``show``.
+
+    ``holds`` is None for a claim that is not decided, as for all that is no claim. ``proof`` tells
+    what a claim rests on, ``trials`` at how many points it was tried.
+    """
 
     item: Value | Range | Extremum | Show
     line: int | None
@@ -65,6 +70,8 @@ class ItemResult:
     counterexample: Mapping[str, str] | None = None
     rejected: tuple[Rejected, ...] = ()
     error: RestitutionError | None = None
+    proof: Proof | None = None
+    trials: int = 0
 
     @property
     def distinct(self) -> tuple[Answer, ...]:
