@@ -7,7 +7,7 @@ factors whose sign is plain are left out.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
@@ -157,7 +157,7 @@ def _polynomials(tree: _Tree) -> list[PolyElement]:
 def _names(world: Polynomials, polynomial: PolyElement) -> set[str]:
     return {
         name
-        for n, (_, name) in enumerate(world._order)
+        for n, name in enumerate(world.names)
         if any(monomial[n] for monomial in polynomial.monoms())
     }
 
@@ -174,7 +174,7 @@ def _used(world: Polynomials, tree: _Tree) -> list[str]:
             if names & used:
                 used |= names
         if len(used) == before:
-            return [name for _, name in world._order if name in used]
+            return [name for name in world.names if name in used]
 
 
 def _worth_asking(world: Polynomials, used: Sequence[str], tree: _Tree) -> bool:
@@ -188,8 +188,7 @@ def _worth_asking(world: Polynomials, used: Sequence[str], tree: _Tree) -> bool:
 
 def _scale(world: Polynomials, used: Sequence[str], tree: _Tree) -> list[str]:
     """Positive letters that may be taken as 1, as only ratios to them matter."""
-    order = [name for _, name in world._order]
-    places = [order.index(name) for name in used]
+    places = [world.names.index(name) for name in used]
     rows: list[list[Fraction]] = []
     every = [*_polynomials(tree), *world.relations, *(b.polynomial for b in world.bounds)]
     for polynomial in every:
@@ -232,76 +231,132 @@ def _rank(rows: Sequence[Sequence[Fraction]]) -> int:
     return rank
 
 
+def covers(
+    world: Polynomials, facts: Sequence[Formula], claim: Formula, free: frozenset[str]
+) -> Literal["yes", "no", "unknown"]:
+    """Whether for all values that satisfy the facts some of the free letters satisfy the claim."""
+    try:
+        outer = _simplified(("and", [_conditions(world, each) for each in facts]))
+        inner = _simplified(_conditions(world, claim))
+    except TooLargeError:
+        return "unknown"
+    both = ("and", [outer, inner])
+    used = _used(world, both)
+    if not _worth_asking(world, used, both):
+        return "unknown"
+    import z3
+
+    question = _Question(world, used, [])
+    bound = {name for name in used if world.depends(name, free)}
+    rest = [name for name in used if name not in bound]
+    outside = z3.And(question.statement(outer), *question.definitions(rest, rest))
+    inside = z3.And(question.statement(inner), *question.definitions(bound, used))
+    some = z3.Exists([question.numbers[name] for name in bound], inside) if bound else inside
+    every = z3.Implies(outside, some)
+    if rest:
+        every = z3.ForAll([question.numbers[name] for name in rest], every)
+    solver = z3.Tactic("nlqsat", ctx=question.context).solver()
+    solver.set("timeout", MILLISECONDS)
+    solver.add(every)
+    answer = solver.check()
+    return "yes" if answer == z3.sat else "no" if answer == z3.unsat else "unknown"
+
+
 def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[str]) -> Reply:
     import z3
 
-    context = z3.Context()
-    solver = z3.SolverFor("QF_NRA", ctx=context)
+    question = _Question(world, used, scale)
+    solver = z3.SolverFor("QF_NRA", ctx=question.context)
     solver.set("timeout", MILLISECONDS)
-    places = [n for n, (_, name) in enumerate(world._order) if name in used]
-    numbers = {world._order[n][1]: z3.Real(f"v{n}", ctx=context) for n in places}
-    named = [(n, numbers[world._order[n][1]]) for n in places]
-
-    def value(polynomial: PolyElement) -> Any:
-        total = z3.RealVal(0, ctx=context)
-        for monomial, coefficient in polynomial.terms():
-            term = z3.RealVal(str(coefficient), ctx=context)
-            for n, number in named:
-                for _ in range(monomial[n]):
-                    term = term * number
-            total = total + term
-        return total
-
-    def statement(part: _Tree) -> Any:
-        if isinstance(part, bool):
-            return z3.BoolVal(part, ctx=context)
-        if isinstance(part, _Condition):
-            number = value(part.polynomial)
-            return {
-                "=": lambda: number == 0,
-                "!=": lambda: number != 0,
-                ">": lambda: number > 0,
-                ">=": lambda: number >= 0,
-            }[part.operator]()
-        join = z3.And if part[0] == "and" else z3.Or
-        return join(*[statement(each) for each in part[1]])
-
-    for name in used:
-        number = numbers[name]
-        if name in scale:
-            solver.add(number == 1)
-        elif world.senses[name] == "+":
-            solver.add(number > 0)
-        elif world.senses[name] == "0+":
-            solver.add(number >= 0)
-        low, high, closed_low, closed_high = world.between.get(name, (None, None, False, False))
-        if low is not None and (low != 0 or world.senses[name] == "real"):
-            end = z3.RealVal(str(low), ctx=context)
-            solver.add(number >= end if closed_low else number > end)
-        if high is not None:
-            end = z3.RealVal(str(high), ctx=context)
-            solver.add(number <= end if closed_high else number < end)
-    for relation in world.relations:
-        if _names(world, relation) <= set(used):
-            solver.add(value(relation) == 0)
-    for bound in world.bounds:
-        if _names(world, bound.polynomial) <= set(used):
-            number = value(bound.polynomial)
-            solver.add(number > 0 if bound.strict else number >= 0)
-    solver.add(statement(tree))
+    for each in question.definitions(used, used):
+        solver.add(each)
+    solver.add(question.statement(tree))
     answer = solver.check()
     if answer == z3.unsat:
         return Reply("no")
     if answer != z3.sat:
         return UNKNOWN
     model = solver.model()
-    return Reply(
-        "yes",
-        {
-            name: _exact(model.eval(number, model_completion=True))
-            for name, number in numbers.items()
-        },
-    )
+    values = {
+        name: _exact(model.eval(number, model_completion=True))
+        for name, number in question.numbers.items()
+    }
+    return Reply("yes", values)
+
+
+class _Question:
+    """Generators as numbers of Z3, in a context of their own."""
+
+    def __init__(self, world: Polynomials, used: Sequence[str], scale: Sequence[str]) -> None:
+        import z3
+
+        self.world, self.scale = world, scale
+        self.context = z3.Context()
+        self.numbers: dict[str, Any] = {}
+        self._places: list[tuple[int, Any]] = []
+        for n, name in enumerate(world.names):
+            if name in used:
+                self.numbers[name] = z3.Real(f"v{n}", ctx=self.context)
+                self._places.append((n, self.numbers[name]))
+
+    def value(self, polynomial: PolyElement) -> Any:
+        """A polynomial as a term."""
+        total = self._number(0)
+        for monomial, coefficient in polynomial.terms():
+            term = self._number(coefficient)
+            for n, number in self._places:
+                for _ in range(monomial[n]):
+                    term = term * number
+            total = total + term
+        return total
+
+    def _number(self, value: Any) -> Any:
+        import z3
+
+        return z3.RealVal(str(value), ctx=self.context)
+
+    def statement(self, tree: _Tree) -> Any:
+        """A tree of conditions as a formula."""
+        import z3
+
+        if isinstance(tree, bool):
+            return z3.BoolVal(tree, ctx=self.context)
+        if isinstance(tree, _Condition):
+            return _related(self.value(tree.polynomial), tree.operator)
+        join = z3.And if tree[0] == "and" else z3.Or
+        return join(*[self.statement(each) for each in tree[1]])
+
+    def definitions(self, names: Iterable[str], known: Iterable[str]) -> list[Any]:
+        """What these generators are, by their signs, bounds and relations among the known ones."""
+        world, names, known = self.world, set(names), set(known)
+        formulas = []
+        for name in sorted(names):
+            number = self.numbers[name]
+            if name in self.scale:
+                formulas.append(number == 1)
+            elif world.senses[name] != "real":
+                formulas.append(_related(number, ">" if world.senses[name] == "+" else ">="))
+            low, high, closed_low, closed_high = world.between.get(name, (None, None, False, False))
+            if low is not None and (low != 0 or world.senses[name] == "real"):
+                formulas.append(_related(number - self._number(low), ">=" if closed_low else ">"))
+            if high is not None:
+                formulas.append(_related(self._number(high) - number, ">=" if closed_high else ">"))
+        defining = [(each, "=") for each in world.relations] + [
+            (each.polynomial, ">" if each.strict else ">=") for each in world.bounds
+        ]
+        for polynomial, operator in defining:
+            own = _names(world, polynomial)
+            if own & names and own <= known:
+                formulas.append(_related(self.value(polynomial), operator))
+        return formulas
+
+
+def _related(number: Any, operator: str) -> Any:
+    if operator == "=":
+        return number == 0
+    if operator == "!=":
+        return number != 0
+    return number > 0 if operator == ">" else number >= 0
 
 
 def _exact(number: Any) -> sp.Expr:

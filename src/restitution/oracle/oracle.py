@@ -95,9 +95,9 @@ class Oracle:
         if reply.satisfiable == "no":
             return Verdict("refuted", "decision" if names else "algebra", None, tried)
         if reply.satisfiable == "yes" and world is not None:
-            point = self._point(reply, world, names)
+            point = self._simple(self._point(reply, world, names), ())
             if self._every.holds(point) is True:
-                return Verdict("proved", "witness", self._simple(point, ()), tried)
+                return Verdict("proved", "witness", point, tried)
             if not world.loose:
                 return Verdict("proved", "decision", point, tried)
         if intervals.refutes(joined(self.facts), self.roles):
@@ -115,6 +115,19 @@ class Oracle:
         if claim not in self._verdicts:
             self._verdicts[claim] = self._decide(claim)
         return self._verdicts[claim]
+
+    def decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
+        """Whether wherever the facts hold, some values of the free letters satisfy a claim."""
+        values = [each.value for each in relations(joined((*self.facts, claim)))]
+        try:
+            world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
+            prepared = [_prepared(each, self.roles) for each in (*self.facts, claim)]
+            answer = decision.covers(world, prepared[:-1], prepared[-1], free)
+        except (TooLargeError, BeyondError):
+            answer = "unknown"
+        if answer == "yes" and not world.loose:
+            return Verdict("proved", "decision")
+        return Verdict("undecided", "undecided")
 
     def _decide(self, claim: Formula) -> Verdict:
         if isinstance(claim, All):
@@ -153,9 +166,9 @@ class Oracle:
         if reply.satisfiable == "no":
             return Verdict("proved", "decision" if names else "algebra", None, tried)
         if reply.satisfiable == "yes" and world is not None:
-            point = self._point(reply, world, names)
+            point = self._simple(self._point(reply, world, names), (claim,))
             if self._every.holds(point) is True and tester.holds(point) is False:
-                return Verdict("refuted", "witness", self._simple(point, (claim,)), tried)
+                return Verdict("refuted", "witness", point, tried)
             if not world.loose and self._every.holds(point) is not False:
                 return Verdict("refuted", "decision", point, tried)
         if intervals.proves(claim, joined(self.facts), self.roles):

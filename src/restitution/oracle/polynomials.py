@@ -91,6 +91,18 @@ class Polynomials:
         for key, name in self._order:
             self._define(key, name)
 
+    @property
+    def names(self) -> list[str]:
+        """The generators, in the order of the ring."""
+        return [name for _, name in self._order]
+
+    def depends(self, name: str, letters: frozenset[str]) -> bool:
+        """Whether a generator is one of these letters, or made of them."""
+        key = next(key for key, own in self._order if own == name)
+        if key[0] == "letter":
+            return key[1] in letters
+        return any(symbol.name in letters for symbol in key[1].free_symbols)
+
     # --- which generators there are --------------------------------------------------------------
 
     def _divide(self, x: sp.Expr) -> None:
@@ -510,16 +522,13 @@ class Polynomials:
 
     def _positive(self, polynomial: PolyElement, strict: bool = True) -> bool:
         moved, touched = self._moved(polynomial)
-        ends: list[tuple[int, tuple[int, int]]] = []
-        for n, name in enumerate(name for _, name in self._order):
-            if moved.degree(self.ring.gens[n]) <= 0:
-                continue
-            sense = self.senses[name]
+        # The powers that a monomial has to have to be positive at an end that belongs to a letter.
+        ends: list[tuple[int, list[int]]] = []
+        for n, name in enumerate(self.names):
             if name in touched:
-                low, high = touched[name]
-                ends.append((n, (low, high)))
-            elif sense == "0+":
-                ends.append((n, (1, 0)))
+                ends.append((n, touched[name]))
+            elif self.senses[name] == "0+" and moved.degree(self.ring.gens[n]) > 0:
+                ends.append((n, [0]))
         monomials = []
         for monomial, coefficient in moved.terms():
             for n, (_, name) in enumerate(self._order):
@@ -537,22 +546,22 @@ class Polynomials:
         ]
         # Positive also where letters are at those ends that belong to them.
         wanted: list[dict[int, int]] = [{}]
-        for n, (low, high) in ends:
-            degree = moved.degree(self.ring.gens[n])
-            options = [0] * low + [degree] * high
-            wanted = [{**each, n: power} for each in wanted for power in options] or wanted
+        for n, powers in ends:
+            if powers:
+                wanted = [{**each, n: power} for each in wanted for power in powers]
             if len(wanted) > 64:
                 return False
         firm = [m for m in monomials if not any(m[n] for n in reals)]
-        inner = {n for n, (low, high) in ends if not low and not high}
         return all(
-            any(all(m[n] == power for n, power in each.items() if n not in inner) for m in firm)
-            for each in wanted
+            any(all(m[n] == power for n, power in each.items()) for m in firm) for each in wanted
         )
 
-    def _moved(self, polynomial: PolyElement) -> tuple[PolyElement, dict[str, tuple[int, int]]]:
-        """Letters between bounds replaced by letters from 0 to ∞, and which ends are theirs."""
-        touched: dict[str, tuple[int, int]] = {}
+    def _moved(self, polynomial: PolyElement) -> tuple[PolyElement, dict[str, list[int]]]:
+        """Letters between bounds replaced by letters from 0 to ∞.
+
+        With them, for each end that belongs to a letter, the power of it that is left there.
+        """
+        touched: dict[str, list[int]] = {}
         for name, (low, high, closed_low, closed_high) in self.between.items():
             own = self._generators[name]
             degree = polynomial.degree(own)
@@ -567,13 +576,13 @@ class Polynomials:
                 parts[power] = parts[power] + self.ring({tuple(plain): coefficient})
             if low is not None and high is not None:
                 above, below = own * _q(high) + _q(low), own + 1
-                touched[name] = (int(closed_low), int(closed_high))
+                touched[name] = [0] * closed_low + [degree] * closed_high
             elif low is not None:
                 above, below = own + _q(low), self.ring.one
-                touched[name] = (int(closed_low), 0)
+                touched[name] = [0] * closed_low
             elif high is not None:
                 above, below = _q(high) - own, self.ring.one
-                touched[name] = (int(closed_high), 0)
+                touched[name] = [0] * closed_high
             else:
                 continue
             total = self.ring.zero

@@ -41,7 +41,9 @@ def _candidates(value: Value, role: Role) -> list[Value]:
             sp.Rational(each.numerator, each.denominator * 180) * sp.pi
             for each in dict.fromkeys(nearest)
         ]
-    plain: list[Value] = [Fraction(1), Fraction(2)]
+    plain: list[Value] = [Fraction(1), Fraction(2), Fraction(1, 2), Fraction(0)]
+    for power in range(1, 7):
+        plain += [Fraction(10) ** power, Fraction(1, 10**power)]
     fraction = value if isinstance(value, Fraction) else Fraction(number)
     plain += [fraction.limit_denominator(n) for n in _DENOMINATORS]
     if number:

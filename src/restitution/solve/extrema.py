@@ -26,10 +26,7 @@ from restitution.solve.letters import is_angle
 from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
 from restitution.solve.part import Desk, Outcome, Trial
 from restitution.solve.ranges import (
-    DRAWS,
-    DRAWS_TRIED,
     Candidate,
-    Region,
     _images,
     _is_reached,
     _limit_at,
@@ -38,6 +35,7 @@ from restitution.solve.ranges import (
     require_told,
     turning,
 )
+from restitution.solve.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solve.solution import Answer, ItemResult
 
 

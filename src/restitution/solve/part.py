@@ -20,7 +20,7 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Symbolic, Value
 from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
-from restitution.oracle import BeyondError, Formula, Oracle, Relation
+from restitution.oracle import BeyondError, Formula, Oracle, Point, Relation
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.problem import (
     Compare,
@@ -233,7 +233,7 @@ class Setting:
         outside = [
             problem
             for name in solved
-            if (problem := _outside(name, values[name], self.roles.get(name))) is not None
+            if (problem := out_of_range(name, values[name], self.roles.get(name))) is not None
         ]
         if outside:
             # An impossible coefficient is blamed only where nothing else is wrong.
@@ -311,7 +311,7 @@ class Setting:
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
                 values |= {name: number_of(each) for name, each in possible.witness.items()}
-                reason = self._objection(found, admission, values)
+                reason = self._objection(found, admission, values, possible.witness)
                 if reason is None:
                     accepted.append(values)
                 else:
@@ -325,12 +325,15 @@ class Setting:
         return Trial(found, (), reason_, kind, admission)
 
     def _objection(
-        self, found: Found, admission: Admission, values: Sample
+        self, found: Found, admission: Admission, values: Sample, point: Point | None = None
     ) -> tuple[str, str] | None:
-        """Why these values of the free letters are impossible; the solved ones are added."""
+        """Why these values of the free letters are impossible; the solved ones are added.
+
+        ``point`` has the exact values of some of them.
+        """
         try:
             try:
-                reason = admission.objection(values)
+                reason = admission.objection({**values, **(point or {})})
                 if reason is not None:
                     return reason
             except LookupError:
@@ -411,7 +414,7 @@ def holds(condition: Condition) -> bool:
     return bool(abs(value) > TINY)
 
 
-def _outside(name: str, value: Any, role: Role | None) -> tuple[str, str] | None:
+def out_of_range(name: str, value: Any, role: Role | None) -> tuple[str, str] | None:
     """Why a letter may not have this value."""
     if role is None:
         return None
@@ -890,7 +893,7 @@ def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found
             value = at(found.values[x.name], {})
         except (UndefinedError, KeyError):
             continue
-        wrong = _outside(x.name, value, role)
+        wrong = out_of_range(x.name, value, role)
         if wrong is None or wrong[1] == "coefficient":  # which is refused with its reason, later
             kept.append(found)
     return kept

@@ -1,21 +1,14 @@
-"""``range of X``: all values that the facts and the physics allow.
-
-Where a condition can change from true to false, one of the expressions in it vanishes, or has no
-value. Those points are found exactly; between them one trial by numbers decides. Data letters are
-tried at several random values: the range must have the same form, in these letters, for all.
-"""
+"""``range of X``: all values of a letter or of a quantity that the facts and the physics allow."""
 
 from __future__ import annotations
 
 import random
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import pairwise, product
+from itertools import product
 from typing import Any
 
 import sympy as sp
-from mpmath.libmp import NoConvergence
 
 from restitution import exact
 from restitution.errors import (
@@ -31,11 +24,8 @@ from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
-from restitution.solve.algebra import solve_system
-from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.letters import is_angle, roles
 from restitution.solve.numbers import (
-    DIGITS,
     FIELD,
     TINY,
     Sample,
@@ -46,444 +36,18 @@ from restitution.solve.numbers import (
     sign_at,
 )
 from restitution.solve.part import Desk, Letters, Outcome, Setting, Trial, declared
+from restitution.solve.regions import (
+    DRAWS,
+    DRAWS_TRIED,
+    INFINITE,
+    End,
+    Piece,
+    Region,
+    reconcile,
+    to_set,
+    zeros,
+)
 from restitution.solve.solution import Answer, ItemResult
-
-DRAWS = 4
-DRAWS_TRIED = 60
-INFINITE = 10**30
-# So near that even a root of it is not seen, and far above rounding.
-ASIDE = TINY**2 / 10**6
-
-
-@dataclass(frozen=True)
-class End:
-    """One end of an interval, exact, and whether it belongs to it."""
-
-    value: sp.Expr
-    closed: bool
-
-
-Piece = tuple[End, End]
-
-
-@dataclass
-class Region:
-    """The values that one letter can take, in the setting of a part.
-
-    ``free`` letters may have any admissible value; all others are data.
-    """
-
-    outcome: Outcome
-    letter: str
-    free: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        self.setting: Setting = self.outcome.setting
-        self.role: Role = self.setting.roles[self.letter]
-        self.symbol = self.role.symbol(self.letter)
-        self.trials = [t for t in self.outcome.trials if t.kind != "equation"]
-        self._kept_atoms = self._atoms()
-        matter = {s.name for each in self._kept_atoms for s in each.free_symbols}
-        self.free = tuple(name for name in self.free if name in matter)
-        self.points = self._critical()
-
-    # --- where truth can change --------------------------------------------------------------
-
-    def _atoms(self) -> list[sp.Expr]:
-        """The expressions whose signs decide, with what was solved put in."""
-        found: list[sp.Expr] = []
-        for trial in self.trials:
-            told = Letters(self.setting.roles, trial.found.values, trial.found.angles)
-            story = self.setting.tell(told)
-            needs = [*story.conditions, *self.setting.requirements(story)]
-            for need in needs:
-                if isinstance(need, Condition):
-                    found.append(sp.sympify(need.value, strict=True))
-                elif isinstance(need, AnyOf):
-                    found += [sp.sympify(option.value, strict=True) for option in need.options]
-            for name, value in trial.found.values.items():
-                role = self.setting.roles.get(name) or told.hidden_roles.get(name)
-                if role is None:
-                    continue
-                if role.kind == "angle":
-                    if name in trial.found.angles:
-                        found += list(trial.found.angles[name])
-                    continue
-                if role.low is not None:
-                    found.append(value - role.low)
-                if role.high is not None:
-                    found.append(value - role.high)
-        for name in self.free:
-            role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
-            for bound in (role.low, role.high):
-                if bound is not None and name in {
-                    s.name for each in found for s in each.free_symbols
-                }:
-                    found.append(symbol - bound)
-        unique: list[sp.Expr] = []
-        for each in found:
-            for part in _signs(each):
-                for factor in _essential(part):
-                    if factor not in unique:
-                        unique.append(factor)
-        return unique
-
-    def _critical(self) -> list[sp.Expr]:
-        atoms = self._kept_atoms
-        points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
-        free = {self.setting.roles[name].symbol(name) for name in self.free}
-        plain = [each for each in atoms if not each.free_symbols & free]
-        mixed = [each for each in atoms if each.free_symbols & free]
-        for atom in plain:
-            if atom.has(self.symbol):
-                points += self._zeros([atom], [self.symbol])
-        if mixed:
-            symbols = sorted(free, key=lambda s: s.name)
-            for i, one in enumerate(mixed):
-                own = [s for s in symbols if one.has(s)]
-                if len(own) == 1 and one.has(self.symbol):
-                    points += self._zeros([one, sp.diff(one, own[0])], [*own, self.symbol])
-                for other in mixed[i + 1 :]:
-                    if one.has(self.symbol) or other.has(self.symbol):
-                        points += self._zeros([one, other], [*symbols, self.symbol])
-        unique: list[sp.Expr] = []
-        for point in points:
-            if not any(point == each for each in unique):
-                unique.append(point)
-        return unique
-
-    def _zeros(self, equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> list[sp.Expr]:
-        return zeros(equations, unknowns, self.setting.roles, self.letter)
-
-    # --- deciding ----------------------------------------------------------------------------
-
-    def data(self) -> list[str]:
-        """The letters that stay data."""
-        solved = {name for trial in self.trials for name in trial.found.values}
-        hidden = set(self.outcome.letters.hidden_roles)
-        return sorted(
-            (set(self.setting.roles) | hidden)
-            - solved
-            - set(self.setting.lets)
-            - {self.letter, *self.free}
-        )
-
-    def allowed(self, value: Any, drawn: Mapping[str, Any]) -> bool:
-        """Whether the letter may have this numerical value, the data being as drawn."""
-        if not self.free:
-            return self._possible({**drawn, self.letter: value})
-        return any(
-            self._possible({**drawn, self.letter: value, **extra})
-            for extra in self._choices(value, drawn)
-        )
-
-    def _choices(self, value: Any, drawn: Mapping[str, Any]) -> list[Sample]:
-        """Values of the free letters that stand for all: between and at the critical ones."""
-        chosen: list[Sample] = [{}]
-        for name in self.free:
-            inner = Region.__new__(Region)
-            inner.outcome, inner.letter, inner.free = self.outcome, name, ()
-            inner.setting, inner.role = self.setting, self.setting.roles[name]
-            inner.symbol = inner.role.symbol(name)
-            inner.trials = self.trials
-            extended: list[Sample] = []
-            for known in chosen:
-                values = {**drawn, self.letter: value, **known}
-                numbers = _numeric_zeros(self._kept_atoms, inner.symbol, values)
-                role = inner.role
-                for bound in (role.low, role.high):
-                    if bound is not None:
-                        numbers.append(at(bound, {}))
-                extended += [{**known, name: x} for x in _representatives(sorted(numbers), role)]
-            chosen = extended[:200]
-        return chosen
-
-    def _solved(self, trial: Trial, values: Sample) -> Sample:
-        """These values with all that was solved.
-
-        Where a formula has none (0/0 where a quadratic equation becomes a linear one), what it
-        comes near to is taken; whether that is a solution is for the facts to say.
-        """
-        try:
-            return _with_solved(trial, values)
-        except UndefinedError as error:
-            for name in (self.letter, *self.free):
-                for step in (ASIDE, -ASIDE):
-                    try:
-                        aside = _with_solved(trial, {**values, name: values[name] + step})
-                    except UndefinedError:
-                        continue
-                    return {**aside, **values}
-            raise error
-
-    def _possible(self, values: Sample) -> bool:
-        for trial in self.trials:
-            try:
-                numbers = self._solved(trial, values)
-                solved = [n for n in trial.found.values if not n.startswith("_")]
-                known = self.outcome.letters.hidden_roles
-                if any(
-                    numbers[n] <= 0
-                    for n in trial.found.values
-                    if n in known and known[n].low is not None
-                ):
-                    continue
-                if self.setting.examine(numbers, [*solved, self.letter, *self.free]) is None:
-                    return True
-            except (UndefinedError, ArithmeticError, KeyError):
-                continue
-            except RestitutionError:
-                continue
-        return False
-
-    # --- the set -------------------------------------------------------------------------------
-
-    def pieces(self) -> list[Piece]:
-        """The allowed values as intervals with exact ends, in order."""
-        shapes: list[tuple[list[Piece], Sample]] = []
-        data = self.data()
-        roles = {**self.setting.roles, **self.outcome.letters.hidden_roles}
-        rng = random.Random(17)
-        for _ in range(DRAWS_TRIED if data else 1):
-            drawn = sample(data, roles, rng)
-            found = self._pieces_for(drawn)
-            if found:
-                shapes.append((found, drawn))
-            if len(shapes) == DRAWS:
-                break
-        if not shapes:
-            return []
-        return _reconcile(shapes)
-
-    def _pieces_for(self, drawn: Sample) -> list[Piece]:
-        numbered: list[tuple[Any, sp.Expr]] = []
-        for point in self.points:
-            try:
-                value = at(point, drawn)
-            except (UndefinedError, KeyError):
-                continue
-            if not any(abs(value - other) < TINY * 10**3 for other, _ in numbered):
-                numbered.append((value, point))
-        low = None if self.role.low is None else at(self.role.low, {})
-        high = None if self.role.high is None else at(self.role.high, {})
-        numbered = sorted(
-            (
-                pair
-                for pair in numbered
-                if (low is None or pair[0] >= low - TINY)
-                and (high is None or pair[0] <= high + TINY)
-            ),
-            key=lambda pair: pair[0],
-        )
-        cells: list[tuple[sp.Expr | None, bool]] = []  # alternating: gap, point, gap, …
-        edges = [None, *numbered, None]
-        for left, right in pairwise(edges):
-            beyond = (left is None and low is not None) or (right is None and high is not None)
-            inside = False if beyond else self._gap(left, right, drawn)
-            cells.append((None, inside))
-            if right is not None:
-                cells.append((right[1], self.allowed(right[0], drawn)))
-        return _joined(cells)
-
-    def _gap(self, left: Any, right: Any, drawn: Sample) -> bool:
-        if left is None and right is None:
-            points = [-7, 1, 11]
-        elif left is None:
-            points = [right[0] - 1, right[0] - 5]
-        elif right is None:
-            points = [left[0] + abs(left[0]) + 1, left[0] + 17]
-        else:
-            width = right[0] - left[0]
-            points = [left[0] + width / 2, left[0] + width / 7, right[0] - width / 9]
-        truths = {self.allowed(x, drawn) for x in points}
-        if len(truths) > 1:
-            raise UnsupportedError(
-                f"the ends of the range of {self.letter} have no exact form that is found here"
-            )
-        return truths.pop()
-
-
-def zeros(
-    equations: Sequence[sp.Expr],
-    unknowns: Sequence[sp.Symbol],
-    roles: Mapping[str, Role],
-    wanted: str,
-) -> list[sp.Expr]:
-    """The values of one letter at which expressions vanish together."""
-    angles = frozenset(s for s in unknowns if s.name in roles and roles[s.name].kind == "angle")
-    acute = frozenset(
-        s
-        for s in angles
-        if roles[s.name].low == 0
-        and roles[s.name].high is not None
-        and bool(roles[s.name].high <= sp.pi / 2)
-    )
-    bare = any(
-        each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
-        for s in angles
-        for each in equations
-    )
-    if bare:
-        angles = acute = frozenset()
-    found = []
-    try:
-        for solution in solve_system(list(equations), list(unknowns), angles, acute, roles):
-            value = solution.values.get(wanted)
-            if value is not None:
-                found.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
-    except (UnsupportedError, sp.PolynomialError, NotImplementedError):
-        return []
-    return found
-
-
-def _signs(x: sp.Expr) -> list[sp.Expr]:
-    """An expression's numerator and denominator, and what stands under its roots and bars."""
-    top, bottom = sp.together(x).as_numer_denom()
-    parts = [top, bottom]
-    for node in sp.preorder_traversal(x):
-        if node.is_Pow and node.exp.is_Rational and not node.exp.is_Integer:
-            parts.append(sp.together(node.base).as_numer_denom()[0])
-        elif isinstance(node, sp.Abs):
-            parts.append(sp.together(node.args[0]).as_numer_denom()[0])
-    return [each for each in parts if each.free_symbols]
-
-
-def _essential(x: sp.Expr) -> list[sp.Expr]:
-    """The factors of an expression that can change sign."""
-    try:
-        factors = [f for f, _ in sp.factor_list(x)[1]] if sp.count_ops(x) < 400 else [x]
-    except (sp.PolynomialError, NotImplementedError):
-        factors = [x]
-    return [f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative]
-
-
-def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
-    """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
-    found = []
-    for atom in atoms:
-        if not atom.has(x):
-            continue
-        others = {
-            s: sp.Float(str(values[s.name]), DIGITS)
-            for s in atom.free_symbols
-            if s != x and s.name in values
-        }
-        if len(others) != len(atom.free_symbols) - 1:
-            continue
-        expression = atom.xreplace(others)
-        angle = expression.has(sp.sin, sp.cos, sp.tan)
-        if angle:
-            t = sp.Dummy("t")
-            expression = expression.xreplace(
-                {
-                    sp.sin(x): 2 * t / (1 + t**2),
-                    sp.cos(x): (1 - t**2) / (1 + t**2),
-                    sp.tan(x): 2 * t / (1 - t**2),
-                }
-            )
-            variable = t
-        else:
-            variable = x
-        try:
-            poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
-            roots_ = poly.nroots(n=35, maxsteps=200)
-        except (
-            sp.PolynomialError,
-            sp.GeneratorsNeeded,
-            ValueError,
-            NotImplementedError,
-            NoConvergence,
-        ):
-            continue
-        for root in roots_:
-            if abs(sp.im(root)) < 1e-18:
-                value = at(sp.re(root), {})
-                found.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
-    return found
-
-
-def _representatives(numbers: list[Any], role: Role) -> list[Any]:
-    """Numbers, points between them and points beyond them."""
-    if not numbers:
-        return [at(sp.Rational(1, 3), {})]
-    found = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
-    for a, b in pairwise(numbers):
-        found += [a, (a + b) / 2]
-    found.append(numbers[-1])
-    low = None if role.low is None else at(role.low, {})
-    high = None if role.high is None else at(role.high, {})
-    return [
-        x for x in found if (low is None or x >= low - TINY) and (high is None or x <= high + TINY)
-    ]
-
-
-def _joined(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
-    """Alternating gaps and points, true or false, as intervals."""
-    pieces: list[Piece] = []
-    start: End | None = None
-    for index, (point, inside) in enumerate(cells):
-        if point is None:  # a gap between points
-            if inside and start is None:
-                before = cells[index - 1][0] if index else None
-                start = End(-sp.oo if before is None else before, False)
-            continue
-        if inside:
-            if start is None:
-                start = End(point, True)
-            after = cells[index + 1][1] if index + 1 < len(cells) else False
-            if not after:
-                pieces.append((start, End(point, True)))
-                start = None
-        elif start is not None:
-            pieces.append((start, End(point, False)))
-            start = None
-    if start is not None:
-        pieces.append((start, End(sp.oo, False)))
-    return pieces
-
-
-def _reconcile(shapes: list[tuple[list[Piece], Sample]]) -> list[Piece]:
-    """One form for all the trials; ends that change places become the larger or the smaller."""
-    counts = Counter(tuple(pieces) for pieces, _ in shapes)
-    if len(counts) == 1:
-        return shapes[0][0]
-    sizes = {len(pieces) for pieces, _ in shapes}
-    if sizes != {1}:
-        raise UnsupportedError("the form of the range depends on the values of the data")
-    lows = {pieces[0][0] for pieces, _ in shapes}
-    highs = {pieces[0][1] for pieces, _ in shapes}
-    low = _extreme(lows, [(p[0][0], d) for p, d in shapes], sp.Max, max)
-    high = _extreme(highs, [(p[0][1], d) for p, d in shapes], sp.Min, min)
-    return [(low, high)]
-
-
-def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: Any) -> End:
-    if len(ends) == 1:
-        return next(iter(ends))
-    for end, drawn in seen:
-        values = [_end_at(each, drawn) for each in ends]
-        if abs(_end_at(end, drawn) - pick(values)) > TINY:
-            raise UnsupportedError("the form of the range depends on the values of the data")
-    return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
-
-
-def _end_at(end: End, drawn: Sample) -> Any:
-    if end.value in (sp.oo, -sp.oo):
-        return INFINITE if end.value == sp.oo else -INFINITE
-    return at(end.value, drawn)
-
-
-def to_set(pieces: Sequence[Piece]) -> sp.Set:
-    """Intervals as one SymPy set, the ends in textbook form."""
-    made = []
-    for low, high in pieces:
-        a, b = (forms.bound(each.value) for each in (low, high))
-        if a == b:
-            made.append(sp.FiniteSet(a))
-        else:
-            made.append(sp.Interval(a, b, not low.closed, not high.closed))
-    return sp.Union(*made) if made else sp.S.EmptySet
-
 
 # --- ranges of letters and of quantities -------------------------------------------------------
 
@@ -705,7 +269,7 @@ def _image_of(outcome: Outcome, value: sp.Expr, free: list[str]) -> sp.Set:
             break
     if not shapes:
         raise ContradictionError("no values satisfy all that is told")
-    return to_set(_reconcile(shapes))
+    return to_set(reconcile(shapes))
 
 
 def _bounding(
@@ -743,13 +307,6 @@ def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> lis
             except (UndefinedError, KeyError):
                 continue
     return found
-
-
-def _with_solved(trial: Trial, values: Sample) -> Sample:
-    numbers = dict(values)
-    for name, each in trial.found.values.items():
-        numbers[name] = at(each, numbers)
-    return numbers
 
 
 def _candidates(
