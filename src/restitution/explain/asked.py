@@ -137,6 +137,8 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
         explain_extremum(work, item, answer_, now)
     elif isinstance(item, Show):
         _show(work, item, result, now)
+    if answer_ is not None and answer_.condition_layout is not None:
+        work.write("note", words=("This holds for ", answer_.condition_layout, " only."))
 
 
 # --- values --------------------------------------------------------------------------------------
@@ -368,12 +370,20 @@ def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     return False
 
 
+UNDECIDED = (
+    "this is not decided. It failed at none of the values of the letters that were tried, "
+    "but that proves nothing."
+)
+
 # --- shows ---------------------------------------------------------------------------------------
 
 
 def _show(work: Working, item: Show, result: ItemResult, now: int) -> None:
     if result.holds is False:
         _refute(work, item, result, now)
+        return
+    if result.undecided:
+        work.write("note", words=(f"{result.text}: {UNDECIDED}",))
         return
     if item.subject is not None:
         from restitution.explain.bounds import explain_shown_bound

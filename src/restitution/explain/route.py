@@ -115,6 +115,8 @@ def _question(item: ItemResult) -> str:
 def _answers(item: ItemResult) -> str:
     if item.error is not None:
         return f"{item.text}: {item.error.message}"
+    if item.undecided:
+        return f"{item.text}: not decided"
     if item.holds is not None:
         said = "shown" if item.holds else "false"
         return f"{item.text}: {', '.join([said, *(each.display for each in item.distinct)])}"

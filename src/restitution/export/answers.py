@@ -71,6 +71,8 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
             yield f", for instance with {values}"
         if item.answers:
             yield ": "
+    elif item.undecided:
+        yield "not decided"
     for number, answer in enumerate(item.distinct):
         if number:
             yield "  or  "

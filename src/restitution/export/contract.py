@@ -5,15 +5,20 @@ The object::
     {"file", "title",
      "parts": [{"part": label or null,
                 "items": [{"line", "text", "kind",
-                           "answers": [{"solution", "exact", "decimal", "display", "where"}],
-                           "holds", "counterexample",
+                           "answers": [{"solution", "exact", "decimal", "display", "where",
+                                        "condition"}],
+                           "holds", "proof", "trials", "counterexample",
                            "rejected": [{"exact", "reason"}],
                            "error"}]}],
      "warnings": [text], "error"}
 
 ``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
 letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
-``e_1``; a list of two such texts for a vector, a point or a direction. An error is null or
+``e_1``; a list of two such texts for a vector, a point or a direction. ``condition`` lists
+relations between such texts, under which alone the answer holds. ``proof`` says what a claim rests
+on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is ``undecided``, and ``holds``
+null, where nothing is proved; else null. ``trials`` counts the points at which it was tried. An
+error is null or
 ``{"kind", "message", "line", "column"}``. Nothing here loads SymPy: what is asked for in an
 unreadable or unfinished file can be said without it.
 """
@@ -93,7 +98,7 @@ def all_answered(content: Object) -> bool:
         return False
     items = [item for part in content["parts"] for item in part["items"]]
     return all(
-        item["error"] is None and (item["answers"] or item["holds"] is not None) for item in items
+        item["error"] is None and (item["answers"] or item["proof"] is not None) for item in items
     )
 
 
@@ -119,7 +124,7 @@ def _part(label: str | None, items: list[Object]) -> Object:
 
 def _item(part: PartSolution, item: ItemResult) -> Object:
     error = item.error
-    if error is None and not item.answers and item.holds is None:
+    if error is None and not item.answers and item.proof is None:
         error = part.error
     return {
         "line": item.line,
@@ -127,6 +132,8 @@ def _item(part: PartSolution, item: ItemResult) -> Object:
         "kind": item.kind,
         "answers": [] if error is not None else [_answer(answer) for answer in item.answers],
         "holds": None if error is not None else item.holds,
+        "proof": None if error is not None else item.proof,
+        "trials": item.trials,
         "counterexample": _exact_of(item.counterexample),
         "rejected": [
             {"exact": _plain(root.exact), "reason": root.reason} for root in item.rejected
@@ -142,6 +149,7 @@ def _answer(answer: Answer) -> Object:
         "decimal": _decimal(answer.decimal),
         "display": answer.display,
         "where": _exact_of(answer.where),
+        "condition": list(answer.condition),
     }
 
 
@@ -152,6 +160,8 @@ def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError 
         "kind": kind,
         "answers": [],
         "holds": None,
+        "proof": None,
+        "trials": 0,
         "counterexample": None,
         "rejected": [],
         "error": _error(error, line),

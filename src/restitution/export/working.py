@@ -53,7 +53,7 @@ class Pieces:
         {"question": tree or null,
          "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
          "working": [{"label", "marks", "asked": [text],
-                      "answers": [{"item": tree, "values": [tree], "equal", "holds",
+                      "answers": [{"item": tree, "values": [tree], "equal", "holds", "undecided",
                                    "counterexample": {letter: text} or null, "error",
                                    "rejected": [{"value": tree, "reason"}]}],
                       "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
@@ -215,6 +215,7 @@ def _answers(part: PartSolution, names: _Names) -> list[Object]:
             "values": [_value(item, answer) for answer in item.distinct],
             "equal": is_equal(item),
             "holds": item.holds,
+            "undecided": item.undecided,
             "counterexample": None
             if item.counterexample is None
             else [tree(to_mathml(each)) for each in instances(item.counterexample)],

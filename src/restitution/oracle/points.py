@@ -25,6 +25,7 @@ Point = Mapping[str, Value]
 _EPSILON = 2.0**-51
 _TINY = 1e-300
 DIGITS = (60, 240)
+_NOTHING_SEEN = Fraction(1, 10**50)
 
 
 class BeyondError(Exception):
@@ -92,17 +93,24 @@ class Program:
         return signs
 
     def near_signs(self, point: Point) -> list[int | None]:
-        """The signs, with 0 for what cannot be told from zero in many digits.
+        """The signs, with 0 for what is within 10⁻⁵⁰ of zero, such as a root in figures.
 
         None is for what has no real value. This is for a search; it decides nothing.
         """
-        signs = self.signs(point)
-        if None in signs:
-            intervals = self.enclosures(point, DIGITS[-1])
-            signs = [
-                (None if interval is None else 0) if sign is None else sign
-                for sign, interval in zip(signs, intervals, strict=True)
-            ]
+        try:
+            balls = self._balls(point)
+            middles = [balls[place] for place in self.results]
+            if all(abs(middle) > error and abs(middle) > 1e-12 for middle, error in middles):
+                return [1 if middle > 0 else -1 for middle, _ in middles]
+        except (BeyondError, OverflowError, ValueError):
+            pass
+        signs: list[int | None] = []
+        for interval in self.enclosures(point, DIGITS[0] + 40):
+            if interval is None:
+                signs.append(None)
+                continue
+            low, high = ends_of(interval)
+            signs.append(1 if low > _NOTHING_SEEN else -1 if high < -_NOTHING_SEEN else 0)
         return signs
 
     def _balls(self, point: Point) -> list[tuple[float, float]]:

@@ -108,7 +108,7 @@ class Polynomials:
     def _divide(self, x: sp.Expr) -> None:
         """The whole numbers by which the angles in an expression are divided."""
         for node in x.atoms(*_TRIGONOMETRIC):
-            for coefficient, atom in self._terms(node.args[0]):
+            for coefficient, atom in self._terms(node.args[0])[0]:
                 q = self._divisors.get(atom, 1)
                 self._divisors[atom] = int(sp.ilcm(q, coefficient.q))
 
@@ -129,8 +129,11 @@ class Polynomials:
             return role.low, role.high, role.closed
         return None, None, (False, False)
 
-    def _terms(self, angle: sp.Expr) -> list[tuple[sp.Rational, sp.Expr]]:
-        """An angle as rational multiples of letters, of inverse functions and of plain numbers."""
+    def _terms(self, angle: sp.Expr) -> tuple[list[tuple[sp.Rational, sp.Expr]], sp.Expr]:
+        """An angle as rational multiples of letters and inverse functions, and a plain angle.
+
+        A plain angle without a cosine in roots, such as 37°, is among the letters.
+        """
         terms: list[tuple[sp.Rational, sp.Expr]] = []
         rest = sp.Integer(0)
         for term in sp.Add.make_args(sp.expand(angle)):
@@ -141,9 +144,10 @@ class Polynomials:
                 terms.append((coefficient, atom))
             else:
                 rest += term
-        if rest != 0:
+        if sp.cos(rest).has(*_TRIGONOMETRIC):
             terms.append((sp.Integer(1), rest))
-        return terms
+            rest = sp.Integer(0)
+        return terms, rest
 
     def _new(self, key: Any, name: str, sense: Sense = "real") -> None:
         if key not in self._keys:
@@ -166,8 +170,12 @@ class Polynomials:
                 self._collect(base)
                 self._new(("root", base, int(x.exp.q)), f"root{len(self._order)}", "0+")
         elif isinstance(x, _TRIGONOMETRIC):
-            for _, atom in self._terms(x.args[0]):
+            terms, rest = self._terms(x.args[0])
+            for _, atom in terms:
                 self._collect_atom(atom)
+            if rest != 0:
+                self._collect(sp.cos(rest))
+                self._collect(sp.sin(rest))
         elif isinstance(x, sp.Abs):
             self._collect(x.args[0])
             self._new(("abs", x.args[0]), f"size{len(self._order)}", "0+")
@@ -412,7 +420,10 @@ class Polynomials:
     def cosine_and_sine(self, angle: sp.Expr) -> tuple[PolyElement, PolyElement]:
         """Of a sum of multiples of the angles that were collected."""
         c, s = self.ring.one, self.ring.zero
-        for coefficient, atom in self._terms(angle):
+        terms, rest = self._terms(angle)
+        if rest != 0:
+            c, s = self._turned(c, s, rest)
+        for coefficient, atom in terms:
             q = self._divisors[atom]
             cosine, sine = (self._generators[self._keys[kind, atom]] for kind in ("cos", "sin"))
             cn, sn = self._multiple(cosine, sine, int(coefficient * q))
@@ -425,9 +436,9 @@ class Polynomials:
     def _turned(
         self, c: PolyElement, s: PolyElement, angle: sp.Expr
     ) -> tuple[PolyElement, PolyElement]:
-        """Cosine and sine times a positive number, turned by a plain angle."""
-        (cx, cd), (sx, sd) = (self.quotient(f(angle)) for f in (sp.cos, sp.sin))
-        return c * cx * sd - s * sx * cd, s * cx * sd + c * sx * cd
+        """Cosine and sine turned by a plain angle, whose own are sums of roots."""
+        (cx, _), (sx, _) = (self.quotient(sp.expand(f(angle))) for f in (sp.cos, sp.sin))
+        return c * cx - s * sx, s * cx + c * sx
 
     def _multiple(self, c: PolyElement, s: PolyElement, n: int) -> tuple[PolyElement, PolyElement]:
         if abs(n) > MOST_MULTIPLE:

@@ -163,7 +163,10 @@ class Numbers:
 
 @dataclass(frozen=True)
 class Trial:
-    """What a set of values led to: accepted with samples, or refused for a reason."""
+    """What a set of values led to: accepted with samples, or refused for a reason.
+
+    ``rare`` says why it is impossible at usual values of the letters, where it is.
+    """
 
     found: Found
     samples: tuple[Sample, ...]
@@ -171,6 +174,7 @@ class Trial:
     kind: str | None = None
     admission: Admission | None = field(default=None, compare=False, repr=False)
     story: Story | None = field(default=None, compare=False, repr=False)
+    rare: tuple[str, str] | None = None
 
 
 @dataclass
@@ -317,7 +321,8 @@ class Setting:
                 else:
                     reasons[reason] += 1
         if accepted:
-            return Trial(found, tuple(accepted), admission=admission, story=story)
+            rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
+            return Trial(found, tuple(accepted), None, None, admission, story, rare)
         refusal = admission.refusal()
         if refusal is not None:
             return Trial(found, (), refusal.reason, refusal.kind, admission)
@@ -695,7 +700,8 @@ def work_out(setting: Setting) -> Outcome:
         last = letters_, story
     if last is None or not trials:
         raise failed or _clash(setting)
-    return Outcome(setting, tuple(_distinct(trials)), *last, frozenset(deciding), tuple(decisions))
+    trials = _without_touching(_distinct(trials))
+    return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions))
 
 
 def _distinct(trials: list[Trial]) -> list[Trial]:
@@ -703,6 +709,26 @@ def _distinct(trials: list[Trial]) -> list[Trial]:
     for trial in trials:
         if not any(_same_values(trial, other) for other in kept):
             kept.append(trial)
+    return kept
+
+
+def _without_touching(trials: list[Trial]) -> list[Trial]:
+    """Solutions that are possible only where they are another one are not accepted."""
+    kept = list(trials)
+    for n, trial in enumerate(trials):
+        if trial.rare is None or trial.admission is None:
+            continue
+        oracle = trial.admission.oracle
+        for other in kept:
+            if other is trial or not other.samples:
+                continue
+            names = trial.found.values.keys()
+            if other.found.values.keys() == names and all(
+                oracle.vanishes(trial.found.values[name] - other.found.values[name])
+                for name in names
+            ):
+                kept[n] = replace(trial, samples=(), reason=trial.rare[0], kind=trial.rare[1])
+                break
     return kept
 
 

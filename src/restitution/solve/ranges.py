@@ -19,6 +19,7 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.oracle import Proof
 from restitution.oracle.roles import Role
 from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
@@ -48,6 +49,7 @@ from restitution.solve.regions import (
     zeros,
 )
 from restitution.solve.solution import Answer, ItemResult
+from restitution.solve.validity import Limitation, range_limitations, with_condition
 
 # --- ranges of letters and of quantities -------------------------------------------------------
 
@@ -61,9 +63,13 @@ def find_range(
     meant = _meant(desk, item, in_terms_of)
     tree = meant.expression
     base = desk.settle(in_terms_of, meant)
+    limits: tuple[Limitation, ...] = ()
+    proof: Proof = "undecided"
     if isinstance(tree, Letter) and tree.name not in base.lets:
-        values = _range_of_letter(desk, tree.name, in_terms_of, base)
+        values, region = _range_of_letter(desk, tree.name, in_terms_of, base)
         angle = base.roles[tree.name].kind == "angle"
+        if region is not None:
+            limits, proof = range_limitations(region.outcome, region, values), region.proof
     else:
         values, angle = _range_of_quantity(desk, meant, now, in_terms_of)
     if values is sp.S.EmptySet:
@@ -71,7 +77,8 @@ def find_range(
     layout = display_set(values, from_tree(item.expression), angle=angle)
     told = exact.sympy_text(values)
     answer = Answer(1, values, told, None, to_text(layout), angle=angle, layout=layout)
-    return ItemResult(item, line, item.text, "range", (answer,))
+    answer = with_condition(answer, layout, limits)
+    return ItemResult(item, line, item.text, "range", (answer,), proof=proof)
 
 
 def require_told(problem: Problem, tree: Expression) -> None:
@@ -111,7 +118,7 @@ def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
         if not slope.is_positive:
             continue  # rising with this letter, whatever the others are
         try:
-            values = _range_of_letter(desk, name, None, desk.settle(None, item, letters(tree)))
+            values, _ = _range_of_letter(desk, name, None, desk.settle(None, item, letters(tree)))
         except RestitutionError:
             continue
         if not isinstance(values, sp.Interval):
@@ -125,7 +132,7 @@ def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
 
 def _range_of_letter(
     desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, setting: Setting
-) -> sp.Set:
+) -> tuple[sp.Set, Region | None]:
     try:
         outcome = desk.outcome(setting)
         free = _free(outcome, in_terms_of) - {name}
@@ -135,7 +142,10 @@ def _range_of_letter(
         values = _fixed_values(desk, name, setting)
         if values is sp.S.EmptySet:
             raise
-    return values or _fixed_values(desk, name, setting)
+        return values, None
+    if values is sp.S.EmptySet:
+        return _fixed_values(desk, name, setting), None
+    return values, region
 
 
 def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:

@@ -32,6 +32,7 @@ from restitution.oracle import (
     Some,
     Verdict,
     joined,
+    letters_of,
     relations,
 )
 from restitution.oracle.roles import Role
@@ -264,16 +265,17 @@ class Region:
             raise error
 
     def _possible(self, values: Sample) -> bool:
+        if any(
+            out_of_range(name, values[name], self.setting.roles.get(name)) is not None
+            for name in (self.letter, *self.free)
+            if name in values
+        ):
+            return False
         if self.only is not None:
             try:
                 return self._own.objection(values) is None
             except (UndefinedError, LookupError):
                 return False
-        if any(
-            out_of_range(name, values[name], self.setting.roles.get(name)) is not None
-            for name in (self.letter, *self.free)
-        ):
-            return False
         for trial in self.trials:
             if trial.admission is not None:
                 try:
@@ -314,7 +316,7 @@ class Region:
         for _ in range(ROUNDS):
             pieces = reconcile(shapes)
             verdict = self._proved(pieces)
-            self.proof = verdict.proof
+            self.proof = verdict.proof if verdict else "undecided"
             if verdict.answer != "refuted" or verdict.witness is None:
                 break
             drawn = self._drawn(verdict.witness)
@@ -359,12 +361,13 @@ class Region:
 
     @cached_property
     def _base(self) -> Admission:
-        demands = tuple(Demand(each, "", "fact") for each in self._given)
+        given = [each for each in self._given if self.letter not in letters_of(each)]
+        demands = tuple(Demand(each, "", "fact") for each in given)
         return Admission(self.roles, demands, ())
 
     def _in_base(self, drawn: Sample) -> bool:
         try:
-            return self._base.objection({self.letter: 1, **drawn}) is None
+            return self._base.objection(drawn) is None
         except (UndefinedError, KeyError):
             return False
 

@@ -28,7 +28,9 @@ class Answer:
     ``decimal`` in full double precision or None where letters are left, ``display`` what people
     see. ``where`` tells at which values of the letters an extremum is reached; ``reached`` is
     False where it is only approached. ``layout`` is ``display`` as mathematics for a range or an
-    extremum; other values are set by `restitution.render.layout.display` and its kin.
+    extremum, or for one that holds under a condition; other values are set by
+    `restitution.render.layout.display` and its kin. ``condition`` lists relations, as ``exact`` is
+    written: the answer holds for the letters that satisfy them, and for no others.
     """
 
     solution: int
@@ -40,6 +42,8 @@ class Answer:
     reached: bool = True
     angle: bool = False
     layout: Layout | None = None
+    condition: tuple[str, ...] = ()
+    condition_layout: Layout | None = None
 
 
 @dataclass(frozen=True)
@@ -74,6 +78,11 @@ class ItemResult:
     trials: int = 0
 
     @property
+    def undecided(self) -> bool:
+        """Whether this is a claim that is neither proved nor refuted."""
+        return self.kind == "show" and self.error is None and self.holds is None
+
+    @property
     def distinct(self) -> tuple[Answer, ...]:
         """The answers without those that repeat an earlier one's value, as people want them.
 
@@ -103,7 +112,8 @@ class ItemResult:
         if self.error is not None:
             raise self.error
         if not self.answers:
-            raise LookupError(f"{self.text!r} has no value: it is shown to be {self.holds}")
+            outcome = "not decided" if self.undecided else f"shown to be {self.holds}"
+            raise LookupError(f"{self.text!r} has no value: it is {outcome}")
         return self.answers[0]
 
 
@@ -194,11 +204,13 @@ class Solution:
                 shown = f"no answer: {item.error.message}"
             elif item.holds is not None:
                 shown = "shown" if item.holds else "false"
+            elif item.undecided:
+                shown = "not decided"
             else:
                 shown = "  or  ".join(answer.display for answer in item.distinct)
             lines.append(
                 f"{label}{item.text} = {shown}"
-                if item.holds is None
+                if item.kind != "show"
                 else f"{label}{item.text}: {shown}"
             )
         return "\n".join(lines)

@@ -48,7 +48,12 @@ from restitution.problem import (
     Show,
     Value,
 )
-from restitution.render.layout import display, display_point, display_vector
+from restitution.render.layout import (
+    Layout,
+    display,
+    display_point,
+    display_vector,
+)
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.coefficients import (
@@ -81,6 +86,7 @@ from restitution.solve.solution import (
     RejectedBranch,
     Solution,
 )
+from restitution.solve.validity import Limitation, limitations, with_condition
 from restitution.solve.verify import verify_principles, verify_value
 from restitution.vector import Vector
 
@@ -145,6 +151,7 @@ class _Worker:
     warnings: list[str] = field(default_factory=list)
     # By the identity of the trials that they are made from, which settings may share.
     branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
+    limits: dict[int, tuple[Limitation, ...]] = field(default_factory=dict)
 
     @property
     def problem(self) -> Problem:
@@ -284,6 +291,10 @@ class _Worker:
         if implied and text not in self.warnings:
             self.warnings.append(text)
 
+    def _warn(self, text: str) -> None:
+        if text not in self.warnings:
+            self.warnings.append(text)
+
     # --- items --------------------------------------------------------------------------------
 
     def _item(self, item: Any, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
@@ -293,7 +304,10 @@ class _Worker:
                 from restitution.solve.ranges import find_range
 
                 kind = "range"
-                return find_range(self.desk, item, now, in_terms_of)
+                ranged = find_range(self.desk, item, now, in_terms_of)
+                if ranged.proof == "undecided":
+                    self._warn(f"{item.text} was sought at some values of the letters, not proved")
+                return ranged
             if isinstance(item, Extremum):
                 from restitution.solve.extrema import find_extremum
 
@@ -371,13 +385,30 @@ class _Worker:
             self._complete(item, value, outcome, branch, in_terms_of)
             if kind != "direction":
                 verify_value(value, item, branch, now)
-            answers.append(_answer(branch.number, value, kind, angle, item.percentage))
+            answer = _answer(branch.number, value, kind, angle, item.percentage)
+            twin = next((each for each in answers if _same_value(each.value, answer.value)), None)
+            if twin is not None:
+                answer = replace(twin, solution=answer.solution)
+            if trial is not None:
+                answer = self._limited(answer, item, kind, outcome, trial)
+            answers.append(answer)
         if answers and isinstance(answers[0].value, tuple) and kind == "value":
             kind = "vector"
-        if all(_same_value(each.value, answers[0].value) for each in answers[1:]):
-            answers = answers[:1]
         rejected = self._rejected(item, outcome, answers, now, kind, angle)
         return ItemResult(item, line, item.text, kind, tuple(answers), rejected=rejected)
+
+    def _limited(
+        self, answer: Answer, item: Value, kind: ItemKind, outcome: Outcome, trial: Trial
+    ) -> Answer:
+        """An answer with the condition under which it holds, if there is one."""
+        key = id(trial)
+        if key not in self.limits:
+            self.limits[key] = limitations(outcome, trial) if trial.found.values else ()
+        limits = self.limits[key]
+        if not limits:
+            return answer
+        plain = value_layout(answer.value, kind, answer.angle, item.percentage)
+        return with_condition(answer, plain, limits)
 
     def _evaluate(
         self, tree: Expression, branch: Branch, now: int, samples: Any, kind: ItemKind
@@ -503,7 +534,10 @@ class _Worker:
 
         line = None if step.place is None else step.place.line
         try:
-            return show(self, step, now)
+            result = show(self, step, now)
+            if result.undecided:
+                self._warn(f"{step.text}: this is not decided; nothing that was tried refutes it")
+            return result
         except RestitutionError as error:
             column = None if step.place is None else step.place.column
             if error.line is None:
@@ -560,25 +594,27 @@ def _same_value(a: Any, b: Any) -> bool:
     return bool(exact.same(a, b))
 
 
+def value_layout(value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Layout:
+    """A value as people write it: a number, a vector or a point."""
+    if isinstance(value, tuple):
+        return display_point(*value) if kind == "point" else display_vector(*value)
+    return display(value, angle=angle, percentage=percentage)
+
+
 def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
     if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
         raise ImpossibleError("it has no value: a division by zero, or a direction at rest")
+    display_ = to_text(value_layout(value, kind, angle, percentage))
     if isinstance(value, tuple):
         x, y = value
-        shown = display_point(x, y) if kind == "point" else display_vector(x, y)
         decimals = exact.decimal(x), exact.decimal(y)
         return Answer(
             number,
             value,
             (exact.sympy_text(x), exact.sympy_text(y)),
             None if None in decimals else decimals,  # type: ignore[arg-type]
-            to_text(shown),
+            display_,
         )
     return Answer(
-        number,
-        value,
-        exact.sympy_text(value),
-        exact.decimal(value),
-        to_text(display(value, angle=angle, percentage=percentage)),
-        angle=angle,
+        number, value, exact.sympy_text(value), exact.decimal(value), display_, angle=angle
     )

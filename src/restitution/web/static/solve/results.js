@@ -18,13 +18,14 @@ export function answersOf({ answer, working }, goTo) {
   return [...warningsOf(answer), ...(answer.error ? [failure(answer.error, goTo)] : []), ...nodes];
 }
 
-function answered({ item, values, equal, holds, counterexample, error, rejected }) {
+function answered({ item, values, equal, holds, undecided, counterexample, error, rejected }) {
   return html(
     "li",
     {},
     html("span", { class: "item" }, grown(item)),
     " ",
     ...(holds === null ? equals(values, equal) : shown(holds, counterexample, values)),
+    undecided ? html("strong", { class: "undecided" }, "? Not decided") : null,
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
       html("p", { class: "rejected" }, "Rejected: ", maths(value), `, as ${reason}.`),

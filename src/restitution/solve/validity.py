@@ -1,0 +1,239 @@
+"""For which values of the letters an answer holds, where it does not hold for all of them.
+
+What the statement itself asks of its letters (bodies approach, a given inequality) goes without
+saying. What a solution asks beyond that, such as 0 ≤ e ≤ 1 of an e that was found, is put as bounds
+of one letter, with ends in the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import RestitutionError
+from restitution.oracle import (
+    BeyondError,
+    Formula,
+    Oracle,
+    Relation,
+    letters_of,
+    relations,
+)
+from restitution.oracle.roles import Role
+from restitution.render.layout import Layout, Phrase, Words, from_set, from_sympy, relation
+from restitution.render.text import to_text
+from restitution.solve import forms
+from restitution.solve.admission import Demand, demands_for
+from restitution.solve.neat import factors
+from restitution.solve.part import Outcome, Trial
+from restitution.solve.regions import Region, to_set
+from restitution.solve.solution import Answer
+
+MOST_LETTERS = 4
+_KINDS = ("positive", "real", "angle", "restitution")
+_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
+
+
+@dataclass(frozen=True)
+class Limitation:
+    """A condition on the letters: ``text`` as a relation to be read again, and as mathematics."""
+
+    text: str
+    layout: Layout
+
+
+def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
+    """What an accepted solution asks of the letters beyond what the statement does."""
+    admission = trial.admission
+    if admission is None:
+        return ()
+    base = Oracle(admission.roles, presupposed(outcome))
+    rest = [
+        demand
+        for demand in dict.fromkeys(admission.demands)
+        if _is_told(demand) and not base.decide(demand.formula)
+    ]
+    return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+
+
+def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple[Limitation, ...]:
+    """For which of the other letters a range of one is not empty."""
+    if not isinstance(values, sp.Interval) or region.proof == "undecided":
+        return ()
+    gap = _gap(values)
+    if gap is None or not region.trials:
+        return ()
+    facts = [each for each in presupposed(outcome) if region.letter not in letters_of(each)]
+    base = Oracle(region.roles, tuple(facts))
+    if base.decide(gap.formula):
+        return ()
+    return tuple(_limits(outcome, region.trials[0], base, [gap]))
+
+
+def _gap(values: sp.Interval) -> Demand | None:
+    """What makes an interval hold anything."""
+    if values.start.is_infinite or values.end.is_infinite:
+        return None
+    width = values.end - values.start
+    if not width.free_symbols:
+        return None
+    open_ = bool(values.left_open or values.right_open)
+    return Demand(Relation(width, ">" if open_ else ">="), "", "fact")
+
+
+def with_condition(answer: Answer, plain: Layout, limits: Sequence[Limitation]) -> Answer:
+    """An answer with the condition under which it holds."""
+    if not limits:
+        return answer
+    condition = Phrase(tuple(each.layout for each in limits), ", ")
+    layout = Phrase((plain, Phrase((Words("for"), condition))), ", ")
+    return replace(
+        answer,
+        layout=layout,
+        display=to_text(layout),
+        condition=tuple(each.text for each in limits),
+        condition_layout=condition,
+    )
+
+
+def presupposed(outcome: Outcome) -> tuple[Formula, ...]:
+    """What the statement asks of its letters before anything is solved."""
+    story = outcome.open_story
+    try:
+        needs = [*story.conditions, *outcome.setting.requirements(story)]
+    except RestitutionError:
+        return ()
+    sought = {name for trial in outcome.trials for name in trial.found.values}
+    demands, _ = demands_for(needs)
+    return tuple(
+        dict.fromkeys(
+            demand.formula
+            for demand in demands
+            if _is_told(demand) and not letters_of(demand.formula) & sought
+        )
+    )
+
+
+def _is_told(demand: Demand) -> bool:
+    """Whether a demand is one of the letters that people see."""
+    names = letters_of(demand.formula)
+    return bool(names) and not any(name.startswith("_") for name in names)
+
+
+def _needed(base: Oracle, demands: list[Demand]) -> list[Demand]:
+    """Demands of which none follows from the others, the shortest of them kept."""
+    kept = sorted(demands, key=_size)
+    for demand in reversed(list(kept)):
+        others = [each for each in kept if each is not demand]
+        if others and base.with_facts(d.formula for d in others).decide(demand.formula):
+            kept = others
+    return kept
+
+
+def _size(demand: Demand) -> int:
+    return sum(int(sp.count_ops(each.value)) for each in relations(demand.formula))
+
+
+def _limits(
+    outcome: Outcome, trial: Trial, base: Oracle, demands: list[Demand]
+) -> Iterator[Limitation]:
+    if not demands:
+        return
+    names = sorted(
+        {name for each in demands for name in letters_of(each.formula)},
+        key=lambda name: (_KINDS.index(_role(base, name).kind), -_share(name, demands), name),
+    )
+    for name in names if len(names) <= MOST_LETTERS else []:
+        region = _region(outcome, trial, base, demands, name)
+        if region is None:
+            continue
+        yield _bounds(base, name, region)
+        # For which of the other letters there are such values at all.
+        gap = _gap(region) if isinstance(region, sp.Interval) else None
+        if gap is not None and not base.decide(gap.formula):
+            yield from _limits(outcome, trial, base, [gap])
+        return
+    for demand in demands:
+        for each in relations(demand.formula):
+            yield _inequality(base, each)
+
+
+def _role(base: Oracle, name: str) -> Role:
+    return base.roles[name]
+
+
+def _share(name: str, demands: list[Demand]) -> int:
+    return sum(name in letters_of(each.formula) for each in demands)
+
+
+def _region(
+    outcome: Outcome, trial: Trial, base: Oracle, demands: list[Demand], name: str
+) -> sp.Set | None:
+    """The values of one letter that the demands allow."""
+    own = replace(outcome, trials=(trial,))
+    try:
+        region = Region(own, name, (), base, tuple(demands))
+        pieces = region.pieces()
+    except (RestitutionError, BeyondError):
+        return None
+    if not pieces or region.proof == "undecided":
+        return None
+    return to_set(pieces)
+
+
+def _bounds(base: Oracle, name: str, values: sp.Set) -> Limitation:
+    role = _role(base, name)
+    symbol = role.symbol(name)
+    if isinstance(values, sp.Interval):
+        # An end that holds of the letter anyway need not be said.
+        low, high = values.start, values.end
+        if role.low is not None and low == role.low and values.left_open != role.closed[0]:
+            low = -sp.oo
+        if role.high is not None and high == role.high and values.right_open != role.closed[1]:
+            high = sp.oo
+        values = sp.Interval(low, high, values.left_open, values.right_open)
+    layout = from_set(values, symbol, degrees=role.kind == "angle")
+    return Limitation(" or ".join(_chains(name, values)), layout)
+
+
+def _chains(name: str, values: sp.Set) -> Iterator[str]:
+    if isinstance(values, sp.FiniteSet):
+        yield from (f"{name} = {exact.sympy_text(each)}" for each in values.args)
+    elif isinstance(values, sp.Union):
+        for part in values.args:
+            yield from _chains(name, part)
+    elif isinstance(values, sp.Interval):
+        text = name
+        if values.start != -sp.oo:
+            sign = "<" if values.left_open else "<="
+            text = f"{exact.sympy_text(values.start)} {sign} {text}"
+        if values.end != sp.oo:
+            sign = "<" if values.right_open else "<="
+            text = f"{text} {sign} {exact.sympy_text(values.end)}"
+        yield text
+
+
+def _inequality(base: Oracle, each: Relation) -> Limitation:
+    """An inequality itself, without the factors whose sign is known."""
+    above, below = sp.together(each.value).as_numer_denom()
+    product = sp.Integer(1)
+    for side in (above, below):
+        try:
+            parts = factors(sp.expand(side))
+        except sp.PolynomialError:
+            parts = (side,)
+        content = sp.cancel(sp.expand(side) / sp.Mul(*parts)) if parts else side
+        if content.is_number:
+            product *= sp.sign(content)
+            own = parts
+        else:
+            own = (side,)
+        for factor in own:
+            sign = base.sign(factor)
+            product *= factor if sign is None else sign
+    value = forms.tidy(product)
+    text = f"{exact.sympy_text(value)} {each.operator} 0"
+    return Limitation(text, relation(from_sympy(value), _SIGNS[each.operator], sp.Integer(0)))
