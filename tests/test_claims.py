@@ -1,0 +1,134 @@
+"""The claims of ``tests/claims``: not one wrong verdict, and hardly one left undecided.
+
+A false claim has to be refuted by numbers, and those are checked by other code than the
+program's own: `plain_physics`.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+import claims
+import pytest
+from claims import Asked, Concrete, Shown
+
+from restitution.errors import RestitutionError
+from restitution.language import parse
+from restitution.solve import solve
+
+CLAIMS = claims.concrete()
+BASES = sorted({each.base for each in CLAIMS}, key=lambda place: (place.split(":")[0], len(place)))
+SHARE = 1  # every claim is tried; see `sample`
+PROOFS = {
+    True: {"algebra", "decision", "intervals"},
+    False: {"algebra", "decision", "intervals", "witness"},
+    None: {"undecided"},
+}
+
+
+def groups(chosen: Iterable[Concrete]) -> dict[str, list[Concrete]]:
+    by_group = defaultdict(list)
+    for each in chosen:
+        by_group[each.group].append(each)
+    return by_group
+
+
+def judged(chosen: Sequence[Concrete]) -> tuple[list[str], list[str]]:
+    """What is wrong, and what is undecided, among the verdicts on some claims.
+
+    All ``show`` of one story are put into one statement.
+    """
+    wrong: list[str] = []
+    open_: list[str] = []
+    shown = defaultdict(list)
+    for each in chosen:
+        if isinstance(each, Shown):
+            shown[each.story].append(each)
+        else:
+            _judge_asked(each, wrong, open_)
+    for story, of_story in shown.items():
+        _judge_shown(story, of_story, wrong, open_)
+    return wrong, open_
+
+
+def _judge_shown(story: str, chosen: list[Shown], wrong: list[str], open_: list[str]) -> None:
+    statement = "\n".join((story, *(f"show {each.claim}" for each in chosen)))
+    try:
+        items = [item for _, item in solve(parse(statement)).items()]
+    except RestitutionError as error:
+        wrong += [f"{each.base}: show {each.claim}: {error!r}" for each in chosen]
+        return
+    for n, (each, item) in enumerate(zip(chosen, items, strict=True)):
+        name = f"{each.base}: show {each.claim} is {str(each.holds).lower()}"
+        if item.error is not None:
+            where = open_ if claims.undecided(item.error) else wrong
+            where.append(f"{name}: {item.error!r}")
+        elif item.holds is None:
+            open_.append(name)
+        elif item.holds is not each.holds:
+            wrong.append(f"{name}; answered {item.holds}, {item.counterexample}")
+        elif item.proof not in PROOFS[item.holds]:
+            wrong.append(f"{name}; proof is {item.proof!r}")
+        elif item.holds is False:
+            doubt = (
+                "no counterexample"
+                if item.counterexample is None
+                else claims.refutes(statement, n, item.counterexample)
+            )
+            if doubt is not None:
+                wrong.append(f"{name}; refuted by {item.counterexample}: {doubt}")
+
+
+def _judge_asked(each: Asked, wrong: list[str], open_: list[str]) -> None:
+    statement = "\n".join((each.story, *each.lines))
+    name = f"{each.base}: {'; '.join(each.lines)} -> {each.outcome}"
+    outcomes = each.outcome.split(" & ")
+    try:
+        items = [item for _, item in solve(parse(statement)).items()][-len(outcomes) :]
+    except RestitutionError as error:
+        if not (each.outcome in ("impossible", "clash") and claims.refused(error)):
+            (open_ if claims.undecided(error) else wrong).append(f"{name}: {error!r}")
+        return
+    for outcome, item in zip(outcomes, items, strict=True):
+        doubt = claims.disagreement(each, item, outcome)
+        if doubt is not None:
+            (open_ if doubt.startswith("undecided") else wrong).append(f"{name}: {doubt}")
+
+
+@pytest.mark.parametrize("group", groups(CLAIMS))
+def test_no_verdict_is_wrong(group: str) -> None:
+    wrong, _ = judged(groups(CLAIMS)[group])
+    assert not wrong, "\n".join((f"{len(wrong)} wrong:", *wrong))
+
+
+def test_hardly_one_is_undecided() -> None:
+    _, open_ = judged(CLAIMS)
+    assert 100 * len(open_) < len(CLAIMS), "\n".join((f"{len(open_)} undecided:", *open_))
+
+
+def test_there_are_enough_claims() -> None:
+    assert len(BASES) >= 150
+    assert len(CLAIMS) >= 1000
+    verdicts = [each.holds for each in CLAIMS if isinstance(each, Shown)]
+    assert 4 * min(verdicts.count(True), verdicts.count(False)) > len(verdicts)
+
+
+def test_true_claims_hold_in_numbers() -> None:
+    """What is written down as true is tried at random, by the physics of the tests alone."""
+    rng = random.Random(3)
+    doubts, tried = [], 0
+    shown = defaultdict(list)
+    for each in CLAIMS:
+        if isinstance(each, Shown) and each.holds:
+            shown[each.story].append(each)
+    for story, of_story in shown.items():
+        worlds = claims.possible_worlds(story, of_story, rng, wanted=12)
+        tried += len(worlds)
+        for world in worlds:
+            for each, (show, now) in zip(of_story, world.claims, strict=True):
+                if not world.holds(show.relation, now):
+                    doubts.append(f"{each.base}: {each.claim} fails")
+    assert not doubts, "\n".join(sorted(set(doubts)))
+    assert tried > 6 * len(shown)
