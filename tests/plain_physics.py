@@ -1,7 +1,7 @@
 """Impacts worked by the textbook's principles, in numbers: what the tests judge answers by.
 
 Statements are read by the package; nothing else of it is used here. A `World` is one statement
-with a number for every letter. Numbers are mpmath's with 100 digits, so that what differs by
+with a number for every letter. Numbers are mpmath's with 160 digits, so that what differs by
 10⁻³⁰ is told apart. What is implemented: straight walls and segments, spheres, blows, places of
 spheres that fly freely from the start. What is not raises NotImplementedError.
 
@@ -21,7 +21,7 @@ from restitution import problem as p
 from restitution.expression import tree as t
 from restitution.language import parse
 
-DIGITS = 100
+DIGITS = 160
 mp.mp.dps = DIGITS
 SAME = mp.mpf(10) ** -75  # relative
 NONE = mp.mpf(10) ** -70  # what is smaller is a rounding error
@@ -154,7 +154,7 @@ class World:
             normal = left_of(along)
             if dot(v, normal) < 0:
                 normal = scaled(normal, -1)
-            if dot(v, normal) == 0:
+            if abs(dot(v, normal)) <= NONE:
                 raise ImpossibleWorld("the sphere moves along the wall")
             wall = self.walls[step.second]
             placed = self.spheres[step.first].position is not None
@@ -192,9 +192,9 @@ class World:
                 old = old if each.first == step.first else scaled(old, -1)
                 if dot(old, normal) < 0:
                     normal = scaled(normal, -1)
-            elif dot(v, normal) < 0 or (dot(v, normal) == 0 and dot(w, normal) > 0):
+            elif dot(v, normal) < -NONE or (abs(dot(v, normal)) <= NONE and dot(w, normal) > 0):
                 normal = scaled(normal, -1)
-        if dot(v, normal) <= dot(w, normal):
+        if dot(v, normal) - dot(w, normal) <= NONE:
             raise ImpossibleWorld("the spheres do not approach")
         m, k = self.mass(step.first), self.mass(step.second)
         new[step.first], new[step.second] = after_spheres(m, v, k, w, normal, e)
@@ -220,7 +220,7 @@ class World:
             origin = self.place(wall.through, now)
             along = unit(self.direction(wall.along, now))
         across = cross(v, along)
-        if across == 0:
+        if abs(across) <= NONE:
             return False
         gap = plus(origin, start, -1)
         time = cross(gap, along) / across
