@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -22,9 +23,16 @@ from restitution import problem as p
 from restitution.errors import RestitutionError
 from restitution.expression import tree as t
 from restitution.language import parse
+from restitution.solve import solve
 
 FOLDER = Path(__file__).parent / "claims"
 SCALES = ("10^-12", "10^-3", "1", "10^3", "10^12")
+# What a verdict may rest on.
+PROOFS = {
+    True: {"algebra", "decision", "intervals"},
+    False: {"algebra", "decision", "intervals", "witness"},
+    None: {"undecided"},
+}
 BELOW, ABOVE = "(1 - 10^-9)", "(1 + 10^-9)"
 
 
@@ -350,8 +358,8 @@ def disagreement(asked: Asked, item: Any, outcome: str, seed: int = 1) -> str | 
             reached = outcome.split()[-1] == "reached"
             if any(each.reached is not reached for each in item.answers):
                 return f"reached should be {reached}"
-        if not _same_sets(wanted, given):
-            return f"{_numbers(given)} instead of {_numbers(wanted)} at {_shown(letters)}"
+        if not same_sets(wanted, given):
+            return f"{numbers(given)} instead of {numbers(wanted)} at {_shown(letters)}"
     return None
 
 
@@ -381,7 +389,7 @@ def _outcomes(outcome: str, letters: Mapping[str, Any]) -> list[Any]:
     return values
 
 
-def _same_sets(a: list[Any], b: list[Any]) -> bool:
+def same_sets(a: list[Any], b: list[Any]) -> bool:
     return all(any(_near_to(x, y) for y in b) for x in a) and all(
         any(_near_to(x, y) for y in a) for x in b
     )
@@ -394,7 +402,7 @@ def _near_to(a: Any, b: Any) -> bool:
     )
 
 
-def _numbers(values: list[Any]) -> str:
+def numbers(values: list[Any]) -> str:
     return str([tuple(mp.nstr(x, 15) for x in each) for each in values])
 
 
@@ -412,6 +420,7 @@ def _points(problem: p.Problem, outcome: str, seed: int) -> list[dict[str, Any]]
         return [{}]
     rng = random.Random(seed)
     points = [drawn(names, problem, rng) for _ in range(60)]
+    points = [each for each in points if _may_be(problem, each)]
     if not any(conditions):
         return [each for each in points if _can_happen(problem, outcome, each)][:20]
     (condition, *_) = conditions
@@ -464,6 +473,22 @@ def _sought(problem: p.Problem) -> set[str]:
                 if isinstance(tree, t.Letter):
                     names.add(tree.name)
     return names
+
+
+def _may_be(problem: p.Problem, letters: Mapping[str, Any]) -> bool:
+    """Whether numbers satisfy the inequalities that are given between letters alone."""
+    world = physics.World(physics.EMPTY, letters)
+    return all(
+        world.holds(relation, 0)
+        for _, step in problem.steps()
+        if isinstance(step, p.Given)
+        for relation in step.relations
+        if isinstance(relation, p.Compare)
+        and "=" not in relation.operators
+        and not any(
+            t.has_quantity(tree) or t.letters(tree) - set(letters) for tree in relation.operands
+        )
+    )
 
 
 def _can_happen(problem: p.Problem, outcome: str, letters: Mapping[str, Any]) -> bool:
@@ -527,3 +552,68 @@ def possible_worlds(
         except physics.ImpossibleWorld:
             continue
     return worlds
+
+
+# --- verdicts ------------------------------------------------------------------------------------
+
+
+def judged(chosen: Sequence[Concrete]) -> tuple[list[str], list[str]]:
+    """What is wrong, and what is undecided, among the verdicts on some
+
+    All ``show`` of one story are put into one statement.
+    """
+    wrong: list[str] = []
+    open_: list[str] = []
+    shown = defaultdict(list)
+    for each in chosen:
+        if isinstance(each, Shown):
+            shown[each.story].append(each)
+        else:
+            _judge_asked(each, wrong, open_)
+    for story, of_story in shown.items():
+        _judge_shown(story, of_story, wrong, open_)
+    return wrong, open_
+
+
+def _judge_shown(story: str, chosen: list[Shown], wrong: list[str], open_: list[str]) -> None:
+    statement = "\n".join((story, *(f"show {each.claim}" for each in chosen)))
+    try:
+        items = [item for _, item in solve(parse(statement)).items()]
+    except RestitutionError as error:
+        wrong += [f"{each.base}: show {each.claim}: {error!r}" for each in chosen]
+        return
+    for n, (each, item) in enumerate(zip(chosen, items, strict=True)):
+        name = f"{each.base}: show {each.claim} is {str(each.holds).lower()}"
+        if item.error is not None:
+            where = open_ if undecided(item.error) else wrong
+            where.append(f"{name}: {item.error!r}")
+        elif item.holds is None:
+            open_.append(name)
+        elif item.holds is not each.holds:
+            wrong.append(f"{name}; answered {item.holds}, {item.counterexample}")
+        elif item.proof not in PROOFS[item.holds]:
+            wrong.append(f"{name}; proof is {item.proof!r}")
+        elif item.holds is False:
+            doubt = (
+                "no counterexample"
+                if item.counterexample is None
+                else refutes(statement, n, item.counterexample)
+            )
+            if doubt is not None:
+                wrong.append(f"{name}; refuted by {item.counterexample}: {doubt}")
+
+
+def _judge_asked(each: Asked, wrong: list[str], open_: list[str]) -> None:
+    statement = "\n".join((each.story, *each.lines))
+    name = f"{each.base}: {'; '.join(each.lines)} -> {each.outcome}"
+    outcomes = each.outcome.split(" & ")
+    try:
+        items = [item for _, item in solve(parse(statement)).items()][-len(outcomes) :]
+    except RestitutionError as error:
+        if not (each.outcome in ("impossible", "clash") and refused(error)):
+            (open_ if undecided(error) else wrong).append(f"{name}: {error!r}")
+        return
+    for outcome, item in zip(outcomes, items, strict=True):
+        doubt = disagreement(each, item, outcome)
+        if doubt is not None:
+            (open_ if doubt.startswith("undecided") else wrong).append(f"{name}: {doubt}")

@@ -8,24 +8,15 @@ from __future__ import annotations
 
 import random
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 import claims
 import pytest
-from claims import Asked, Concrete, Shown
-
-from restitution.errors import RestitutionError
-from restitution.language import parse
-from restitution.solve import solve
+from claims import Concrete, Shown, judged
 
 CLAIMS = claims.concrete()
 BASES = sorted({each.base for each in CLAIMS}, key=lambda place: (place.split(":")[0], len(place)))
 EACH = 3  # so many of what follows from one line are tried in the normal run
-PROOFS = {
-    True: {"algebra", "decision", "intervals"},
-    False: {"algebra", "decision", "intervals", "witness"},
-    None: {"undecided"},
-}
 
 
 def groups(chosen: Iterable[Concrete]) -> dict[str, list[Concrete]]:
@@ -33,68 +24,6 @@ def groups(chosen: Iterable[Concrete]) -> dict[str, list[Concrete]]:
     for each in chosen:
         by_group[each.group].append(each)
     return by_group
-
-
-def judged(chosen: Sequence[Concrete]) -> tuple[list[str], list[str]]:
-    """What is wrong, and what is undecided, among the verdicts on some claims.
-
-    All ``show`` of one story are put into one statement.
-    """
-    wrong: list[str] = []
-    open_: list[str] = []
-    shown = defaultdict(list)
-    for each in chosen:
-        if isinstance(each, Shown):
-            shown[each.story].append(each)
-        else:
-            _judge_asked(each, wrong, open_)
-    for story, of_story in shown.items():
-        _judge_shown(story, of_story, wrong, open_)
-    return wrong, open_
-
-
-def _judge_shown(story: str, chosen: list[Shown], wrong: list[str], open_: list[str]) -> None:
-    statement = "\n".join((story, *(f"show {each.claim}" for each in chosen)))
-    try:
-        items = [item for _, item in solve(parse(statement)).items()]
-    except RestitutionError as error:
-        wrong += [f"{each.base}: show {each.claim}: {error!r}" for each in chosen]
-        return
-    for n, (each, item) in enumerate(zip(chosen, items, strict=True)):
-        name = f"{each.base}: show {each.claim} is {str(each.holds).lower()}"
-        if item.error is not None:
-            where = open_ if claims.undecided(item.error) else wrong
-            where.append(f"{name}: {item.error!r}")
-        elif item.holds is None:
-            open_.append(name)
-        elif item.holds is not each.holds:
-            wrong.append(f"{name}; answered {item.holds}, {item.counterexample}")
-        elif item.proof not in PROOFS[item.holds]:
-            wrong.append(f"{name}; proof is {item.proof!r}")
-        elif item.holds is False:
-            doubt = (
-                "no counterexample"
-                if item.counterexample is None
-                else claims.refutes(statement, n, item.counterexample)
-            )
-            if doubt is not None:
-                wrong.append(f"{name}; refuted by {item.counterexample}: {doubt}")
-
-
-def _judge_asked(each: Asked, wrong: list[str], open_: list[str]) -> None:
-    statement = "\n".join((each.story, *each.lines))
-    name = f"{each.base}: {'; '.join(each.lines)} -> {each.outcome}"
-    outcomes = each.outcome.split(" & ")
-    try:
-        items = [item for _, item in solve(parse(statement)).items()][-len(outcomes) :]
-    except RestitutionError as error:
-        if not (each.outcome in ("impossible", "clash") and claims.refused(error)):
-            (open_ if claims.undecided(error) else wrong).append(f"{name}: {error!r}")
-        return
-    for outcome, item in zip(outcomes, items, strict=True):
-        doubt = claims.disagreement(each, item, outcome)
-        if doubt is not None:
-            (open_ if doubt.startswith("undecided") else wrong).append(f"{name}: {doubt}")
 
 
 def sample() -> list[Concrete]:
