@@ -309,7 +309,7 @@ def refutes(statement: str, n: int, counterexample: Mapping[str, str]) -> str | 
             show, now = world.claims[n]
             if world.holds(show.relation, now):
                 return "the claim holds there"
-        except physics.ImpossibleWorld as error:
+        except physics.ImpossibleWorldError as error:
             why = str(error)
             continue
         possible += 1
@@ -341,7 +341,7 @@ def disagreement(asked: Asked, item: Any, outcome: str, seed: int = 1) -> str | 
         return None if refused(item.error) else f"answered {shown or item.error!r}"
     if outcome == "missing":
         kind = None if item.error is None else item.error.kind
-        return None if kind == "missing" else f"answered {item.display if not kind else kind}"
+        return None if kind == "missing" else f"answered {kind or item.display}"
     if item.error is not None:
         word = "undecided" if undecided(item.error) else "refused"
         return f"{word}: {item.error.kind}: {item.error.message}"
@@ -369,7 +369,10 @@ def answered(item: Any, letters: Mapping[str, Any]) -> list[Any]:
     for answer in item.answers:
         if all(physics.true_of(each, letters) for each in answer.condition):
             texts = (answer.exact,) if isinstance(answer.exact, str) else answer.exact
-            values.append(tuple(number_of(text, letters) for text in texts))
+            try:
+                values.append(tuple(number_of(text, letters) for text in texts))
+            except physics.ImpossibleWorldError:
+                values.append((mp.nan,))  # no real number: it is like no value that is wanted
     return values
 
 
@@ -495,7 +498,7 @@ def _can_happen(problem: p.Problem, outcome: str, letters: Mapping[str, Any]) ->
     """Whether a story can happen with these numbers, as far as that can be told without more."""
     try:
         return physics.World(problem, letters).possible()
-    except physics.ImpossibleWorld:
+    except physics.ImpossibleWorldError:
         return False
     except (KeyError, NotImplementedError):
         return True
@@ -549,7 +552,7 @@ def possible_worlds(
             world = physics.World(problem, drawn(names, problem, rng))
             if world.possible():
                 worlds.append(world)
-        except physics.ImpossibleWorld:
+        except physics.ImpossibleWorldError:
             continue
     return worlds
 

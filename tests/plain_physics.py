@@ -29,7 +29,7 @@ NONE = mp.mpf(10) ** -70  # what is smaller is a rounding error
 Vector = tuple[Any, Any]
 
 
-class ImpossibleWorld(Exception):
+class ImpossibleWorldError(Exception):
     """Numbers for which the story cannot happen as it is told."""
 
 
@@ -67,7 +67,7 @@ def size(a: Vector) -> Any:
 def unit(a: Vector) -> Vector:
     length = size(a)
     if length == 0:
-        raise ImpossibleWorld("a direction without a size")
+        raise ImpossibleWorldError("a direction without a size")
     return scaled(a, 1 / length)
 
 
@@ -93,8 +93,8 @@ def after_spheres(
 class World:
     """A statement told in numbers: the velocities of all spheres at every stage.
 
-    Raises ImpossibleWorld where the story cannot happen with these numbers. Facts are not asked
-    here, but by `possible`.
+    Raises ImpossibleWorldError where the story cannot happen with these numbers. Facts are not
+    asked here, but by `possible`.
     """
 
     def __init__(self, problem: p.Problem, letters: Mapping[str, Any]) -> None:
@@ -111,7 +111,7 @@ class World:
             if sphere.velocity is not None:
                 self.stages[0][name] = self.vector(sphere.velocity, 0)
             if sphere.mass is not None and self.scalar(sphere.mass, 0) <= 0:
-                raise ImpossibleWorld(f"the mass of {name} is not positive")
+                raise ImpossibleWorldError(f"the mass of {name} is not positive")
         self.claims: list[tuple[p.Show, int]] = []
         self.facts: list[tuple[Any, int]] = []
         for _, step in problem.steps():
@@ -146,7 +146,7 @@ class World:
         now = len(self.events)
         e = self.letters["e"] if step.e is None else self.scalar(step.e, now)
         if not 0 <= e <= 1:
-            raise ImpossibleWorld(f"e = {e}")
+            raise ImpossibleWorldError(f"e = {e}")
         new = dict(self.stages[-1])
         v = new[step.first]
         if step.second in self.walls:
@@ -155,14 +155,14 @@ class World:
             if dot(v, normal) < 0:
                 normal = scaled(normal, -1)
             if abs(dot(v, normal)) <= NONE:
-                raise ImpossibleWorld("the sphere moves along the wall")
+                raise ImpossibleWorldError("the sphere moves along the wall")
             wall = self.walls[step.second]
             placed = self.spheres[step.first].position is not None
             if placed and (wall.start is not None or wall.through is not None):
                 if any(step.first in (each.first, each.second) for each in self.events):
                     raise NotImplementedError("places after an impact")
                 if not self.meets_wall(step.first, step.second, now):
-                    raise ImpossibleWorld("the sphere does not come to the wall")
+                    raise ImpossibleWorldError("the sphere does not come to the wall")
             new[step.first] = after_wall(v, along, e)
             mass = self.mass(step.first)
             change = plus(new[step.first], v, -1)
@@ -175,7 +175,7 @@ class World:
             radius = self.spheres[step.first].radius or self.spheres[step.second].radius
             share = self.scalar(step.offset, now) / (2 * self.scalar(radius, now))
             if not -1 < share < 1:
-                raise ImpossibleWorld("the spheres pass each other")
+                raise ImpossibleWorldError("the spheres pass each other")
             normal = plus(scaled(path, mp.sqrt(1 - share**2)), left_of(path), share)
         elif step.along is None:
             raise NotImplementedError("a line of centres to be found")
@@ -195,7 +195,7 @@ class World:
             elif dot(v, normal) < -NONE or (abs(dot(v, normal)) <= NONE and dot(w, normal) > 0):
                 normal = scaled(normal, -1)
         if dot(v, normal) - dot(w, normal) <= NONE:
-            raise ImpossibleWorld("the spheres do not approach")
+            raise ImpossibleWorldError("the spheres do not approach")
         m, k = self.mass(step.first), self.mass(step.second)
         new[step.first], new[step.second] = after_spheres(m, v, k, w, normal, e)
         impulse = scaled(plus(new[step.second], w, -1), k)
@@ -305,7 +305,7 @@ class World:
                 return a * b
             case "/":
                 if b == 0:
-                    raise ImpossibleWorld("division by zero")
+                    raise ImpossibleWorldError("division by zero")
                 return scaled(a, 1 / b) if vectors[0] else a / b
         return a**b
 
@@ -313,9 +313,9 @@ class World:
         if function == "abs":
             return size(x) if isinstance(x, tuple) else abs(x)
         if function == "sqrt" and x < 0:
-            raise ImpossibleWorld("the root of a negative number")
+            raise ImpossibleWorldError("the root of a negative number")
         if function in ("arcsin", "arccos") and not -1 <= x <= 1:
-            raise ImpossibleWorld(f"{function} of {x}")
+            raise ImpossibleWorldError(f"{function} of {x}")
         named = {"arcsin": mp.asin, "arccos": mp.acos, "arctan": mp.atan, "cosec": mp.csc}
         return named[function](x) if function in named else getattr(mp, function)(x)
 
@@ -335,7 +335,7 @@ class World:
             bodies = {getattr(event, each, None) for each in ("first", "second", "body")}
             if body is None or body in bodies:
                 return n
-        raise ImpossibleWorld("nothing has happened")
+        raise ImpossibleWorldError("nothing has happened")
 
     def energy(self, n: int, names: Any) -> Any:
         return sum(self.mass(name) * dot(v, v) / 2 for name, v in self.at(n, names).items())
@@ -347,7 +347,7 @@ class World:
         arguments = tree.arguments
         body = arguments[0].name if arguments and isinstance(arguments[0], t.Name) else None
         n = self.stage(tree, now, body)
-        moving = [name for name in self.stages[0]]
+        moving = list(self.stages[0])
         match tree.kind:
             case "velocity":
                 return self.stages[n][body]
@@ -373,7 +373,7 @@ class World:
                 n = self.latest(body, n)
                 a, b = self.stages[n - 1][body], self.stages[n][body]
                 if size(a) == 0 or size(b) == 0:
-                    raise ImpossibleWorld("no direction, so no angle of deflection")
+                    raise ImpossibleWorldError("no direction, so no angle of deflection")
                 return mp.atan2(abs(cross(a, b)), dot(a, b))
             case "impulse":
                 n = tree.stage if isinstance(tree.stage, int) else self.latest(body, now)

@@ -230,7 +230,7 @@ def expected(asked: Question, x: Any) -> list[Any]:
             allowed = all(claims.allowed(*each, problem) for each in letters.items())
             if allowed and physics.World(problem, letters).possible():
                 physical.append((root,))
-        except physics.ImpossibleWorld:
+        except physics.ImpossibleWorldError:
             continue
     return physical
 
