@@ -242,7 +242,7 @@ def allowed(name: str, value: Any, problem: p.Problem) -> bool:
     """Whether a number is one that a letter may be, before the facts about it are asked."""
     match kind_of(name):
         case "coefficient":
-            return bool(0 <= value <= 1)
+            return bool(-physics.NONE <= value <= 1 + physics.NONE)
         case "angle":
             return bool(0 < value < (mp.pi if _obtuse(name, problem) else mp.pi / 2))
         case "positive":

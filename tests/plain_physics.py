@@ -145,7 +145,7 @@ class World:
     def impact(self, step: p.Impact) -> None:
         now = len(self.events)
         e = self.letters["e"] if step.e is None else self.scalar(step.e, now)
-        if not 0 <= e <= 1:
+        if not -NONE <= e <= 1 + NONE:
             raise ImpossibleWorldError(f"e = {e}")
         new = dict(self.stages[-1])
         v = new[step.first]
@@ -312,6 +312,8 @@ class World:
     def applied(self, function: str, x: Any) -> Any:
         if function == "abs":
             return size(x) if isinstance(x, tuple) else abs(x)
+        if function == "sqrt" and -NONE <= x < 0:
+            return mp.mpf(0)
         if function == "sqrt" and x < 0:
             raise ImpossibleWorldError("the root of a negative number")
         if function in ("arcsin", "arccos") and not -1 <= x <= 1:

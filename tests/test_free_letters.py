@@ -59,13 +59,20 @@ def magnitude(rng: random.Random) -> Fraction:
     )
 
 
-def coefficient(rng: random.Random) -> Fraction:
+def share(rng: random.Random) -> Fraction:
     """Strictly between 0 and 1, at times near an end."""
     near = Fraction(1, 10**6)
     return rng.choice((Fraction(rng.randint(1, 19), 20),) * 6 + (near, 1 - near))
 
 
+def coefficient(rng: random.Random) -> Fraction:
+    """From 0 to 1; at an end, the motion lies on the very border of the condition."""
+    return rng.choice((Fraction(0), Fraction(1), *(share(rng) for _ in range(4))))
+
+
 def roots_of_square(square: Any) -> list[Any]:
+    if abs(square) <= physics.NONE:
+        return [mp.mpf(0)]
     return [] if square < 0 else [mp.sqrt(square), -mp.sqrt(square)]
 
 
@@ -194,7 +201,7 @@ def mass_from_a_velocity(rng: random.Random) -> Question:
 @question
 def struck_from_behind(rng: random.Random) -> Question:
     m, k, u, e = magnitude(rng), magnitude(rng), magnitude(rng), coefficient(rng)
-    v = u * coefficient(rng)
+    v = u * share(rng)
     impulse = (1 + e) * m * k / (m + k) * (u - v)
     statement = (
         f"sphere A: mass {m}, velocity {u} i\nsphere B: mass {k}, velocity v i\n"
