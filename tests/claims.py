@@ -229,8 +229,13 @@ def letters_of(problem: p.Problem) -> set[str]:
     return names
 
 
-def kind_of(name: str) -> str:
-    """What a letter may be, as the head of the file says."""
+def kind_of(name: str, problem: p.Problem | None = None) -> str:
+    """What a letter may be, as `tests/claims/README.md` says."""
+    if problem is not None and any(
+        isinstance(each.velocity, t.Pair) and t.Letter(name) in (each.velocity.x, each.velocity.y)
+        for each in problem.spheres
+    ):
+        return "real"
     if name == "e" or name.startswith("e_"):
         return "coefficient"
     if name in GREEK:
@@ -240,7 +245,7 @@ def kind_of(name: str) -> str:
 
 def allowed(name: str, value: Any, problem: p.Problem) -> bool:
     """Whether a number is one that a letter may be, before the facts about it are asked."""
-    match kind_of(name):
+    match kind_of(name, problem):
         case "coefficient":
             return bool(-physics.NONE <= value <= 1 + physics.NONE)
         case "angle":
@@ -268,7 +273,7 @@ def drawn(names: set[str], problem: p.Problem, rng: random.Random) -> dict[str, 
     values: dict[str, Any] = {}
     tame = rng.random() < 0.5
     for name in sorted(names):
-        kind = kind_of(name)
+        kind = kind_of(name, problem)
         near = mp.mpf(10) ** -rng.choice((1, 3, 6, 9, 12))
         any_ = physics.number(Fraction(rng.randint(1, 999), 1000))
         if kind == "coefficient":
@@ -281,6 +286,33 @@ def drawn(names: set[str], problem: p.Problem, rng: random.Random) -> dict[str, 
             power = 0 if tame else rng.choice((-12, -6, -3, 0, 0, 0, 3, 6, 12))
             sign = rng.choice((1, -1)) if kind == "real" else 1
             values[name] = sign * 4 * any_ * mp.mpf(10) ** power
+    return values
+
+
+def completed(values: dict[str, Any], free: set[str], problem: p.Problem) -> dict[str, Any]:
+    """Numbers, with one of the free letters of each equation between letters put right.
+
+    Only equations that are linear in a free letter are (k v = u, e k = 1).
+    """
+    values = dict(values)
+    for _, step in problem.steps():
+        for relation in step.relations if isinstance(step, p.Given) else ():
+            if not isinstance(relation, p.Compare) or relation.operators != ("=",):
+                continue
+            if any(t.has_quantity(tree) for tree in relation.operands):
+                continue
+            names = {name for tree in relation.operands for name in t.letters(tree)}
+            for name in sorted(names & free):
+
+                def gap(x: Any, name: str = name, relation: p.Compare = relation) -> Any:
+                    world = physics.World(physics.EMPTY, {**values, name: x})
+                    left, right = (world.scalar(each, 0) for each in relation.operands)
+                    return left - right
+
+                at_0, at_1, at_2 = (gap(mp.mpf(n)) for n in (0, 1, 2))
+                if at_1 != at_0 and abs(at_2 - 2 * at_1 + at_0) <= physics.NONE:
+                    values[name] = at_0 / (at_0 - at_1)
+                    break
     return values
 
 
@@ -302,7 +334,11 @@ def refutes(statement: str, n: int, counterexample: Mapping[str, str]) -> str | 
     possible, why = 0, "no numbers make the story possible"
     for _ in range(60 if left else 1):
         try:
-            world = physics.World(problem, {**chosen, **drawn(left, problem, rng)})
+            values = {**chosen, **drawn(left, problem, rng)}
+            values = completed(values, left, problem)
+            if not all(allowed(*each, problem) for each in values.items()):
+                continue
+            world = physics.World(problem, values)
             if not world.possible():
                 why = "the facts do not hold"
                 continue
@@ -549,7 +585,10 @@ def possible_worlds(
         if len(worlds) == wanted:
             break
         try:
-            world = physics.World(problem, drawn(names, problem, rng))
+            values = completed(drawn(names, problem, rng), names, problem)
+            if not all(allowed(*each, problem) for each in values.items()):
+                continue
+            world = physics.World(problem, values)
             if world.possible():
                 worlds.append(world)
         except physics.ImpossibleWorldError:
