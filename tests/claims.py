@@ -323,7 +323,7 @@ def refutes(statement: str, n: int, counterexample: Mapping[str, str]) -> str | 
     """
     problem = parse(statement)
     try:
-        chosen = {name: physics.value_of(text) for name, text in counterexample.items()}
+        chosen = {name: number_of(text, {}) for name, text in counterexample.items()}
     except Exception as error:  # noqa: BLE001 whatever it is, a reader could not use it
         return f"the counterexample cannot be read: {error}"
     for name, value in chosen.items():

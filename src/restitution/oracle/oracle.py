@@ -353,7 +353,7 @@ def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
 
 def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """A sum of angles as the sine of a share of it, which has the same sign."""
-    width = sp.Integer(0)
+    width = fixed = sp.Integer(0)
     terms = sp.Add.make_args(sp.expand(x))
     angular = open_ = False
     for term in terms:
@@ -373,12 +373,15 @@ def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
             width += abs(coefficient) * sp.pi
             angular = True
         elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
-            width += abs(term)
+            fixed += term
         else:
             return x
     if not angular:
         return x
+    if bool(abs(fixed) > width):
+        return fixed  # too large for the angles to matter
     share = 1
+    width += abs(fixed)
     while not (bool(width < share * sp.pi) or (open_ and width == share * sp.pi)):
         share += 1
     return sp.sin(x / share)

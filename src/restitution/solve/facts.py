@@ -130,11 +130,21 @@ def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
     small, large = (left, right) if op.startswith("<") else (right, left)
     reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
+        if any(_beyond_a_half_turn(story, each) for each in (small, large)):
+            first, last = (x.measure() if isinstance(x, Angle) else x for x in (small, large))
+            return Condition(last - first, relation, reason, "fact")
         evaluator = story.evaluator(0)
         a, b = evaluator.as_angle(small), evaluator.as_angle(large)
         # Both lie in [0°, 180°], so the sign of the sine of the difference is that of it.
         return Condition(b.y * a.x - b.x * a.y, relation, reason, "fact")
     return Condition(large - small, relation, reason, "fact")
+
+
+def _beyond_a_half_turn(story: Story, value: Value) -> bool:
+    """Whether a plain angle is below 0° or above 180°, where no angle of a quantity is."""
+    if isinstance(value, Angle) or (story.field.exact and value.free_symbols):
+        return False
+    return bool(value < 0 or value > story.field.pi)
 
 
 def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> list[Requirement]:

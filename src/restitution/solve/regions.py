@@ -180,6 +180,7 @@ class Region:
         atoms = self._kept_atoms
         points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
         free = {self.setting.roles[name].symbol(name) for name in self.free}
+        atoms = [*atoms, *self._at_ends(atoms)]
         plain = [each for each in atoms if not each.free_symbols & free]
         mixed = [each for each in atoms if each.free_symbols & free]
         for atom in plain:
@@ -199,6 +200,19 @@ class Region:
             if not any(point == each for each in unique):
                 unique.append(point)
         return unique
+
+    def _at_ends(self, atoms: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """The expressions where free letters come to the ends of what they may be."""
+        reached = list(atoms)
+        for name in self.free:
+            role = self.roles[name]
+            symbol = role.symbol(name)
+            for atom in [each for each in reached if each.has(symbol)]:
+                for end in (role.low, role.high):
+                    own = _at_infinity(atom, symbol) if end is None else _at_end(atom, symbol, end)
+                    if own is not None:
+                        reached += [x for x in _essential(own) if x not in reached]
+        return reached[len(atoms) :]
 
     def _zeros(self, equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> list[sp.Expr]:
         return zeros(equations, unknowns, self.setting.roles, self.letter)
@@ -458,6 +472,16 @@ class Region:
                 f"the ends of the range of {self.letter} have no exact form that is found here"
             )
         return truths.pop()
+
+
+def _at_end(x: sp.Expr, symbol: sp.Symbol, end: sp.Expr) -> sp.Expr | None:
+    value = sp.together(x.xreplace({symbol: end})).as_numer_denom()[0]
+    return None if value.has(sp.nan, sp.zoo, sp.oo) else sp.expand(value)
+
+
+def _at_infinity(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """What decides the sign of a polynomial as a letter grows without end."""
+    return sp.Poly(x, symbol).LC() if x.is_polynomial(symbol) else None
 
 
 def zeros(
