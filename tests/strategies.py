@@ -98,10 +98,17 @@ def numbers() -> st.SearchStrategy[Number]:
 
 
 @once
+def degrees() -> st.SearchStrategy[Degrees]:
+    """Numbers of degrees, fractions without an end among them: ``1/3°``."""
+    fractions = st.builds(Fraction, st.integers(1, 400), st.sampled_from([3, 7, 9, 12]))
+    return st.builds(Degrees, st.one_of(decimals(), fractions))
+
+
+@once
 def angles() -> st.SearchStrategy[Expression]:
     """Angles: degrees, Greek letters, multiples of pi, and differences of these."""
     simple = st.one_of(
-        st.builds(Degrees, decimals()),
+        degrees(),
         st.sampled_from([Letter("alpha"), Letter("theta"), Pi()]),
         st.builds(Binary, st.just("*"), numbers(), st.just(Letter("alpha"))),
     )
@@ -118,7 +125,7 @@ def scalars(events: int = 0, quantities: bool = False) -> st.SearchStrategy[Expr
     """Expressions of numbers and letters, and of quantities where these are wanted."""
     leaves: list[st.SearchStrategy[Any]] = [
         numbers(),
-        st.builds(Degrees, decimals()),
+        degrees(),
         st.builds(Letter, letter_names),
         st.just(Pi()),
     ]

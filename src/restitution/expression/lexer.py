@@ -265,7 +265,7 @@ def _raw_tokens(
                 raise source.error(
                     "a mixed number is not read: write it as one fraction, such as 5/2", at
                 )
-            tokens = [_token(source, "FRACTION", _FRACTIONS[character], at, at + 1)]
+            tokens = [_fraction(source, at)]
         elif character == "√":
             tokens = [_root(source, at)]
         elif power := _SUPERSCRIPT.match(text, at):
@@ -303,6 +303,13 @@ def _number(source: Source, match: re.Match[str]) -> Token:
     if degrees := _DEGREES.match(text, end):
         return _token(source, "DEGREES", digits, start, degrees.end())
     return _token(source, "NUMBER", digits, start, end)
+
+
+def _fraction(source: Source, at: int) -> Token:
+    fraction = _FRACTIONS[source.plain[at]]
+    if degrees := _DEGREES.match(source.plain, at + 1):
+        return _token(source, "DEGREES", fraction, at, degrees.end())
+    return _token(source, "FRACTION", fraction, at, at + 1)
 
 
 def _look_for_a_unit(source: Source, at: int, before: list[Token], warnings: list[str]) -> None:

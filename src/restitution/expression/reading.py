@@ -15,7 +15,7 @@ from lark.lexer import Lexer
 from restitution.errors import StatementError
 from restitution.expression.grammar import RULES, TERMINALS
 from restitution.expression.lexer import Scan, Source, scan
-from restitution.expression.limits import MAX_LINE_LENGTH, MAX_TREE_DEPTH
+from restitution.expression.limits import MAX_DIGITS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
 from restitution.expression.quantities import SIGNATURES, stands_alone
 from restitution.expression.tree import (
     Apply,
@@ -210,6 +210,39 @@ def _binary(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expressio
     return Binary(signs[sign.value.type], left.value, right.value, place=left.place)
 
 
+def _quotient(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
+    """A quotient; of two numbers with a degree sign behind them, it is one angle: ``90/2°``."""
+    above, below = node.children[0], node.children[2]
+    degrees = _first_degrees(below)
+    if degrees is None:
+        return _binary(reading, node, spans)
+    left, right = spans[0], spans[2]
+    if isinstance(above, Token) and _is_a_count(above) and below is degrees:
+        if right.value.value == 0:
+            raise reading.error("division by zero", right.place)
+        value = left.value.value / right.value.value
+        if max(len(str(value.numerator)), len(str(value.denominator))) > MAX_DIGITS:
+            raise reading.error(f"a number has at most {MAX_DIGITS} digits", left.place)
+        return Degrees(value, place=left.place)
+    over, under = reading.text(left.first, left.last), reading.text(right.first, right.last)
+    raise reading.error(
+        f"'{over}/{under}' can be misunderstood: to divide by the angle, write {over}/({under}); "
+        "only a number over a number of degrees, such as 90/2°, is one angle",
+        left.place,
+    )
+
+
+def _is_a_count(token: Token) -> bool:
+    return token.type == "NUMBER" and not token.endswith("%")
+
+
+def _first_degrees(node: Any) -> Token | None:
+    """The number of degrees with which a factor begins, signs apart, outside brackets."""
+    while isinstance(node, Tree) and node.data in ("negate", "positive", "binary"):
+        node = node.children[0] if node.data == "binary" else node.children[1]
+    return node if isinstance(node, Token) and node.type == "DEGREES" else None
+
+
 def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
     left, gap, right = spans
     product = Binary("*", left.value, right.value, place=left.place)
@@ -218,6 +251,7 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         isinstance(below, Tree)
         and below.data == "quotient"
         and gap.value == ""
+        and isinstance(left.value, Binary)
         and letters(left.value) | _quantities(left.value)
     ):
         typed = reading.text(left.first, right.last)
@@ -351,7 +385,7 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
 
 BUILDERS: Mapping[str, Builder] = {
     "binary": _binary,
-    "quotient": _binary,
+    "quotient": _quotient,
     "implicit": _implicit,
     "negate": _negate,
     "positive": _second,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from restitution.expression.limits import MAX_DIGITS
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -60,7 +61,8 @@ def _write(tree: Expression) -> tuple[str, int]:
         case Number(value):
             return _number(value)
         case Degrees(value):
-            return f"{_decimal(value) or value}°", _PRIMARY
+            text, level = _number(value)
+            return f"{text}°", level
         case Pi():
             return "pi", _PRIMARY
         case Letter(name):
@@ -81,7 +83,8 @@ def _write(tree: Expression) -> tuple[str, int]:
         case Binary("*", left, right):
             return _product(left, right), _PRODUCT
         case Binary("/", left, right):
-            return f"{_at_least(left, _PRODUCT)}/{_at_least(right, _POWER)}", _PRODUCT
+            below = f"({_write(right)[0]})" if _in_degrees(right) else _at_least(right, _POWER)
+            return f"{_at_least(left, _PRODUCT)}/{below}", _PRODUCT
         case Binary(_, Apply(function, argument), Number(value)) if (
             function not in ("sqrt", "abs") and value.denominator == 1
         ):
@@ -94,9 +97,18 @@ def _write(tree: Expression) -> tuple[str, int]:
             return _quantity(tree), _PRIMARY
 
 
+def _in_degrees(tree: Expression) -> bool:
+    """Whether a factor begins with a degree sign's number: under a line it needs brackets."""
+    return isinstance(tree, Degrees) or (
+        isinstance(tree, Binary) and tree.op == "^" and isinstance(tree.left, Degrees)
+    )
+
+
 def _number(value: Fraction | int) -> tuple[str, int]:
     text = _decimal(Fraction(value))
-    return (text, _PRIMARY) if text else (str(value), _PRODUCT)
+    if text is None or len(text) > MAX_DIGITS:
+        return str(value), _PRODUCT
+    return text, _PRIMARY
 
 
 def _decimal(value: Fraction | int) -> str | None:
