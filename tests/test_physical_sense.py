@@ -65,7 +65,9 @@ sphere P: mass {mass}, velocity 5i - 3j
 P hits W: e = 1/2
 find impulse""").error
     assert isinstance(error, ImpossibleError)
-    assert "mass of P must be positive" in str(error)
+    shown = mass.replace("-", "−")
+    assert error.message == f"the mass of P is {shown}: a mass must be positive"
+    assert (error.line, error.column) == (2, 16)
 
 
 @pytest.mark.parametrize(
@@ -73,8 +75,8 @@ find impulse""").error
     [
         ("1", "3", "all spheres have one radius: A has 1, B has 3"),
         ("r", "s", "all spheres have one radius: A has r, B has s"),
-        ("0", "0", "the radius of A must be positive"),
-        ("-1", "-1", "the radius of A must be positive"),
+        ("0", "0", "the radius of A is 0: a radius must be positive"),
+        ("-1", "-1", "the radius of A is −1: a radius must be positive"),
     ],
 )
 def test_all_spheres_have_one_positive_radius(one: str, other: str, said: str) -> None:

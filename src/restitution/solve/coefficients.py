@@ -16,10 +16,12 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import ImpossibleError, RestitutionError
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Expression, Letter, letters
+from restitution.expression.tree import Expression, Letter, letters, line_and_column
+from restitution.expression.writing import write_expression
 from restitution.problem import Arrival, Event, Impact, Kick, Step
 from restitution.render.layout import display
 from restitution.render.text import to_text
+from restitution.solve.bodies import coefficient_outside
 from restitution.solve.conditions import Equation
 from restitution.solve.numbers import FIELD, TINY, Sample
 from restitution.solve.part import Numbers, Setting
@@ -34,10 +36,11 @@ Numeric = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Impossible:
-    """A coefficient outside [0, 1]: what it is, as text, and the letters that it is made of."""
+    """A coefficient outside [0, 1]: what it is, as text, where, and the letters in it."""
 
     text: str
     event: int
+    step: Impact
     letters: frozenset[str]
 
 
@@ -45,17 +48,23 @@ def impossible_coefficients(branch: Branch) -> list[Impossible]:
     """The coefficients outside [0, 1], in the order of the impacts."""
     found = []
     for told, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
-        if outside(told):
-            shown = to_text(display(exact.tidy(exactly.e)))
-            e = told.step.e if isinstance(told.step, Impact) else None
+        if outside(told) and isinstance(told.step, Impact):
+            e = told.step.e
+            if e is not None and coefficient_outside(told.step):
+                shown = write_expression(e)  # as typed: rounded, it may be 1.00
+            else:
+                shown = to_text(display(exact.tidy(exactly.e)))
             name = to_text(display(sp.Symbol(e.name))) if isinstance(e, Letter) else "e"
-            found.append(Impossible(f"{name} = {shown}", told.number, made_of(told.step)))
+            found.append(
+                Impossible(f"{name} = {shown}", told.number, told.step, made_of(told.step))
+            )
     return found
 
 
 def outside(told: Happening) -> bool:
     """Whether an event, told in numbers, has an impossible coefficient."""
-    return told.e is not None and not -TINY <= told.e <= 1 + TINY
+    given = isinstance(told.step, Impact) and coefficient_outside(told.step)
+    return told.e is not None and (given or not -TINY <= told.e <= 1 + TINY)
 
 
 def made_of(step: Event) -> frozenset[str]:
@@ -77,7 +86,9 @@ def without_impossible(
         named = {name for tree in trees for name in letters(tree)}
         wrong = impossible_coefficients(branches[0])
         blamed = next((each for each in wrong if each.letters & named), wrong[0])
-        raise ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}")
+        e = blamed.step.e
+        place = line_and_column(e.place if e is not None and not blamed.letters else None)
+        raise ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}", *place)
     return kept
 
 

@@ -44,7 +44,24 @@ def givens(problem: Problem, part: Part) -> list[tuple[Given, int]]:
 def requirements(
     relation: Relation, story: Story, now: int, place: Place | None = None
 ) -> list[Requirement]:
-    """What a relation asks for. Raises StatementError where it makes no sense."""
+    """What a relation asks for. Raises StatementError where it makes no sense.
+
+    Raises ImpossibleError where it clashes with a story that is impossible by itself.
+    """
+    found = _requirements(relation, story, now, place)
+    if story.fault is not None and any(_never(each) for each in found):
+        raise story.fault
+    return found
+
+
+def _never(each: Requirement) -> bool:
+    """Whether an exact equation is one between different numbers."""
+    return isinstance(each, Equation) and each.value.is_number and bool(each.value.is_nonzero)
+
+
+def _requirements(
+    relation: Relation, story: Story, now: int, place: Place | None
+) -> list[Requirement]:
     try:
         match relation:
             case Compare():

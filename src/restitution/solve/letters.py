@@ -356,7 +356,11 @@ def _narrowed(role: Role, name: str, problem: Problem) -> Role:
 def narrowed_by(role: Role, name: str, step: Given) -> Role:
     """A role with the numerical bounds of one line of facts."""
     for relation in step.relations:
-        if not isinstance(relation, Compare) or set(relation.operators) == {"="}:
+        if not isinstance(relation, Compare):
+            continue
+        if set(relation.operators) == {"="}:
+            if role.kind == "positive" and _is_no_positive_number(name, relation):
+                role = REAL
             continue
         for left, op, right in zip(
             relation.operands, relation.operators, relation.operands[1:], strict=False
@@ -369,6 +373,14 @@ def narrowed_by(role: Role, name: str, step: Given) -> Role:
                 flipped = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[op]
                 role = _bounded(role, evaluate(left, sp.Symbol), flipped)
     return role
+
+
+def _is_no_positive_number(name: str, relation: Compare) -> bool:
+    """Whether a fact equates a letter with a number that is not positive."""
+    return Letter(name) in relation.operands and any(
+        _constant(tree) and bool(sp.sympify(evaluate(tree, sp.Symbol)).is_nonpositive)
+        for tree in relation.operands
+    )
 
 
 def _constant(tree: Expression) -> bool:

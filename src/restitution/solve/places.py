@@ -273,7 +273,9 @@ def meeting(
     ww = approach.dot(approach)
     if story.still(approach):
         raise ImpossibleError(
-            f"{step.first} and {step.second} keep their distance", *line_and_column(step.place)
+            f"{step.first} and {step.second} are at rest relative to each other: they keep their "
+            "distance, and do not collide",
+            *line_and_column(step.place),
         )
     if r is None:
         flight = gap.dot(approach) / ww
@@ -313,8 +315,8 @@ def meeting(
     flight = story.rational(flight)
     if story.field.exact and flight.is_negative:
         raise ImpossibleError(f"{step.first} and {step.second} are separating")
-    # Where they begin at one place they collide there and then.
-    together = r is None and story.field.is_zero(gap.dot(gap))
+    # Where they begin at one place, or in contact, they collide there and then.
+    together = story.field.is_zero(flight)
     story.conditions.append(
         Condition(
             flight,

@@ -51,7 +51,7 @@ from restitution.problem import (
     trees,
     trees_of_step,
 )
-from restitution.solve import places, quantities
+from restitution.solve import bodies, places, quantities
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.neat import neat
 from restitution.vector import Vector
@@ -136,6 +136,7 @@ class Story:
         self.equations: list[Equation] = []
         self.conditions: list[Condition | AnyOf] = []
         self.happenings: list[Happening] = []
+        self.fault: ImpossibleError | None = None  # proved, and worse than a clash of facts
         self.implied = False  # places are counted from the first impact, as the text gives none
         self.lets = lets
         self._open_lets: list[str] = []
@@ -146,6 +147,13 @@ class Story:
         self._now = 0
         self._evaluators: dict[int, Evaluator] = {}
         self.tracks = {name: _Track([]) for name in self.spheres}
+        # What holds of these values holds of the statement, and not of one of several roots.
+        known = getattr(unknowns, "values", {})
+        self._of_statement = arithmetic.exact and known.keys() <= bodies.fixed_letters(
+            problem, part
+        )
+        if self._of_statement:
+            bodies.require_bodies(self)
         self._sizes()
         for sphere in problem.spheres:
             self._start(sphere)
@@ -242,6 +250,11 @@ class Story:
         for name, radius in told.items():
             what = f"the radius of {name} must be positive"
             self.conditions.append(Condition(radius, ">", what, "sign"))
+        for wall in self.problem.walls:
+            if wall.radius is not None and not _in_lets(wall.radius, self.lets):
+                what = f"the radius of {wall.name}"
+                radius = self.read(wall.radius, what)
+                self.conditions.append(Condition(radius, ">", f"{what} must be positive", "sign"))
         for (one, r), (other, s) in pairwise(told.items()):
             if not self.field.is_zero(self.rational(r - s)):
                 sizes = (f"{one} has {r}", f"{other} has {s}") if self.field.exact else ()
@@ -397,7 +410,10 @@ class Story:
         number = len(self.happenings) + 1
         match step:
             case Impact():
-                happening = self._impact(number, step)
+                try:
+                    happening = self._impact(number, step)
+                except ImpossibleError as error:
+                    raise self.fault or error from None
             case Kick():
                 happening = self._kick(number, step)
             case Arrival():
@@ -462,6 +478,11 @@ class Story:
         e = self._letter("e") if step.e is None else self.evaluator(number - 1).scalar(step.e)
         reason = "a coefficient of restitution lies in [0, 1]"
         one = self.field.number(Fraction(1))
+        if bodies.coefficient_outside(step):
+            self.conditions.append(Condition(-one, ">=", reason, "coefficient"))
+            if self.field.exact:
+                self.fault = self.fault or bodies.impossible_coefficient(step)
+            return e
         self.conditions.append(Condition(e, ">=", reason, "coefficient"))
         self.conditions.append(Condition(one - e, ">=", reason, "coefficient"))
         return e
@@ -593,6 +614,9 @@ class Story:
         unknown = False
         if step.along is not None:
             c = self.direction(step.along, number - 1)
+            if self._of_statement:
+                line = f"the line of centres of {first} and {second}"
+                bodies.require_direction(c, line, step.along, step.place)
         elif step.offset is not None:
             c = self._by_offset(number, step, approach)
         elif geometric is not None:
@@ -606,8 +630,12 @@ class Story:
             unknown = True
         closing = self.rational(approach.dot(c))
         what = f"{first} and {second} are separating along the line of centres"
+        if self.still(approach):
+            what = f"{first} and {second} are at rest relative to each other, and do not collide"
         placed = time is not None and places.meeting_time(self, number) is not None
         own = self.rational(u1.dot(c)) if step.along is not None and not placed else None
+        if self._of_statement and (own is not None or self.still(approach)):
+            self._require_approach(step, c, own, closing, what)
         self._approach((first, second), approach, c, closing, unknown, what, own)
         if unknown:
             # The impulse itself is along the line of centres: linear in what is unknown.
@@ -637,6 +665,24 @@ class Story:
             time=time if time is not None else places.meeting_time(self, number),
             unknown_line=unknown,
         )
+
+    def _require_approach(
+        self, step: Impact, c: Vector, own: Scalar, closing: Scalar, what: str
+    ) -> None:
+        """Raises ImpossibleError where two spheres are proved not to approach on their line.
+
+        Where they would if the names were exchanged, that is suggested.
+        """
+        first, second = step.first, step.second
+        if self.field.is_zero(closing):
+            if "relative" not in what:
+                what = f"{first} and {second} move alike along the line of centres"
+                what += ", and do not collide"
+        elif (first, second) in self._contacts or not (own * closing).is_negative:
+            return
+        elif (closing * (closing - own)).is_positive:
+            what += f": {second} is the faster; did you mean '{second} hits {first}'?"
+        raise ImpossibleError(what, *line_and_column(step.place))
 
     def _by_offset(self, number: int, step: Impact, approach: Vector) -> Vector:
         """The line of centres makes arcsin(d/2r) with the relative path."""

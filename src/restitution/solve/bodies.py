@@ -1,0 +1,191 @@
+"""What the bodies of a statement must be before anything can happen to them.
+
+A value that is plainly impossible (a negative mass, a wall of no length, spheres within each
+other) is named with its rule and its place before the story is told: what would follow from it, a
+clash or a miss, hides what is wrong. Only what is proved counts, in exact numbers or by the signs
+that letters have.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution.errors import ImpossibleError, StatementError
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Place,
+    Quantity,
+    has_quantity,
+    letters,
+    line_and_column,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.problem import Compare, Given, Impact, Part, Problem, Wall
+from restitution.render.layout import display, display_point
+from restitution.render.text import to_text
+from restitution.solve.neat import neat
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.solve.story import Story
+
+# The sign of an expression in more letters and operations than these is hardly plain.
+_PLAIN = 40
+
+
+def require_bodies(story: Story) -> None:
+    """Masses and radii are positive, walls have a direction, no spheres overlap at the start.
+
+    Raises ImpossibleError, with its place, for the first of which the contrary is proved.
+    """
+    for sphere in story.problem.spheres:
+        _positive(story, sphere.mass, f"the mass of {sphere.name}", "a mass", sphere.place)
+        _positive(story, sphere.radius, f"the radius of {sphere.name}", "a radius", sphere.place)
+    for wall in story.problem.walls:
+        _positive(story, wall.radius, f"the radius of the wall {wall.name}", "a radius", wall.place)
+        _extended(story, wall)
+    _apart(story)
+
+
+def require_direction(c: Vector, what: str, tree: Any, place: Place | None) -> None:
+    """Raises ImpossibleError where a direction is proved to be that of the zero vector."""
+    if _is_zero(c):
+        raise _impossible(f"{what} is along the zero vector, which has no direction", tree, place)
+
+
+def coefficient_outside(step: Impact) -> bool:
+    """Whether the coefficient of an impact is given as a number, and one outside [0, 1].
+
+    However little it is: numbers of finite precision may not show it.
+    """
+    return step.e is not None and _outside_by_itself(step.e)
+
+
+@lru_cache(maxsize=1024)
+def _outside_by_itself(tree: Expression) -> bool:
+    if isinstance(tree, Number):
+        return tree.value > 1
+    if any(isinstance(node, Letter | Quantity) for node in walk(tree)):
+        return False
+    try:
+        value = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+    except (StatementError, sp.SympifyError):
+        return False
+    return bool(value.is_negative) or bool((value - 1).is_positive)
+
+
+def impossible_coefficient(step: Impact) -> ImpossibleError:
+    """What to say of a coefficient that is given as a number outside [0, 1]."""
+    assert step.e is not None
+    return _impossible(
+        f"e = {write_expression(step.e)} where {step.first} hits {step.second}: "
+        "a coefficient of restitution lies in [0, 1]",
+        step.e,
+        step.place,
+    )
+
+
+def fixed_letters(problem: Problem, part: Part) -> frozenset[str]:
+    """The letters that a fact in force equates with an expression of letters and numbers."""
+    return frozenset(
+        side.name
+        for each in problem.parts[: problem.parts.index(part) + 1]
+        if each.label is None or each is part
+        for step in each.steps
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare) and set(relation.operators) == {"="}
+        if not any(map(has_quantity, relation.operands))
+        for side in relation.operands
+        if isinstance(side, Letter)
+    )
+
+
+# --- one property each --------------------------------------------------------------------------
+
+
+def _positive(story: Story, tree: Any, what: str, noun: str, place: Place | None) -> None:
+    if tree is None or _rests_on(story, tree):
+        return
+    value = sp.sympify(story.read(tree, what), strict=True)
+    if _no_more_than_zero(value):
+        shown = to_text(display(value))
+        if isinstance(tree, Expression) and letters(tree) and not value.free_symbols:
+            shown = f"{write_expression(tree)} = {shown}"
+        raise _impossible(f"{what} is {shown}: {noun} must be positive", tree, place)
+
+
+def _extended(story: Story, wall: Wall) -> None:
+    """A wall has a direction, and a segment a length."""
+    if wall.along is not None and not _rests_on(story, wall.along):
+        if isinstance(wall.along, Expression):
+            along = story.evaluator(0).direction(wall.along)
+        else:
+            along = story.read_vector(wall.along, f"the direction of {wall.name}")
+        require_direction(along, f"the wall {wall.name}", wall.along, wall.place)
+    elif wall.start is not None and wall.end is not None:
+        if _rests_on(story, wall.start) or _rests_on(story, wall.end):
+            return
+        start, end = (story.read_vector(each, wall.name) for each in (wall.start, wall.end))
+        if _is_zero(end - start):
+            shown = to_text(display_point(*start))
+            said = f"the wall {wall.name} goes from {shown} to {shown}: a wall must have a length"
+            raise _impossible(said, wall.start, wall.place)
+
+
+def _apart(story: Story) -> None:
+    """Spheres of a radius, at places told, do not overlap."""
+    placed = [
+        sphere
+        for sphere in story.problem.spheres
+        if sphere.position is not None and not _rests_on(story, sphere.position)
+    ]
+    if len(placed) < 2 or all(each.radius is None for each in story.problem.spheres):
+        return
+    radius = story.radius(placed[0].name)
+    for one, other in combinations(placed, 2):
+        p, q = (story.read_vector(each.position, each.name) for each in (one, other))
+        square = sp.expand((q - p).dot(q - p))
+        if sp.expand(4 * radius * radius - square).is_positive:
+            centres = " and ".join(to_text(display_point(*each)) for each in (p, q))
+            said = (
+                f"{one.name} and {other.name} overlap at the start: their centres, at {centres}, "
+                f"are {to_text(display(story.field.sqrt(square)))} apart, "
+                f"less than two radii, {to_text(display(neat(2 * radius)))}"
+            )
+            raise _impossible(said, other.position, other.place)
+
+
+def _no_more_than_zero(value: sp.Expr) -> bool:
+    if value.free_symbols and value.count_ops() > _PLAIN:
+        return False
+    return bool(value.is_nonpositive) or (not value.free_symbols and bool(neat(value) == 0))
+
+
+def _is_zero(v: Vector) -> bool:
+    return all(each == 0 or (not each.free_symbols and neat(each) == 0) for each in v)
+
+
+def _rests_on(story: Story, value: Any) -> bool:
+    """Whether a property rests on the motion, or on a name that the story has to be told for."""
+    if not isinstance(value, Expression):
+        return False
+    points = (story.points.get(each.name) for each in walk(value) if isinstance(each, Name))
+    return (
+        has_quantity(value)
+        or not letters(value).isdisjoint(story.lets)
+        or any(each is not None and _rests_on(story, each.position) for each in points)
+    )
+
+
+def _impossible(said: str, tree: Any, place: Place | None) -> ImpossibleError:
+    return ImpossibleError(said, *line_and_column(getattr(tree, "place", None) or place))
