@@ -262,6 +262,79 @@ def test_reader_who_goes_away(folder):
     assert b"internal error" not in done.stderr
 
 
+WRITING = {
+    "solve": "solve good.impact",
+    "as JSON": "solve good.impact good.impact -f json",
+    "draw": "draw good.impact",
+    "sheet": "sheet good.impact -f html -o -",
+    "play": "play good.impact -o -",
+    "check": "check good.impact",
+    "examples": "examples",
+    "one example": "examples corner",
+    "language": "language",
+    "help": "--help",
+    "version": "--version",
+}
+READING = ["solve -", "draw -", "sheet - -f html -o -", "play - -o -", "check -"]
+
+
+def redirected(folder, rest):
+    """The command with streams that a shell has closed or put elsewhere."""
+    done = subprocess.run(
+        ["sh", "-c", f"exec {sys.executable} -m restitution {rest}"],
+        capture_output=True,
+        check=False,
+        cwd=folder,
+        timeout=60,
+    )
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+@pytest.mark.parametrize("name", WRITING)
+def test_an_output_that_is_closed_or_full(folder, name):
+    said = "standard output: cannot be written: "
+    assert redirected(folder, f"{WRITING[name]} >&-") == (1, "", f"{said}it is closed\n")
+    if Path("/dev/full").exists():
+        full = redirected(folder, f"{WRITING[name]} > /dev/full")
+        assert full == (1, "", f"{said}No space left on device\n")
+
+
+@pytest.mark.parametrize("rest", READING)
+def test_an_input_that_is_closed(folder, rest):
+    status, out, err = redirected(folder, f"{rest} <&-")
+    assert (status, out, err) == (2, "", "-: cannot be read: standard input is closed\n")
+
+
+def test_what_is_not_needed_may_be_closed(folder):
+    status, out, err = redirected(folder, "solve good.impact -o made.txt <&- >&- 2>&-")
+    assert (status, out, err) == (0, "", "")
+    assert "Newton" in (folder / "made.txt").read_text()
+    status, out, _ = redirected(folder, "solve good.impact missing.impact --answers-only 2>&-")
+    assert status == 1
+    assert "impulse = 8" in out
+
+
+def test_a_file_that_is_full(folder):
+    if Path("/dev/full").exists():
+        status, out, err = run("solve", "good.impact", "-o", "/dev/full", cwd=folder)
+        assert (status, out) == (1, "")
+        assert err == "/dev/full: cannot be written: No space left on device\n"
+
+
+def test_no_name_of_python_reaches_a_reader():
+    from restitution.errors import TimeLimitError
+    from restitution.killable import portable
+    from restitution.solve.solver import UNFORESEEN, unforeseen
+
+    for kind in UNFORESEEN:
+        for said in (unforeseen(kind("no attribute")).message, str(portable(kind("of NoneType")))):
+            assert kind.__name__ not in said
+            assert "attribute" not in said
+            assert "NoneType" not in said
+            assert "fault of the program" in said
+    assert portable(TimeLimitError("too long")).message == "too long"
+
+
 def test_progress_on_a_terminal(folder):
     primary, secondary = pty.openpty()
     done = subprocess.Popen(

@@ -155,13 +155,12 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
 
 
 def portable(error: BaseException) -> Exception:
-    """An error that can be sent: those of this package as they are, others by their text."""
+    """An error that can be sent: those of this package as they are, others by their traceback."""
     if isinstance(error, MemoryError):
         return LostError("there is not memory enough for this")
     if isinstance(error, Exception) and hasattr(error, "kind") and hasattr(error, "message"):
         return error
-    lines = traceback.format_exception_only(error)
-    return LostError(lines[-1].strip(), "".join(traceback.format_exception(error)))
+    return LostError("a fault of the program", "".join(traceback.format_exception(error)))
 
 
 def limit_memory() -> None:

@@ -10,9 +10,10 @@ not understood; 130 after Ctrl-C.
 from __future__ import annotations
 
 import gc
+import io
 import os
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from restitution.killable import Worker
@@ -23,6 +24,9 @@ INTERRUPTED = 130
 
 REPORT = "please report this, with the statement"
 
+CLOSED: set[int] = set()
+"""The standard streams (0, 1, 2) that were closed when the command began."""
+
 
 def main() -> None:
     """Run the command that the arguments of this process name, and exit with its status."""
@@ -30,6 +34,8 @@ def main() -> None:
     # time until the first answer.
     gc.set_threshold(50_000, 20, 20)
     worker: Worker | None = None
+    _open_what_is_closed()
+    _watch_output()
     try:
         for stream in (sys.stdout, sys.stderr):
             # What cannot be encoded is replaced: an answer is never lost to an alphabet.
@@ -47,15 +53,76 @@ def main() -> None:
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
         sys.exit(INTERRUPTED)
-    except Exception as error:
+    except OutputError as error:
+        _forget_output()
+        reason = "it is closed" if 1 in CLOSED else error.strerror
+        sys.stderr.write(f"standard output: cannot be written: {reason}\n")
+        sys.exit(UNANSWERED)
+    except Exception:
         if os.environ.get("RESTITUTION_DEBUG"):
             raise
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        sys.stderr.write(f"internal error: {said}; {REPORT}\n")
+        sys.stderr.write(f"internal error: a fault of the program; {REPORT}\n")
         sys.exit(UNANSWERED)
     finally:
         if worker is not None:
             worker.close()
+
+
+def _open_what_is_closed() -> None:
+    """Put something in the place of standard streams that are closed.
+
+    Else the next file that is opened would take their place, and be written to. From a closed
+    input nothing can be read, and to a closed output nothing written; messages that nobody can
+    see are lost.
+    """
+    for number, name in enumerate(("stdin", "stdout", "stderr")):
+        try:
+            os.fstat(number)
+        except OSError:
+            CLOSED.add(number)
+            # Each open the wrong way round, so that its use is an error; not so messages.
+            flags = os.O_RDONLY if number == 1 else os.O_WRONLY
+            opened = os.open(os.devnull, flags)
+            if opened != number:
+                os.dup2(opened, number)
+                os.close(opened)
+        if getattr(sys, name) is None:
+            mode = "r" if number == 0 else "w"
+            setattr(sys, name, open(number, mode, encoding="utf-8", closefd=False))  # noqa: SIM115
+
+
+class OutputError(OSError):
+    """Standard output cannot be written to, and it is not that its reader has gone."""
+
+
+class _Output(io.FileIO):
+    """Standard output, which tells its own failures from those of other files."""
+
+    def write(self, data: Any) -> int | None:
+        try:
+            return super().write(data)
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise OutputError(error.errno, error.strerror) from None
+
+
+def _watch_output() -> None:
+    try:
+        watched = sys.stdout.fileno() == 1 and not sys.stdout.isatty()
+    except (AttributeError, OSError, ValueError):
+        return  # it is something else, put there from outside
+    if watched:
+        raw = _Output(1, "w", closefd=False)
+        kept = sys.stdout.encoding
+        sys.stdout = io.TextIOWrapper(io.BufferedWriter(raw), encoding=kept, errors="replace")
+
+
+def _forget_output() -> None:
+    """What standard output still holds goes nowhere, and the process ends in peace."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    os.close(nowhere)
 
 
 def _early_worker() -> Worker:

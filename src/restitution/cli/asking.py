@@ -62,7 +62,7 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
         messages.append(
             reply.fault
             if debugging()
-            else f"{job.file}: internal error: {reply.fault.splitlines()[-1]}; {REPORT}"
+            else f"{job.file}: internal error: the working could not be written; {REPORT}"
         )
     return Answer(0 if reply.answered else UNANSWERED, reply.content, tuple(messages))
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from restitution.cli import REPORT
+from restitution.cli import CLOSED, REPORT
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ def read(file: str) -> bytes:
     """
     from restitution.expression.limits import MAX_TEXT_BYTES
 
+    if file == "-" and CLOSED & {0}:
+        raise StatementError("cannot be read: standard input is closed")
     try:
         if file == "-":
             return sys.stdin.buffer.read(MAX_TEXT_BYTES + 1)
@@ -53,11 +55,11 @@ def parse(text: bytes) -> Problem:
         return parse(text)
     except RestitutionError:
         raise
-    except Exception as error:
+    except Exception:
         if debugging():
             raise
-        name = f"{type(error).__name__}: {one_line(error)}"
-        raise UnsupportedError(f"internal error: {name}; {REPORT}") from None
+        said = f"internal error: the text could not be read; {REPORT}"
+        raise UnsupportedError(said) from None
 
 
 def pointed(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
@@ -85,9 +85,13 @@ class Target:
                     self.stream = self.path.open("w", encoding="utf-8")
                 self.stream.write(text)
                 self.stream.flush()
-        except BrokenPipeError:
-            raise
         except OSError as error:
+            if self.path is None:
+                raise  # told where the command ends
+            if self.stream is not None:
+                with suppress(OSError):  # it has been told already
+                    self.stream.close()
+                self.stream = None
             say(f"{error.filename or self.path}: cannot be written: {error.strerror}")
             raise typer.Exit(UNANSWERED) from None
 

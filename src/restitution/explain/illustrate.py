@@ -27,8 +27,8 @@ def illustrated(explanation: Explanation) -> Explanation:
         drawn = scenes(explanation.solution)
     except RestitutionError:
         return explanation  # unsolved: the working says why
-    except (*UNFORESEEN, AssertionError) as error:
-        said = f"the pictures could not be drawn ({type(error).__name__})"
+    except (*UNFORESEEN, AssertionError):
+        said = "the pictures could not be drawn, by a fault of the program"
         return replace(explanation, warnings=(*explanation.warnings, said))
     parts = tuple(
         _illustrated(part, [scene for scene in drawn if scene.part == part.label])

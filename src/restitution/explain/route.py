@@ -174,7 +174,8 @@ def _worked(
             explain_item(work, result, now, told.branch.number)
         except _FAILURES as error:
             # No working is better than none of the answers.
-            work.dropped.append(f"{result.text} ({type(error).__name__})")
+            why = f" ({error.message})" if isinstance(error, RestitutionError) else ""
+            work.dropped.append(f"{result.text}{why}")
             work.write("note", words=(f"{_answers(result)}.",))
         work.answered |= _given_as_answer(work, result, now)
     return work

@@ -141,8 +141,10 @@ UNWIELDY = 120
 
 def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
     """A defect, as an answer to the one who asked."""
-    said = f"{type(error).__name__}: {error}".rstrip(": ")
-    return UnsupportedError(f"this could not be solved ({said}); please report the question", line)
+    said = "this could not be solved, by a fault of the program: please report the question"
+    answer = UnsupportedError(said, line)
+    answer.__cause__ = error  # for those who mend it
+    return answer
 
 
 @dataclass
