@@ -65,8 +65,10 @@ WRONG = {
     ),
     PAIR + "A hits B: along (a - 1) i, e = 1\ngiven a = 1\n": ("along the zero vector", 3),
     PLACED.format(r="1", at="(1, 0)") + "A hits B: e = 1\n": (
-        "A and B overlap at the start: their centres, at (0, 0) and (1, 0), are 1 apart, "
-        "less than two radii, 2",
+        (
+            "A and B overlap at the start: their centres, at (0, 0) and (1, 0), are 1 apart, "
+            "less than two radii, 2"
+        ),
         2,
     ),
     PLACED.format(r="r", at="(r, r)") + "A hits B: e = 1\n": ("A and B overlap at the start", 2),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -657,3 +659,69 @@ def test_limits(text, place, said) -> None:
         parse(text)
     assert said in caught.value.message
     assert (caught.value.line, caught.value.column) == place
+
+
+# --- words outside the model ----------------------------------------------------------------------
+
+OUTSIDE = {
+    "given gravity = 9.8": (7, "gravity", "horizontal table"),
+    "Gravity is 9.8": (1, "Gravity", "horizontal table"),
+    "sphere C: height 3": (11, "height", "horizontal table"),
+    "sphere C: vertical plane": (11, "vertical plane", "horizontal table"),
+    "A falls to W": (3, "falls", "velocity just before an impact"),
+    "wall V: inclined plane at 30°": (9, "inclined plane", "'wall W: along 30°'"),
+    "given friction = 0.2": (7, "friction", "velocity just before an impact"),
+    "wall V: along j, rough": (18, "rough", "smooth"),
+    "string AB": (1, "string", "'A receives 2i'"),
+    "A and B are joined by an elastic string": (26, "elastic string", "'A receives 2i'"),
+    "A and B coalesce": (9, "coalesce", "e = 0"),
+    "given A and B stick together": (15, "stick together", "e = 0"),
+    "find spin": (6, "spin", "no spin"),
+    "find spin(A)": (6, "spin", "no spin"),
+    "A rolls to B": (3, "rolls", "no spin"),
+    "find average force": (6, "average force", "ask for the impulse"),
+    "find average(speed(A))": (6, "average", "ask for the impulse"),
+    "given acceleration = 2": (7, "acceleration", "'A receives 2i'"),
+}
+
+
+@pytest.mark.parametrize("line", OUTSIDE)
+def test_a_word_outside_the_model_gets_a_sentence(line) -> None:
+    column, word, instead = OUTSIDE[line]
+    text = "wall W: along i\nsphere A, B: mass 2, velocity 3i\n" + line
+    with pytest.raises(StatementError) as caught:
+        parse(text)
+    assert (caught.value.line, caught.value.column) == (3, column)
+    assert caught.value.message.startswith(f"'{word}' is outside the model: ")
+    assert instead in caught.value.message
+
+
+def test_every_row_of_the_reference_is_told() -> None:
+    """The words in the first column of the table are answered as it says."""
+    page = (Path(__file__).parents[1] / "docs" / "language.md").read_text(encoding="utf-8")
+    table = page.partition("## What is outside")[2].partition("\n## ")[0]
+    rows = [row.split("|")[1].strip() for row in table.splitlines() if row.startswith("| ")]
+    assert len(rows) > 8
+    for row in rows[1:-1]:
+        for word in re.split(r", (?:or )?| or ", row.removeprefix("spheres that ")):
+            with pytest.raises(StatementError) as caught:
+                parse(f"sphere A: mass 1, {word.removeprefix('the ').removeprefix('a ')}")
+            assert "is outside the model" in caught.value.message, word
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "title Gravity, friction and a rough string",
+        "sphere C: mass 1 # rolling on a rough slope",
+        "given g = 9.8, mu > 0, f < 2",
+    ],
+)
+def test_what_reads_is_not_asked(line) -> None:
+    parse("sphere A: velocity i\n" + line)
+
+
+def test_a_word_outside_counts_in_lines_that_cannot_be_read_alone() -> None:
+    with pytest.raises(StatementError) as caught:
+        parse("sphere A: velocty 3i\n# gravity")
+    assert "did you mean 'velocity'?" in caught.value.message

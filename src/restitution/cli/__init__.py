@@ -98,7 +98,7 @@ class OutputError(OSError):
 class _Output(io.FileIO):
     """Standard output, which tells its own failures from those of other files."""
 
-    def write(self, data: Any) -> int | None:
+    def write(self, data: Any, /) -> int:
         try:
             return super().write(data)
         except BrokenPipeError:

@@ -108,6 +108,8 @@ FRAGMENTS = (
     "only",
     "max",
     "min",
+    "spin",
+    "roll",
     "KE",
 )
 

@@ -14,6 +14,7 @@ from functools import cache
 from restitution.errors import StatementError
 from restitution.expression.lexer import Source
 from restitution.expression.words import LINE_WORDS
+from restitution.language.outside import outside
 
 _NAME = r"[A-Z][A-Za-z0-9]*"
 _BODY = rf"(?:the\s+)?(?:(?:sphere|ball|particle|wall)\s+)?(?P<body>{_NAME})\b"
@@ -532,7 +533,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     # signs, and words too many
     ("", r"(?P<x>[.;?!])\s*$", _CUT),
     ("", r"(?P<x>;)", "did you mean ','?"),
-    ("", r"(?P<x>\bthe)\b\s*", _CUT),
+    ("", r"(?P<x>\b(?:the|smooth))\b\s*", _CUT),
     ("find given unknown show sphere wall event", r"(?P<x>\band\b)", "did you mean ','?"),
 )
 
@@ -561,8 +562,11 @@ _LONGEST = 300  # what people write in one line; a longer one is not searched
 def with_guess(source: Source, word: str, mistake: StatementError) -> StatementError:
     """The mistake in a line, told by what was probably meant where that is known.
 
-    ``word`` is the first word of the line. A slip counts only where the mistake was met.
+    ``word`` is the first word of the line. A slip counts only where the mistake was met, a word
+    that is outside the model wherever it stands.
     """
+    if beyond := outside(source):
+        return beyond
     kind = "event" if _EVENT.match(source.plain) else word if word in LINE_WORDS else "other"
     start_of_line = source.place(len(source.text) - len(source.text.lstrip()))
     if (mistake.line, mistake.column) == (start_of_line.line, start_of_line.column) and (

@@ -149,9 +149,9 @@ def _apart(story: Story) -> None:
         for sphere in story.problem.spheres
         if sphere.position is not None and not _rests_on(story, sphere.position)
     ]
-    if len(placed) < 2 or all(each.radius is None for each in story.problem.spheres):
+    radius = story.radius(placed[0].name) if placed else None
+    if radius is None:
         return
-    radius = story.radius(placed[0].name)
     for one, other in combinations(placed, 2):
         p, q = (story.read_vector(each.position, each.name) for each in (one, other))
         square = sp.expand((q - p).dot(q - p))
