@@ -31,6 +31,12 @@ WRONG = {
         "the mass of B is m = −2: a mass must be positive",
         2,
     ),
+    "let k = -2\n" + PAIR.replace("1", "k + 1") + HIT: (
+        "the mass of B is k + 1 = −1: a mass must be positive",
+        3,
+    ),
+    PAIR + "A hits B: along i, e = -k\n": ("e = -k where A hits B: a coefficient", 3),
+    PAIR + "A hits B: along i, e = 1 + k\n": ("e = 1 + k where A hits B: a coefficient", 3),
     PAIR.replace("1", "-m") + HIT: ("the mass of B is −m: a mass must be positive", 2),
     PAIR.replace("1", "√8 - 2√2 - 10^-30") + HIT: ("a mass must be positive", 2),
     CIRCLE.format(r="-5"): ("the radius of the wall W is −5: a radius must be positive", 2),

@@ -177,14 +177,24 @@ def _is_zero(v: Vector) -> bool:
 
 def _rests_on(story: Story, value: Any) -> bool:
     """Whether a property rests on the motion, or on a name that the story has to be told for."""
-    if not isinstance(value, Expression):
-        return False
-    points = (story.points.get(each.name) for each in walk(value) if isinstance(each, Name))
-    return (
-        has_quantity(value)
-        or not letters(value).isdisjoint(story.lets)
-        or any(each is not None and _rests_on(story, each.position) for each in points)
-    )
+    seen: set[str] = set()
+    pending = [value]
+    while pending:
+        tree = pending.pop()
+        if not isinstance(tree, Expression):
+            continue
+        for node in walk(tree):
+            if isinstance(node, Quantity):
+                return True
+            if isinstance(node, Name) and node.name in story.points:
+                pending.append(story.points[node.name].position)
+            elif isinstance(node, Letter) and node.name in story.lets and node.name not in seen:
+                let, now = story.lets[node.name]
+                if now:
+                    return True
+                seen.add(node.name)
+                pending.append(let.expression)
+    return False
 
 
 def _impossible(said: str, tree: Any, place: Place | None) -> ImpossibleError:

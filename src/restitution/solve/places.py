@@ -289,7 +289,7 @@ def meeting(
     elif step.along is not None:
         along = story.direction(step.along, number - 1)
         length = story.size(along)
-        sign = story.unknowns.sign(approach.dot(along)) or 1
+        sign = _side(story, number, step, approach.dot(along))
         reach = along * (sign * 2 * r / length)
         way = gap - reach
         flight = way.dot(approach) / ww
@@ -332,6 +332,25 @@ def meeting(
         _nothing_first(story, name, None, known[0], v, time - known[1], number, partners)
         story.tracks[name].places.append((number, story.neat(where), time))
     return time, c
+
+
+def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
+    """On which side of the first sphere the second is, along the line told: 1 or −1.
+
+    It is the sign of ``towards``; where that depends on the letters, an unknown whose square is 1.
+    Which of its values goes with which letters is decided in numbers.
+    """
+    reason = f"{step.first} and {step.second} are separating"
+    sign = story.unknowns.sign(towards)
+    key = f"s_{number}"
+    if story.field.exact and sign is None:
+        side = story.unknowns.hidden(key, f"the order of {step.first} and {step.second}", "real")
+        story.equations.append(Equation(side * side - 1, reason))
+        return side
+    chosen = getattr(story.unknowns, "values", {}).get(f"_{key}")
+    if chosen is not None and not story.field.exact:
+        story.conditions.append(Condition(chosen * towards, ">", reason, "time"))
+    return sign or 1
 
 
 def later(story: Story, a: Scalar, b: Scalar) -> Scalar:

@@ -483,6 +483,8 @@ class Story:
             if self.field.exact:
                 self.fault = self.fault or bodies.impossible_coefficient(step)
             return e
+        if self._of_statement and e.free_symbols and (e.is_negative or (e - 1).is_positive):
+            raise bodies.impossible_coefficient(step)
         self.conditions.append(Condition(e, ">=", reason, "coefficient"))
         self.conditions.append(Condition(one - e, ">=", reason, "coefficient"))
         return e
