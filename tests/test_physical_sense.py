@@ -177,3 +177,47 @@ given k < 1
 find velocity(A)""").error
     assert isinstance(error, ContradictionError)
     assert "lines 5 and 6" in str(error)
+
+
+# --- the side on which a sphere is struck ---------------------------------------------------------
+
+SIDE = """sphere A: mass 1, at (10, 0), velocity p i + q j, radius 1
+sphere B: mass 1, at {at}, at rest, radius 1
+A hits B: along i, e = 1
+"""
+
+
+@pytest.mark.parametrize(
+    ("at", "facts", "expected"),
+    [
+        # 10 + 2p is 2 where B is on the left, and 18 where it is on the right.
+        ("(0, 0)", "time(1) = 2", -4),
+        ("(20, 0)", "time(1) = 2", 4),
+        ("(0, 0)", "velocity(B) = -4i, time(1) = 2", -4),
+        ("(0, 0)", "speed(B) = 4, time(1) = 2", -4),
+    ],
+)
+def test_a_velocity_to_be_found_may_point_either_way(at: str, facts: str, expected: int) -> None:
+    item = answer(SIDE.format(at=at) + f"given {facts}\nfind p, q")
+    assert [each.exact for each in item.answers] == [str(expected)]
+
+
+def test_a_letter_on_which_the_side_depends_keeps_it() -> None:
+    """Towards the left, p is negative, and the centres come to 2 apart after 8/(−p)."""
+    item = answer(SIDE.format(at="(0, 0)") + "given q = 0\nfind time(1)")
+    assert [each.exact for each in item.answers] == ["-8/p"]
+
+
+def test_a_place_is_found_on_either_side() -> None:
+    item = answer(SIDE.format(at="(c, 0)") + "given q = 0, time(1) = 2, p = -3\nfind c")
+    assert [each.exact for each in item.answers] == ["2"]
+
+
+def test_a_place_of_two_letters_is_found_from_a_velocity_afterwards() -> None:
+    text = """sphere A: mass 1, at (0, 0), velocity 2i, radius 1
+sphere B: mass 1, at rest, at (p, q), radius 1
+A hits B: e = 1
+given velocity(A) = i + j, time(1) = 2
+find p, q"""
+    (part,) = restitution.solve(restitution.parse(text)).parts.values()
+    assert [item.answers[0].exact for item in part.items] == ["sqrt(2) + 4", "-sqrt(2)"]
