@@ -378,7 +378,7 @@ def narrowed_by(role: Role, name: str, step: Given) -> Role:
 def _is_no_positive_number(name: str, relation: Compare) -> bool:
     """Whether a fact equates a letter with a number that is not positive."""
     return Letter(name) in relation.operands and any(
-        _constant(tree) and bool(sp.sympify(evaluate(tree, sp.Symbol)).is_nonpositive)
+        _constant(tree) and bool(sp.sympify(evaluate(tree, sp.Symbol), strict=True).is_nonpositive)
         for tree in relation.operands
     )
 
