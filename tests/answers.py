@@ -17,8 +17,8 @@ import sympy as sp
 
 from restitution.expression import read_expression
 from restitution.expression.evaluate import evaluate
-from restitution.solve import ItemResult, Solution
 from restitution.oracle.roles import Role
+from restitution.solve import ItemResult, Solution
 from restitution.solve.numbers import UndefinedError, at, sample
 
 

@@ -6,6 +6,7 @@ import random
 from collections import ChainMap, Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -311,6 +312,9 @@ class Setting:
             else:
                 reasons[reason] += 1
         if not accepted:
+            pinned = self._pinned(found, letters_, admission, free)
+            if pinned is not None:
+                return pinned
             possible = admission.oracle.possible
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
@@ -328,6 +332,32 @@ class Setting:
             return Trial(found, (), refusal.reason, refusal.kind, admission)
         (reason_, kind), _ = reasons.most_common(1)[0]
         return Trial(found, (), reason_, kind, admission)
+
+    def _pinned(
+        self, found: Found, letters_: Letters, admission: Admission, free: Sequence[str]
+    ) -> Trial | None:
+        """The solution in which letters that are sought have the one value that is possible.
+
+        e₁e₂ = 1 leaves one of them open, until 0 ≤ e ≤ 1 of both is used.
+        """
+        possible = admission.oracle.possible
+        if possible.answer != "proved" or possible.witness is None:
+            return None
+        pinned: dict[str, sp.Expr] = {}
+        for name in free:
+            value = possible.witness.get(name)
+            if name not in self.unknown or not isinstance(value, Fraction):
+                continue
+            number = sp.Rational(value.numerator, value.denominator)
+            symbol = admission.roles[name].symbol(name)
+            if admission.oracle.decide(Relation(symbol - number, "=")):
+                pinned[name] = number
+        if not pinned:
+            return None
+        put = {admission.roles[name].symbol(name): value for name, value in pinned.items()}
+        values = {name: value.xreplace(put) for name, value in found.values.items()}
+        angles = {name: (c.xreplace(put), s.xreplace(put)) for name, (c, s) in found.angles.items()}
+        return self.try_out(Found({**values, **pinned}, angles, found.leftover), letters_)
 
     def _objection(
         self, found: Found, admission: Admission, values: Sample, point: Point | None = None

@@ -54,6 +54,7 @@ from restitution.solve.part import Letters, Outcome, Setting, Trial, out_of_rang
 DRAWS = 4
 DRAWS_TRIED = 60
 ROUNDS = 4
+NEAR = (1, 3, 7, 13)
 INFINITE = 10**30
 # So near that even a root of it is not seen, and far above rounding.
 ASIDE = TINY**2 / 10**6
@@ -590,6 +591,9 @@ def _representatives(numbers: list[Any], role: Role) -> list[Any]:
     found = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
     for a, b in pairwise(numbers):
         found += [a, (a + b) / 2]
+        # Where a root hides a border, it may lie as near to an end as one likes.
+        for power in NEAR:
+            found += [a + (b - a) / 10**power, b - (b - a) / 10**power]
     found.append(numbers[-1])
     low = None if role.low is None else at(role.low, {})
     high = None if role.high is None else at(role.high, {})
