@@ -1,11 +1,16 @@
-"""Makes the font for mathematics that the page sends: a part of the STIX Two Math of ziamath.
+"""Makes what the package ships and nobody writes: a font, and the tables of its parsers.
 
-The whole font is 1.5 MB; what the package's MathML can hold is a tenth of that. The font comes
-under the SIL Open Font License, which stands in its name table and is kept there.
+The font is for mathematics on the page: a part of the STIX Two Math of ziamath. The whole is
+1.5 MB; what the package's MathML can hold is a tenth of that. It comes under the SIL Open Font
+License, which stands in its name table and is kept there.
+
+The tables spare each start the making of parsers. They are made by the package itself, of its
+grammars as they stand.
 """
 
 from __future__ import annotations
 
+import sys
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -13,6 +18,7 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 FONT = "src/restitution/web/static/fonts/stix-two-math.woff2"
+TABLE = "src/restitution/expression/tables/{}.table"
 
 CHARACTERS = (
     "".join(map(chr, range(0x20, 0x7F)))
@@ -36,10 +42,12 @@ class CustomBuildHook(BuildHookInterface[Any]):
     """Called by hatchling for a wheel, editable or not."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Write the font where the page finds it."""
-        target = Path(self.root) / FONT
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(font())
+        """Write everything where the package finds it."""
+        made = {FONT: font(), **tables(Path(self.root) / "src")}
+        for name, content in made.items():
+            target = Path(self.root) / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
 
 
 def font() -> bytes:
@@ -69,3 +77,18 @@ def _source() -> Path:
     assert found is not None
     assert found.origin is not None
     return Path(found.origin).parent / "fonts" / "STIXTwoMath-Regular.ttf"
+
+
+def tables(source: Path) -> dict[str, bytes]:
+    """The tables of all parsers of the package that lies in a folder, by their paths."""
+    sys.path.insert(0, str(source))
+    try:
+        from restitution.expression.grammar import EXPRESSION
+        from restitution.expression.parsers import saved
+        from restitution.language.grammar import STATEMENT
+    finally:
+        sys.path.remove(str(source))
+    return {
+        TABLE.format("expression"): saved(EXPRESSION, "expression"),
+        TABLE.format("line"): saved(STATEMENT, "line"),
+    }

@@ -49,3 +49,6 @@ bare: FUNCTION argument
     | BEFORE -> before
     | AT sum -> at_time
 """
+
+EXPRESSION = TERMINALS + RULES
+"""The grammar of an expression by itself."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -10,12 +10,12 @@ from functools import cache
 from typing import Any
 
 from lark import Lark, Token, Tree, UnexpectedToken
-from lark.lexer import Lexer
 
 from restitution.errors import StatementError
-from restitution.expression.grammar import RULES, TERMINALS
+from restitution.expression.grammar import EXPRESSION
 from restitution.expression.lexer import Scan, Source, scan
 from restitution.expression.limits import MAX_DIGITS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
+from restitution.expression.parsers import make_parser
 from restitution.expression.quantities import SIGNATURES, stands_alone
 from restitution.expression.tree import (
     Apply,
@@ -48,17 +48,6 @@ from restitution.expression.words import (
     unknown_name,
 )
 from restitution.expression.writing import write_expression
-
-
-class Tokens(Lexer):
-    """Hands lark the tokens that the scanner has made already."""
-
-    def __init__(self, lexer_conf: Any) -> None:
-        """Nothing to prepare: the terminals are declared, not defined."""
-
-    def lex(self, data: Any) -> Iterator[Token]:  # type: ignore[override]
-        """The tokens, one after another."""
-        return iter(data)
 
 
 @dataclass(frozen=True)
@@ -125,13 +114,8 @@ def read_expression(
 
 @cache
 def expression_parser() -> Lark:
-    """The parser of expressions; its table is built at first use."""
-    return make_parser(TERMINALS + RULES, "expression")
-
-
-def make_parser(grammar: str, start: str) -> Lark:
-    """An LALR parser that takes its tokens ready-made."""
-    return Lark(grammar, parser="lalr", lexer=Tokens, start=start)
+    """The parser of expressions, made at first use."""
+    return make_parser(EXPRESSION, "expression")
 
 
 def parse_tokens(parser: Lark, reading: Reading, builders: Mapping[str, Builder]) -> Span:

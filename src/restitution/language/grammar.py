@@ -1,10 +1,9 @@
 """The grammar of a line of a statement (LALR); it contains the grammar of expressions."""
 
-from restitution.expression.grammar import RULES, TERMINALS
+from restitution.expression.grammar import EXPRESSION
 
 STATEMENT = (
-    TERMINALS
-    + RULES
+    EXPRESSION
     + """
 %declare SPHERE WALL POINT LET GIVEN UNKNOWN FIND SHOW HITS RECEIVES REACHES WORD
 %declare MASS VELOCITY RADIUS AT_REST ALONG THROUGH CIRCLE CENTRE OFFSET

@@ -21,12 +21,12 @@ from restitution.expression.limits import (
     MAX_EVENTS,
     MAX_TEXT_BYTES,
 )
+from restitution.expression.parsers import make_parser
 from restitution.expression.reading import (
     BUILDERS,
     Builder,
     Reading,
     Span,
-    make_parser,
     parse_tokens,
 )
 from restitution.expression.tree import Expression, Number, Pair, Place
@@ -108,7 +108,7 @@ def parse(text: str | bytes) -> Problem:
 
 @cache
 def statement_parser() -> Lark:
-    """The parser of lines; its table is built at first use."""
+    """The parser of lines, made at first use."""
     return make_parser(STATEMENT, "line")
 
 
