@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from restitution.explain.html import to_html
-from restitution.explain.illustrate import illustrated
-from restitution.explain.markup import to_latex, to_markdown
+from typing import TYPE_CHECKING, Any
+
 from restitution.explain.route import explain
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step
 from restitution.explain.text import to_text
+
+if TYPE_CHECKING:
+    from restitution.explain.html import to_html as to_html
+    from restitution.explain.illustrate import illustrated as illustrated
+    from restitution.explain.markup import to_latex as to_latex
+    from restitution.explain.markup import to_markdown as to_markdown
 
 __all__ = [
     "Explanation",
@@ -21,3 +26,19 @@ __all__ = [
     "to_markdown",
     "to_text",
 ]
+
+_MODULES = {
+    "illustrated": "illustrate",
+    "to_html": "html",
+    "to_latex": "markup",
+    "to_markdown": "markup",
+}
+
+
+def __getattr__(name: str) -> Any:
+    # A working as text needs neither pictures nor their glyphs: only when they are wanted.
+    if name in _MODULES:
+        from importlib import import_module
+
+        return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

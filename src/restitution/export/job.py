@@ -217,15 +217,17 @@ def _written(
 
 
 def _working(solution: Solution, task: Writing) -> str:
-    from restitution.explain import explain, illustrated, to_html, to_latex, to_markdown, to_text
+    from restitution.explain import explain, to_text
 
     explanation = explain(solution, task.part)
+    if task.form == "text":
+        return to_text(explanation, task.width, task.styled)
+    from restitution.explain import illustrated, to_html, to_latex, to_markdown
+
     match task.form:
         case "markdown":
             return to_markdown(illustrated(explanation))
         case "latex":
             return to_latex(explanation)
-        case "html":
-            return to_html(illustrated(explanation))
         case _:
-            return to_text(explanation, task.width, task.styled)
+            return to_html(illustrated(explanation))
