@@ -203,7 +203,7 @@ def slow(monkeypatch_dir: Path) -> dict[str, str]:
         "                    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])\n"
         "                while True: time.sleep(0.1)\n"
         "            start = k.Worker.__init__\n"
-        "            def init(self, serve, prepare): start(self, spin, prepare)\n"
+        "            def init(self, serve, *others): start(self, spin, *others)\n"
         "            k.Worker.__init__ = init\n"
         "        return None\n"
         "sys.meta_path.insert(0, Finder())\n"

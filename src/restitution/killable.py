@@ -4,8 +4,8 @@ A thread cannot be stopped in Python, and a computation inside a library does no
 a process can be killed. The one who asks needs none of the libraries of the work, so that they
 are loaded in one place only, and meanwhile the asker can read its input.
 
-On Linux the process is a fork, elsewhere a fresh interpreter; so ``serve`` and ``prepare`` have
-to be functions of a module.
+On Linux the process is a fork, elsewhere a fresh interpreter; so ``serve``, ``prepare`` and
+``rehearse`` have to be functions of a module.
 """
 
 from __future__ import annotations
@@ -43,12 +43,18 @@ class Worker:
     """A process that answers requests one after another with ``serve(request)``.
 
     It starts at once and calls ``prepare`` (loading libraries) while the caller does something
-    else. After it was stopped, the next request starts it anew. Use it as a context manager.
+    else. If no request is there by then, it calls ``rehearse``, after which the first request is
+    answered sooner. After it was stopped, the next request starts it anew. Use it as a context
+    manager.
     """
 
-    def __init__(self, serve: Callable[[Any], Any], prepare: Callable[[], None]) -> None:
-        self._serve = serve
-        self._prepare = prepare
+    def __init__(
+        self,
+        serve: Callable[[Any], Any],
+        prepare: Callable[[], None],
+        rehearse: Callable[[], None] | None = None,
+    ) -> None:
+        self._work = serve, prepare, rehearse
         self._context = multiprocessing.get_context(
             "fork" if sys.platform.startswith("linux") else "spawn"
         )
@@ -66,10 +72,16 @@ class Worker:
         if self._process is None:
             self._start()
         try:
+            try:
+                # Before it is ready: so it sees that there is no time to rehearse.
+                self._pipe.send((request, limit))
+            except BrokenPipeError:
+                if self._ready:
+                    raise
+                # It ended while it was loading, and may have left word why.
             if not self._ready:
                 self._receive(_START)
                 self._ready = True
-            self._pipe.send((request, limit))
             return self._receive(limit)
         except TimeoutError:
             self.close()
@@ -108,9 +120,7 @@ class Worker:
     def _start(self) -> None:
         self._pipe, theirs = self._context.Pipe()
         process: Any = self._context.Process  # type: ignore[attr-defined]
-        self._process = process(
-            target=_work, args=(theirs, self._pipe, self._serve, self._prepare), daemon=True
-        )
+        self._process = process(target=_live, args=(theirs, self._pipe, *self._work), daemon=True)
         self._process.start()
         theirs.close()
 
@@ -123,7 +133,13 @@ class Worker:
         return value
 
 
-def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[[], None]) -> None:
+def _live(
+    pipe: Any,
+    other: Any,
+    serve: Callable[[Any], Any],
+    prepare: Callable[[], None],
+    rehearse: Callable[[], None] | None,
+) -> None:
     """The life of the process."""
     # A fork holds a copy of the asker's end: while that is open, no end of file is seen.
     other.close()
@@ -136,6 +152,9 @@ def _work(pipe: Any, other: Any, serve: Callable[[Any], Any], prepare: Callable[
     except BaseException as error:  # noqa: BLE001 - told to the one who asks
         pipe.send((False, portable(error)))
         return
+    if rehearse is not None and not pipe.poll():
+        with contextlib.suppress(Exception):  # whatever it is, a request will tell
+            rehearse()
     while True:
         try:
             request, limit = pipe.recv()

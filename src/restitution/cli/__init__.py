@@ -16,6 +16,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from restitution.export.job import Job, Reply
     from restitution.killable import Worker
 
 UNANSWERED = 1
@@ -46,7 +47,7 @@ def main() -> None:
             "--help",
         } & set(sys.argv):
             # It loads the algebra while the arguments and the files are read here.
-            worker = _early_worker()
+            worker = new_worker()
         from restitution.cli.commands import app
 
         app(prog_name="restitution", obj=worker)
@@ -125,8 +126,27 @@ def _forget_output() -> None:
     os.close(nowhere)
 
 
-def _early_worker() -> Worker:
-    from restitution.export.job import prepare, serve
+def new_worker() -> Worker:
+    """The process that solves, which begins at once to load what it needs."""
     from restitution.killable import Worker
 
-    return Worker(serve, prepare)
+    # It is begun before anything else is loaded here, so that both load at the same time.
+    return Worker(_serve, _prepare, _rehearse)
+
+
+def _prepare() -> None:
+    from restitution.export.job import prepare
+
+    prepare()
+
+
+def _rehearse() -> None:
+    from restitution.export.job import rehearse
+
+    rehearse()
+
+
+def _serve(job: Job) -> Reply:
+    from restitution.export.job import serve
+
+    return serve(job)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from restitution.cli import REPORT, UNANSWERED, UNREADABLE
+from restitution.cli import REPORT, UNANSWERED, UNREADABLE, new_worker
 from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
 from restitution.errors import RestitutionError, StatementError
 
@@ -26,10 +26,7 @@ class Answer:
 
 def worker_of(early: Worker | None) -> Worker:
     """The process that was started with the command, or one of its own."""
-    from restitution.export.job import prepare, serve
-    from restitution.killable import Worker
-
-    return early or Worker(serve, prepare)
+    return early or new_worker()
 
 
 def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer:

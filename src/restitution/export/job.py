@@ -9,10 +9,12 @@ import gc
 import time
 import traceback
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, TimeLimitError
-from restitution.problem import Problem
+from restitution.expression.tree import Binary, Name, Number, Quantity
+from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 
 if TYPE_CHECKING:
     from restitution.export.sheet import Form, Options
@@ -110,12 +112,34 @@ class Reply:
 
 def prepare() -> None:
     """Load what the work needs."""
+    # Loading makes many objects and no garbage.
+    gc.disable()
     import restitution.explain
     import restitution.export.answers
     import restitution.solve  # noqa: F401
 
     # What was loaded stays: no need to look through it again for garbage.
     gc.freeze()
+    gc.enable()
+
+
+def rehearse() -> None:
+    """Solve and explain a tiny question: the algebra's first steps are slow ones.
+
+    They fill what SymPy keeps, and load what it loads late. The next question takes half the time.
+    """
+    half = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
+    speed = Value(Quantity("speed", (Name("P"),)), text="speed(P)")
+    serve(
+        Job(
+            "rehearsal",
+            Problem(
+                spheres=(Sphere("P", mass=2, velocity=(3, -4)),),
+                walls=(Wall("W", along=(1, 0)),),
+                parts=(Part(None, (Impact("P", "W", e=half), Find((speed,)))),),
+            ),
+        )
+    )
 
 
 def stopped(limit: float | None) -> TimeLimitError:
