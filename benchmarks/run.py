@@ -1,109 +1,252 @@
 """How fast it is, as ratios of times taken in one run: ``uv run python benchmarks/run.py``.
 
-Warm: solving and explaining each example, against ``sympy.solve`` on the same equations.
-Cold: the whole command against ``import sympy``; its help against an interpreter that does
-nothing. Drawing: the pictures of each example, against solving it. ``--repeat`` says of how many
-runs the shortest is taken.
+Cold: the whole command against ``import sympy``, by the clock and by the processors' time, in pairs
+that take turns; its help against an interpreter that does nothing. Warm: solving and explaining
+each example, against ``sympy.solve`` on the same equations, each in a process of its own; the first
+time in a process against another time. Drawing: the pictures of each example, against solving it.
+
+``--repeat`` says of how many runs the shortest is taken, ``--pairs`` how many pairs there are, and
+``--only`` takes one of the three.
 """
 
 from __future__ import annotations
 
 import argparse
+import multiprocessing
+import os
+import resource
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
+from statistics import median, quantiles
 
 from raw import SYSTEMS
 
 LIMIT = 20
 """Seconds after which one calculation is given up."""
 
+HERE = Path(__file__).parent
+EXAMPLES = HERE.parent / "src" / "restitution" / "examples"
+
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeat", type=int, default=3)
-    repeat = parser.parse_args().repeat
-    cold(max(repeat, 5))
-    warm(repeat)
-    drawing(repeat)
+    parser.add_argument("--pairs", type=int, default=15)
+    parser.add_argument("--only", choices=["cold", "warm", "drawing"])
+    options = parser.parse_args()
+    parts = {
+        "cold": lambda: cold(options.pairs),
+        "warm": lambda: warm(options.repeat),
+        "drawing": lambda: drawing(options.repeat),
+    }
+    for name, part in parts.items():
+        if options.only in (None, name):
+            part()
 
 
 # --- cold -------------------------------------------------------------------------------------
 
 
-def cold(repeat: int) -> None:
-    examples = Path(__file__).parents[1] / "src" / "restitution" / "examples"
+ALGEBRA = 'python -c "import sympy"'
+NOTHING = "python -c pass"
+_BOUNDS = {ALGEBRA: ("1.3", "1.8"), NOTHING: ("15", "")}
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one run of a command took, in seconds: by the clock, and of all processors."""
+
+    wall: float
+    cpu: float
+
+
+def cold(pairs: int) -> None:
+    """Commands from the shell and back, each beside one that it is compared with."""
+    if sys.dont_write_bytecode:
+        print(
+            "cold: PYTHONDONTWRITEBYTECODE is set, so that every start would compile the modules of"
+            " the package anew (about 150 ms); nothing is measured. Unset it.\n"
+        )
+        return
     command = Path(sys.executable).with_name("restitution")
-    cases = {
-        "python -c pass": [sys.executable, "-c", "pass"],
-        "restitution --help": [command, "--help"],
-        'python -c "import sympy"': [sys.executable, "-c", "import sympy"],
-        "restitution solve corner.impact": [command, "solve", examples / "corner.impact"],
-        "restitution solve two-spheres-with-vectors.impact": [
-            command,
-            "solve",
-            examples / "two-spheres-with-vectors.impact",
-        ],
+    baselines = {
+        NOTHING: [sys.executable, "-c", "pass"],
+        ALGEBRA: [sys.executable, "-c", "import sympy"],
     }
-    times = {name: [] for name in cases}
-    for _ in range(repeat + 1):  # the first is to fill the caches of the disk
-        for name, arguments in cases.items():
-            times[name].append(_seconds(lambda a=arguments: _run(a)))
-    # What is typical, not what is best: of runs that last so short, chance makes half.
-    typical = {name: median(each[1:]) for name, each in times.items()}
-    nothing, algebra = typical["python -c pass"], typical['python -c "import sympy"']
-    print("| cold | ms | ratio | at most |\n|---|---:|---:|---:|")
-    for name, seconds in typical.items():
-        ratio, bound = "", ""
-        if name == "restitution --help":
-            ratio, bound = f"{seconds / nothing:.1f} × `python -c pass`", "15"
-        elif name.startswith("restitution solve"):
-            ratio, bound = f"{seconds / algebra:.2f} × `import sympy`", "2"
-        print(f"| `{name}` | {1000 * seconds:.0f} | {ratio} | {bound} |")
+    cases = {
+        "restitution --help": (NOTHING, [command, "--help"]),
+        **{
+            f"restitution solve {path.name}{beside}": (ALGEBRA, [command, "solve", path])
+            for path, beside in (
+                (EXAMPLES / "corner.impact", ""),
+                (EXAMPLES / "two-spheres-with-vectors.impact", ""),
+                (HERE / "decisions.impact", " (needs decisions)"),
+            )
+        },
+    }
+    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
+    print(f"{os.cpu_count()} processors, {busy:.1f} processes at work when this began\n")
+    seen: dict[str, list[tuple[Run, Run]]] = {name: [] for name in cases}
+    for turn in range(pairs + 1):  # the first is to fill the caches of the disk
+        for name, (against, arguments) in cases.items():
+            pair = _run(baselines[against]), _run(arguments)
+            if turn:
+                seen[name].append(pair)
+    print("| cold | ms | ms of processors | against | clock | at most | processors | at most |")
+    print("|---|---:|---:|---|---:|---:|---:|---:|")
+    for baseline in baselines:
+        beside = [case for case, (against, _) in cases.items() if against == baseline]
+        runs = [one for case in beside for one, _ in seen[case]]
+        print(f"| `{baseline}` | {_typical(runs)} | | | | | |")
+    for name, (against, _) in cases.items():
+        ratios = [
+            f"{median(each.wall / one.wall for one, each in seen[name]):.2f}",
+            f"{median(each.cpu / one.cpu for one, each in seen[name]):.2f}",
+        ]
+        bounds = ("", "") if "decisions" in name else _BOUNDS[against]
+        cells = [cell for pair in zip(ratios, bounds) for cell in pair]
+        runs = [each for _, each in seen[name]]
+        print(f"| `{name}` | {_typical(runs)} | `{against}` | {' | '.join(cells)} |")
     print()
 
 
-def _run(arguments: list[object]) -> None:
+def _typical(runs: list[Run]) -> str:
+    wall, cpu = median(each.wall for each in runs), median(each.cpu for each in runs)
+    return f"{1000 * wall:.0f} | {1000 * cpu:.0f}"
+
+
+def _run(arguments: list[object]) -> Run:
+    before = _processors()
+    start = time.perf_counter()
     subprocess.run([str(each) for each in arguments], check=True, stdout=subprocess.DEVNULL)
+    return Run(time.perf_counter() - start, _processors() - before)
+
+
+def _processors() -> float:
+    """Seconds of processors that all commands so far, and their own processes, have taken."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 # --- warm -------------------------------------------------------------------------------------
 
 
+@dataclass(frozen=True)
+class Measured:
+    """Seconds that an example takes, None where it was given up; and tellings of its story."""
+
+    first: float | None
+    solving: float | None
+    explaining: float | None
+    raw: float | None
+    stories: int | None
+
+    @property
+    def both(self) -> float | None:
+        if self.solving is None or self.explaining is None:
+            return None
+        return self.solving + self.explaining
+
+
 def warm(repeat: int) -> None:
+    from restitution import examples
+    from restitution.export.job import prepare, rehearse
+
+    prepare()
+    rehearse()  # as in the process of a command that waits for its statement
+    found = {}
+    # Each in a process of its own, a copy of this one: what one example leaves behind in the
+    # memory of SymPy does not help the next.
+    with multiprocessing.get_context("fork").Pool(1, maxtasksperchild=1) as pool:
+        for name in examples.names():
+            found[name] = pool.apply(measured, (name, repeat))
+    print(
+        "| example | solve, ms | explain, ms | `sympy.solve`, ms | ratio | first | stories |\n"
+        "|---|---:|---:|---:|---:|---:|---:|"
+    )
+    ratios, firsts, totals, stories = {}, {}, {}, {}
+    for name, one in found.items():
+        if one.both is not None:
+            totals[name] = 1000 * one.both
+            if one.first is not None:
+                firsts[name] = one.first / one.both
+            if name in SYSTEMS:
+                # A solve that was given up took at least so long.
+                ratios[name] = one.both / (one.raw or LIMIT)
+        if one.stories is not None:
+            stories[name] = one.stories
+        cells = [
+            _ms(one.solving),
+            _ms(one.explaining),
+            _ms(one.raw) if name in SYSTEMS else "",
+            f"{ratios[name]:.2f}" if name in ratios else "",
+            f"{firsts[name]:.1f}" if name in firsts else "",
+            str(one.stories) if one.stories is not None else "",
+        ]
+        print(f"| {name} | {' | '.join(cells)} |")
+    print("\n| warm | examples | median | 95 % | most | of |\n|---|---:|---:|---:|---:|---|")
+    _distribution("solving and explaining, as a multiple of `sympy.solve`", ratios, 2)
+    _distribution("solving and explaining, ms", totals, 0)
+    _distribution("the first time in a process, as a multiple of another", firsts, 1)
+    _distribution("stories of one solve", stories, 0)
+    print()
+
+
+def measured(name: str, repeat: int) -> Measured:
+    """What one example takes, in a process in which nothing else was solved."""
     import sympy
 
     from restitution import examples, explain, parse, solve
 
-    print("| example | solve, ms | explain, ms | `sympy.solve`, ms | ratio |")
-    print("|---|---:|---:|---:|---:|")
-    ratios = []
-    totals = []
-    for name in examples.names():
-        problem = parse(examples.text(name))
-        solution = solve(problem)
-        solving = _shortest(lambda p=problem: solve(p), repeat)
-        explaining = _shortest(lambda s=solution: str(explain(s)), repeat)
-        raw = None
-        if name in SYSTEMS:
-            equations, unknowns = SYSTEMS[name]()
-            raw = _shortest(lambda e=equations, x=unknowns: sympy.solve(e, x, dict=True), repeat)
-        cells = [_ms(solving), _ms(explaining), "" if name not in SYSTEMS else _ms(raw), ""]
-        if solving is not None and explaining is not None:
-            totals.append(solving + explaining)
-            if name in SYSTEMS:
-                # A solve that was given up took at least so long.
-                ratio = (solving + explaining) / (raw or LIMIT)
-                ratios.append(ratio)
-                cells[-1] = f"{ratio:.2f}"
-        print(f"| {name} | {' | '.join(cells)} |")
-    print(f"\nMedian ratio over {len(ratios)} examples: {median(ratios):.2f}")
-    print(f"Median time over {len(totals)} examples: {1000 * median(totals):.0f} ms")
+    problem = parse(examples.text(name))
+    first = _once(lambda: str(explain(solve(problem))))
+    solution = solve(problem)
+    solving = _shortest(lambda: solve(problem), repeat)
+    explaining = _shortest(lambda: str(explain(solution)), repeat)
+    stories = _stories(lambda: solve(problem))
+    raw = None
+    if name in SYSTEMS:
+        equations, unknowns = SYSTEMS[name]()
+        raw = _shortest(lambda: sympy.solve(equations, unknowns, dict=True), repeat)
+    return Measured(first, solving, explaining, raw, stories)
+
+
+def _stories(work: Callable[[], object]) -> int | None:
+    """How often a story is told; None where there is no such class any more."""
+    try:
+        from restitution.solve.story import Story
+    except ImportError:
+        return None
+    count = 0
+    begin = Story.__init__
+
+    def counted(self: Story, *values: object, **named: object) -> None:
+        nonlocal count
+        count += 1
+        begin(self, *values, **named)
+
+    Story.__init__ = counted
+    try:
+        work()
+    finally:
+        Story.__init__ = begin
+    return count
+
+
+def _distribution(what: str, values: dict[str, float], digits: int) -> None:
+    if len(values) < 2:
+        return
+    most = max(values, key=values.__getitem__)
+    last = quantiles(values.values(), n=20, method="inclusive")[-1]
+    numbers = (median(values.values()), last, values[most])
+    cells = " | ".join(f"{each:.{digits}f}" for each in numbers)
+    print(f"| {what} | {len(values)} | {cells} | {most} |")
 
 
 # --- drawing ----------------------------------------------------------------------------------
@@ -132,6 +275,15 @@ def drawing(repeat: int) -> None:
 
 def _ms(seconds: float | None) -> str:
     return f"> {1000 * LIMIT}" if seconds is None else f"{1000 * seconds:.1f}"
+
+
+def _once(work: Callable[[], object]) -> float | None:
+    """The time of one run; None if it lasts too long."""
+    try:
+        with _limited():
+            return _seconds(work)
+    except Exception:  # noqa: BLE001 - one that fails is a line without a time
+        return None
 
 
 def _shortest(work: Callable[[], object], repeat: int) -> float | None:
