@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.oracle.points import Point, Program, Value, ends_of
 from restitution.oracle.roles import REAL, Role
 
+_PLAIN_DEGREES = (45, 60, 30, 10, 80, 1, 89)
 _DENOMINATORS = (1, 2, 4, 10, 100, 1000, 10**6)
 
 
@@ -36,7 +37,8 @@ def _candidates(value: Value, role: Role) -> list[Value]:
     if role.kind == "angle":
         degrees = number * 180 / math.pi
         steps = (15, 5, 1, Fraction(1, 10), Fraction(1, 1000), Fraction(1, 10**6))
-        nearest = [round(degrees / float(step)) * Fraction(step) for step in steps]
+        nearest = [Fraction(each) for each in _PLAIN_DEGREES]
+        nearest += [round(degrees / float(step)) * Fraction(step) for step in steps]
         return [
             sp.Rational(each.numerator, each.denominator * 180) * sp.pi
             for each in dict.fromkeys(nearest)

@@ -327,10 +327,10 @@ class Setting:
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
             return Trial(found, tuple(accepted), None, None, admission, story, rare)
-        refusal = admission.refusal()
+        (reason_, kind), _ = reasons.most_common(1)[0]
+        refusal = None if kind == "equation" else admission.refusal()
         if refusal is not None:
             return Trial(found, (), refusal.reason, refusal.kind, admission)
-        (reason_, kind), _ = reasons.most_common(1)[0]
         return Trial(found, (), reason_, kind, admission)
 
     def _pinned(
