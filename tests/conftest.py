@@ -1,4 +1,4 @@
-"""What all tests share: how Hypothesis makes up its examples, and a browser for pages."""
+"""What all tests share: a time limit, how Hypothesis makes up its examples, a browser for pages."""
 
 from __future__ import annotations
 
@@ -8,14 +8,9 @@ from typing import Any
 
 import browsing
 import pytest
-from hypothesis import settings
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
-# New examples at every run, but the same ones on the CI machine.
-
-settings.register_profile("repeatable", derandomize=True, print_blob=True)
-if os.environ.get("CI"):
-    settings.load_profile("repeatable")
+pytest_plugins = ["limits", "draws"]
 
 # A machine may be busy; what is awaited and does not come fails all the same.
 expect.set_options(timeout=30_000)

@@ -19,7 +19,7 @@ import numpy as np
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.expression.tree import AtTime, Quantity, walk
 from restitution.motion.pieces import Motion
-from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered
+from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered, settled
 from restitution.problem import Arrival, Impact, Kick, Problem, trees
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
@@ -216,7 +216,7 @@ def _placed(
     tail = min(_ONWARD * extent / (goes or fastest), max(last / 2, _ONWARD * extent / fastest))
     end = max([last + tail, *(1.05 * time for time in _asked(story))])
     scale = WIDTH / extent
-    stage = Stage(story, moves, given, masses, where, times, radius, scale, 0.0, end)
+    stage = settled(Stage(story, moves, given, masses, where, times, radius, scale, 0.0, end))
     return _possible(cleared(stage)), tuple(numbered(stage))
 
 
@@ -338,7 +338,7 @@ def _in_time(stage: Stage) -> Stage:
     start, end = first - lead - zero, last + tail - zero
     if stage.story.implied:
         end = max([end, *(1.05 * time for time in _asked(stage.story))])
-    return replace(stage, times=times, start=start, end=end)
+    return settled(replace(stage, times=times, start=start, end=end))
 
 
 def _asked(story: Story) -> list[float]:

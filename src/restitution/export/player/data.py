@@ -231,11 +231,10 @@ def _chosen(told: Told) -> list[Chosen]:
 def _stages(told: Told, body: str) -> list[int]:
     """After which event of the story each piece of a body's motion is."""
     own = [(event.time, number) for number, event in told.events if body in _bodies(event)]
-    slack = 1e-9 * (told.motion.end - told.motion.start)
     track = next(each for each in told.motion.tracks if each.name == body)
+    # Pieces begin at the very numbers that are the times of events.
     return [
-        next((n for time, n in reversed(own) if time <= piece.start + slack), 0)
-        for piece in track.pieces
+        next((n for time, n in reversed(own) if time <= piece.start), 0) for piece in track.pieces
     ]
 
 
