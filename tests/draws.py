@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Iterator
 
 import pytest
 from hypothesis import HealthCheck, is_hypothesis_test, seed, settings
@@ -51,7 +50,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 @pytest.fixture(autouse=True)
-def draws(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def draws(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random draws for a test that is to have them."""
     if getattr(request, "param", "same") == "random":
         number = int(request.config.option.hypothesis_seed)
@@ -59,4 +58,3 @@ def draws(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> It
         monkeypatch.setattr(test, "_hypothesis_internal_use_seed", None)  # put back afterwards
         seed(number)(test)
         request.node.add_report_section("call", "draws", f"--hypothesis-seed={number}")
-    yield

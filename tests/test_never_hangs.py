@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import subprocess
@@ -9,6 +10,15 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from restitution.errors import RestitutionError, TimeLimitError
+from restitution.explain import explain
+from restitution.export import job, working
+from restitution.export.player.data import of_solution
+from restitution.export.working import shown
+from restitution.killable import soft_limit
+from restitution.language import parse
+from restitution.solve import solve
 
 HERE = Path(__file__).parent
 
@@ -198,3 +208,104 @@ def test_a_speed_and_a_coefficient_from_a_deflection_and_a_speed_in_surds():
     )
     assert "5/3" in found["u"]
     assert "1/6" in found["e"]
+
+
+# --- what the clock breaks off is told ------------------------------------------------------------
+
+# Where the time of one who waits is over, something may be left out; never in silence.
+
+
+def until_it_rings() -> None:
+    """As a part of the program does that takes any error of the package for a reason to go on."""
+    with contextlib.suppress(RestitutionError):
+        while True:
+            pass
+
+
+def test_a_limit_that_is_caught_in_silence_is_counted():
+    with soft_limit(0.01, 60, TimeLimitError("over")) as bell:
+        until_it_rings()
+    assert bell.rung == 1
+    with soft_limit(0, 60, TimeLimitError("over")) as bell:
+        until_it_rings()
+    assert bell.rung == 1
+    with soft_limit(None, 60, TimeLimitError("over")) as bell:
+        pass
+    assert bell.rung == 0
+
+
+def told(task: job.Task) -> tuple[str, ...]:
+    reply = job.serve(job.Job("-", parse(STATEMENT), task, limit=1.0))
+    assert reply.tired
+    return reply.warnings
+
+
+def test_solving_in_a_hurry_is_told(monkeypatch):
+    def hurried(problem):
+        until_it_rings()
+        return solution
+
+    solution = solve(parse(STATEMENT))
+    monkeypatch.setattr(sys.modules["restitution.solve"], "solve", hurried)
+    warning = "the time limit of 1 s was near while it was solved: something may be left out"
+    for task in (job.Writing(), job.Drawing(), job.Playing(), job.Picturing(), job.Showing()):
+        assert warning in told(task)
+    reply = job.serve(job.Job("-", parse(STATEMENT), job.Writing("json"), limit=1.0))
+    assert json.loads(reply.content)["warnings"] == [warning]
+
+
+def test_a_working_in_a_hurry_is_told(monkeypatch):
+    def hurried(solution, part=None):
+        until_it_rings()
+        return explanation
+
+    explanation = explain(solve(parse(STATEMENT)))
+    monkeypatch.setattr(sys.modules["restitution.explain"], "explain", hurried)
+    (warning,) = told(job.Writing())
+    assert warning.startswith("the time limit of 1 s was near while the working was written")
+
+
+PIECES = {
+    "question": "question",
+    "wording of the items": "_names",
+    "pictures": "pictured",
+    "working": "_worked",
+    "LaTeX": "to_latex",
+    "motion": "of_solution",
+}
+
+
+@pytest.mark.parametrize("piece", PIECES)
+@pytest.mark.parametrize("caught", [True, False])
+def test_a_piece_of_a_page_that_is_broken_off_is_told(monkeypatch, piece, caught):
+    solution = solve(parse(STATEMENT))
+    whole = shown(solution)
+    assert not whole.tired
+    assert not [text for text in whole.pieces.warnings if "time" in text]
+
+    def hurried(*arguments, **named):
+        if caught:
+            until_it_rings()
+            return make(
+                *arguments, **{**named, **({"seconds": None} if "seconds" in named else {})}
+            )
+        while True:
+            pass
+
+    make = getattr(working, PIECES[piece])
+    monkeypatch.setattr(working, PIECES[piece], hurried)
+    page = shown(solution, 1.0)
+    assert page.tired
+    reason = getattr(page.pieces, f"{piece}_error", None)
+    left_out = [text for text in page.pieces.warnings if f"the {piece} is left out" in text]
+    assert left_out or reason == "there was no time left for it"
+
+
+def test_exact_values_that_are_left_out_are_told():
+    solution = solve(parse(STATEMENT))
+    note = "Some exact values are left out: there was no time left for them."
+    (motion,) = of_solution(solution)["motions"]
+    assert note not in motion["notes"]
+    assert any(said for sphere in motion["spheres"] for said in sphere["said"])
+    (motion,) = of_solution(solution, seconds=0)["motions"]
+    assert note in motion["notes"]

@@ -147,6 +147,11 @@ def stopped(limit: float | None) -> TimeLimitError:
     return TimeLimitError(f"no answer within the time limit of {limit or 0:g} s")
 
 
+def hurried(limit: float | None, while_: str) -> str:
+    """The warning that something may be missing, as the clock broke off a piece of the work."""
+    return f"the time limit of {limit or 0:g} s was near while {while_}: something may be left out"
+
+
 def serve(job: Job) -> Reply:
     """Solve, and make what is wanted. Raises RestitutionError where nothing at all can be said."""
     from restitution.export import contract
@@ -155,12 +160,14 @@ def serve(job: Job) -> Reply:
 
     began = time.monotonic()
     first = None if job.limit is None else job.limit * _FIRST
-    with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)):
+    with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)) as bell:
         solution = solve(job.problem)
     label = job.task.part if isinstance(job.task, Writing | Playing) else None
     found = contract.solved(job.file, solution, label)
     errors = _errors(solution, label)
-    tired = any(error.kind == TimeLimitError.kind for error in errors)
+    tired = bell.rung > 0
+    late = [hurried(job.limit, "it was solved")] if tired else []
+    found["warnings"] += late
     answered = contract.all_answered(found)
     match job.task:
         case Writing("json"):
@@ -178,18 +185,21 @@ def serve(job: Job) -> Reply:
         case Drawing(event):
             from restitution.export.pictures import picture
 
-            return Reply(picture(solution, event), answered, errors, tuple(found["warnings"]))
+            svg = picture(solution, event)
+            return Reply(svg, answered, errors, tuple(found["warnings"]), tired=tired)
         case Playing(part):
             from restitution.export.player import play
+            from restitution.export.player.data import is_hurried
 
             budget = None if job.limit is None else job.limit * _WRITING
-            made = play(solution, part, seconds=budget).html
-            return Reply(made, answered, errors, tuple(found["warnings"]))
+            played = play(solution, part, seconds=budget)
+            tired = tired or is_hurried(played.data)
+            return Reply(played.html, answered, errors, tuple(found["warnings"]), tired=tired)
         case Setting(form, options):
             from restitution.export.sheet import entry
 
             one = entry(solution, form, options)
-            return Reply(one, answered, errors, tuple(found["warnings"]))
+            return Reply(one, answered, errors, tuple(found["warnings"]), tired=tired)
         case Picturing(event):
             from restitution.export.working import pictured
 
@@ -203,9 +213,12 @@ def serve(job: Job) -> Reply:
                 spent = time.monotonic() - began
                 left = max(job.limit * _SHOWING - spent, job.limit * _WRITING)
             page = shown(solution, left)
-            content = {"answer": found, **vars(page.pieces)}
-            warnings = tuple(page.pieces.warnings)
-            return Reply(content, answered, errors, warnings, page.fault, tired or page.tired)
+            found["warnings"] += page.left_out
+            warnings = [*page.pieces.warnings, *late]
+            content = {"answer": found, **vars(page.pieces), "warnings": warnings}
+            return Reply(
+                content, answered, errors, tuple(warnings), page.fault, tired or page.tired
+            )
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:
@@ -230,8 +243,11 @@ def _written(
     if not task.answers_only:
         limit = None if whole is None else whole * _WRITING
         try:
-            with soft_limit(limit, limit or 0, stopped(whole)):
-                return _working(solution, task), (), ""
+            with soft_limit(limit, limit or 0, stopped(whole)) as bell:
+                text = _working(solution, task)
+            if bell.rung:
+                note = (hurried(whole, "the working was written"),)
+            return text, note, ""
         except RestitutionError as error:
             note = (f"here are the answers without their working: {error.message}",)
         except Exception:  # noqa: BLE001 - whatever it is, the answers stand

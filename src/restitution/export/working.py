@@ -21,7 +21,7 @@ from restitution.explain.refuting import instances
 from restitution.explain.steps import Explanation, Row, Step
 from restitution.export.answers import is_equal, layout_of
 from restitution.export.pictures import chosen
-from restitution.export.player.data import of_solution
+from restitution.export.player.data import is_hurried, of_solution
 from restitution.export.tree import Tree, tree, trees
 from restitution.killable import soft_limit
 from restitution.render.mathml import to_mathml
@@ -40,6 +40,7 @@ _T = TypeVar("_T")
 _PICTURES = 0.5
 _WORKING = 0.6
 _EXACT = 0.5
+_OVER = "there was no time left for it"
 # The part of its time after which a piece that goes on is broken off once more.
 _AGAIN = 0.1
 
@@ -78,27 +79,36 @@ class Pieces:
 
 @dataclass(frozen=True)
 class Shown:
-    """The pieces; whether one was broken off; and the tracebacks of failures of the program."""
+    """The pieces; whether one was broken off; and the tracebacks of failures of the program.
+
+    ``left_out`` says, in the warnings too, of which there is less for lack of time and no error.
+    """
 
     pieces: Pieces
     tired: bool
     fault: str
+    left_out: Sequence[str] = ()
 
 
 def shown(solution: Solution, seconds: float | None = None) -> Shown:
     """The pieces of a page, made within so many ``seconds`` (that needs the main thread)."""
     clock = _Clock(seconds)
-    worded, _ = clock.piece(1.0, lambda: tree(to_body(question(solution.problem))))
-    names, _ = clock.piece(1.0, lambda: _names(solution))
-    drawn, undrawn = clock.piece(_PICTURES, lambda: pictured(solution))
-    explanation, unexplained = clock.piece(_WORKING, lambda: explain(solution))
+    worded = clock.spare("question", lambda: tree(to_body(question(solution.problem))))
+    names = clock.spare("wording of the items", lambda: _names(solution))
+    drawn, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
+    explanation, unexplained = clock.piece("working", _WORKING, lambda: explain(solution))
     told: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        told, untold = clock.piece(1.0, lambda: _worked(solution, explanation, names or {}))
+        told, untold = clock.piece(
+            "working", 1.0, lambda: _worked(solution, explanation, names or {})
+        )
         unexplained = unexplained or untold
-        latex, _ = clock.piece(1.0, lambda: to_latex(explanation))
-    motion, unmoved = clock.piece(1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT)))
+        latex = clock.spare("LaTeX", lambda: to_latex(explanation))
+    motion, unmoved = clock.piece(
+        "motion", 1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT))
+    )
+    tired = clock.tired or (motion is not None and is_hurried(motion))
     warnings = solution.warnings if explanation is None else explanation.warnings
     pieces = Pieces(
         worded,
@@ -108,9 +118,9 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
         latex=latex,
         motion=motion,
         motion_error=unmoved,
-        warnings=list(dict.fromkeys(warnings)),
+        warnings=list(dict.fromkeys([*warnings, *clock.left_out])),
     )
-    return Shown(pieces, clock.tired, "\n".join(clock.faults))
+    return Shown(pieces, tired, "\n".join(clock.faults), clock.left_out)
 
 
 class _Clock:
@@ -119,24 +129,25 @@ class _Clock:
     def __init__(self, seconds: float | None) -> None:
         self.tired = False
         self.faults: list[str] = []
+        self.left_out: list[str] = []
         self._end = None if seconds is None else time.monotonic() + seconds
 
     def share(self, part: float) -> float | None:
         """Part of what is left, in seconds."""
         return None if self._end is None else max(self._end - time.monotonic(), 0.0) * part
 
-    def piece(self, part: float, make: Callable[[], _T]) -> tuple[_T | None, str | None]:
+    def piece(self, name: str, part: float, make: Callable[[], _T]) -> tuple[_T | None, str | None]:
         """A piece, made in its part of the time left; and the reason why it, or some of it, is not.
 
         What makes it may have given up only some of it when the time was over, and gone on.
         """
         limit = self.share(part)
-        out_of_time = TimeLimitError("there was no time left for it")
+        out_of_time = TimeLimitError(_OVER)
         if limit is not None and limit <= 0.01:
+            self.tired = True
             return None, out_of_time.message
-        end = None if limit is None else time.monotonic() + limit
         try:
-            with soft_limit(limit, (limit or 0) * _AGAIN, out_of_time):
+            with soft_limit(limit, (limit or 0) * _AGAIN, out_of_time) as bell:
                 made = make()
         except RestitutionError as error:
             self.tired = self.tired or error is out_of_time
@@ -144,10 +155,18 @@ class _Clock:
         except Exception:  # noqa: BLE001 - the other pieces are right without it
             self.faults.append(traceback.format_exc())
             return None, "it could not be made, by a fault of the program"
-        if end is not None and time.monotonic() >= end:
+        if bell.rung:
             self.tired = True
+            self.left_out.append(f"something of the {name} is left out: there was no time for it")
             return made, "there was no time left for all of it"
         return made, None
+
+    def spare(self, name: str, make: Callable[[], _T]) -> _T | None:
+        """A piece that a page can do without, in all the time left."""
+        made, reason = self.piece(name, 1.0, make)
+        if made is None and reason == _OVER:
+            self.left_out.append(f"the {name} is left out: there was no time for it")
+        return made
 
 
 def pictured(solution: Solution, event: int | None = None) -> Object:

@@ -39,6 +39,8 @@ Object = dict[str, Any]
 
 # Longer texts (in characters) say less in a table than the number does.
 _SHORT = 22
+# What is said where the clock broke them off.
+_NO_TIME = "Some exact values are left out: there was no time left for them."
 # Values of more operations than this have no short form.
 _LONG = 30
 
@@ -59,16 +61,26 @@ def of_solution(
 def of_told(told: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
     """Motions of one problem, with exact values as far as they are short.
 
-    Those that are not known after so many ``seconds`` are left out.
+    Those that are not known after so many ``seconds`` are left out, and a note says so.
     """
     made = [_of_told(each, label) for each, label in zip(told, _labels(told), strict=True)]
+    out_of_time = TimeLimitError("no exact values in time")
     try:
-        with soft_limit(seconds, (seconds or 0) / 4, TimeLimitError("no exact values in time")):
+        with soft_limit(seconds, (seconds or 0) / 4, out_of_time) as bell:
             for shown, each in zip(made, told, strict=True):
                 _add_exact(shown, each)
+        hurried = bell.rung > 0
     except TimeLimitError:
-        pass  # numbers are there for all of it
+        hurried = True
+    if hurried:  # numbers are there for all of it
+        for shown in made:
+            shown["notes"].append(_NO_TIME)
     return {"title": title, "motions": made}
+
+
+def is_hurried(data: Object) -> bool:
+    """Whether the clock broke off the exact values of motions."""
+    return any(_NO_TIME in motion["notes"] for motion in data["motions"])
 
 
 def of_motion(motion: Motion, title: str | None = None) -> Object:
