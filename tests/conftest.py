@@ -48,5 +48,6 @@ def served() -> Iterator[str]:
 
     from restitution.web import Settings
 
-    with serving(Settings(workers=2)) as address:
+    # A slow machine leaves nothing out that another has.
+    with serving(Settings(workers=2, time_limit=60)) as address:
         yield address

@@ -41,7 +41,9 @@ async def crowd(
     """
     report = Report()
     draw = random.Random(17)
-    limits = httpx.Limits(max_connections=None)
+    # Let go of idle connections before the server does (after 5 s): else, on a busy machine, a
+    # question may be sent into one that is just being closed.
+    limits = httpx.Limits(max_connections=None, keepalive_expiry=1)
     async with httpx.AsyncClient(base_url=address, timeout=120, limits=limits) as client:
         probing = asyncio.create_task(_probe(client, report))
         students = []

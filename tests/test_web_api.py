@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -37,18 +38,24 @@ UNREADABLE = "sphere A: mass 2, velocity 3i - 4j\nspher B: mass 3\nA hits C: alo
 
 @pytest.fixture(scope="module")
 def client(served: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=served, timeout=60) as client:
+    with httpx.Client(base_url=served, timeout=100) as client:
         yield client
 
 
 def said(client: httpx.Client, what: str, statement: str, **more: object) -> httpx.Response:
-    return client.post(f"/api/{what}", json={"statement": statement, **more})
+    """The reply, of which nothing is left out for want of time."""
+    reply = client.post(f"/api/{what}", json={"statement": statement, **more})
+    assert not re.search("time limit|no time left|left out: there was no time", reply.text)
+    return reply
 
 
 def command(statement: str, *arguments: str) -> dict:
     """What the command says of a statement, in JSON."""
     done = subprocess.run(
-        [sys.executable, "-m", "restitution", "solve", "-", "--format", "json", *arguments],
+        [
+            *(sys.executable, "-m", "restitution", "solve", "-"),
+            *("--format", "json", "--time-limit", "50", *arguments),
+        ],
         input=statement,
         capture_output=True,
         text=True,
