@@ -200,6 +200,7 @@ def slow(monkeypatch_dir: Path) -> dict[str, str]:
     """An environment in which solving never ends, and cannot be interrupted from inside."""
     (monkeypatch_dir / "sitecustomize.py").write_text(
         "import sys, signal, time\n"
+        "from pathlib import Path\n"
         "class Finder:\n"
         "    def find_spec(self, name, path=None, target=None):\n"
         "        if name == 'restitution.killable':\n"
@@ -207,6 +208,7 @@ def slow(monkeypatch_dir: Path) -> dict[str, str]:
         "            def spin(request):\n"
         "                if hasattr(signal, 'pthread_sigmask'):\n"
         "                    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])\n"
+        f"                Path({str(monkeypatch_dir / 'begun')!r}).touch()\n"
         "                while True: time.sleep(0.1)\n"
         "            restitution.cli._serve = spin\n"
         "        return None\n"
@@ -243,10 +245,12 @@ def test_control_c(folder, tmp_path):
         stdout=subprocess.PIPE,
         start_new_session=True,
     )
-    time.sleep(2)
+    while not (tmp_path / "begun").exists():
+        assert process.poll() is None
+        time.sleep(0.05)
     # As a terminal does: to the command and to the process that solves.
     os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=10)
+    out, err = process.communicate(timeout=60)
     assert (process.returncode, out, err) == (130, b"", b"interrupted\n")
     with pytest.raises(ProcessLookupError):
         os.killpg(process.pid, 0)

@@ -275,16 +275,16 @@ def test_rounding_makes_no_pieces(path, monkeypatch):
     """Times and places come from a system of equations: its last bits differ by the machine."""
 
     def texts() -> list[list[object]]:
-        shown_ = of_told(motions(solution), None)["motions"]
-        said = [[each["said"] for each in motion["spheres"]] for motion in shown_]
-        return [said, [[each["kind"] for each in motion["events"]] for motion in shown_]]
+        data = of_told(motions(solution), None)["motions"]
+        velocities = [[each["said"] for each in motion["spheres"]] for motion in data]
+        return [velocities, [[each["kind"] for each in motion["events"]] for motion in data]]
 
     def rounded(*arguments):
         x = exactly(*arguments)
         return None if x is None else x + rng.uniform(-1e-14, 1e-14, len(x)) * max(1, *abs(x))
 
-    solution, found, _ = shown(path)
-    assert found
+    solution, every_motion, _ = shown(path)
+    assert every_motion
     wanted, exactly = texts(), flights.solve
     monkeypatch.setattr(flights, "solve", rounded)
     for seed in range(6):
