@@ -22,9 +22,12 @@ from restitution.problem import Problem
 _LONGEST = 4000
 """Characters of a statement that are printed."""
 
-_LAST = 2
-"""After so many time limits the whole process ends: a long step in compiled code comes back to no
-line of Python. It prints where it was, and pytest-xdist names the test."""
+_GRACE = 60
+"""So many seconds after a time limit the whole process ends: a long step in compiled code comes
+back to no line of Python. It prints where it was, and pytest-xdist names the test."""
+
+_AGAIN = 20
+"""Seconds after which it rings again: Python drops an error that comes as an object is deleted."""
 
 
 class TooSlow(BaseException):
@@ -54,9 +57,17 @@ def pytest_timeout_set_timer(item: pytest.Item, settings: Any) -> bool | None:
 
     item.cancel_timeout = cancel  # type: ignore[attr-defined] # called by pytest-timeout
     signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, settings.timeout)
-    faulthandler.dump_traceback_later(_LAST * settings.timeout, exit=True, file=sys.__stderr__)
+    signal.setitimer(signal.ITIMER_REAL, settings.timeout, _AGAIN)
+    last = settings.timeout + _GRACE
+    faulthandler.dump_traceback_later(last, exit=True, file=sys.__stderr__)
     return True
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> None:
+    """Ring no more where it was heard: pytest may take long for the report."""
+    if call.excinfo is not None and call.excinfo.errisinstance(TooSlow):
+        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def worked_on(frame: FrameType | None) -> str:
@@ -64,7 +75,7 @@ def worked_on(frame: FrameType | None) -> str:
     texts = [text for each in _callers(frame) if (text := _statement(each)) is not None]
     if not texts:
         return "(no statement was being worked on)"
-    text = texts[-1]  # as the test gave it, before anything was made of it
+    text = texts[-1].strip("\n")  # as the test gave it, before anything was made of it
     short = text if len(text) <= _LONGEST else f"{text[:_LONGEST]}\n[{len(text)} characters in all]"
     return f"while this was worked on:\n\n{short}"
 

@@ -27,6 +27,9 @@ from strategies import Blow, Said, Tale, said
 from restitution.language import parse, to_statement
 from restitution.solve import ItemResult, Solution, solve
 
+# Many solves each, of statements that nobody has seen before.
+pytestmark = pytest.mark.timeout(300)
+
 Number = Any  # a Fraction, or a float where a root or an angle comes in
 Pair = tuple[Number, Number]
 
