@@ -17,7 +17,7 @@ _HTML = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{na
 
 def static_of(served: str) -> str:
     """Where the page's files are, relative to it."""
-    found = re.search(r"static/\w+", httpx.get(served + "/", timeout=60).text)
+    found = re.search(r"static/\w+", httpx.get(served + "/", timeout=100).text)
     assert found
     return found[0]
 
@@ -28,7 +28,7 @@ def hosted(page: Page, served: str, name: str, function: str) -> None:
     ``function`` is the one that mounts it; every call that it makes is kept with its name.
     """
     static = static_of(served)
-    policy = httpx.get(served, timeout=60).headers["Content-Security-Policy"]
+    policy = httpx.get(served, timeout=100).headers["Content-Security-Policy"]
 
     def host(route: Route) -> None:
         body = _HTML.format(name=name, static=static)

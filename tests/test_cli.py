@@ -34,7 +34,7 @@ def run(*arguments, stdin=b"", cwd=None, env=None):
         input=stdin,
         capture_output=True,
         check=False,
-        timeout=60,
+        timeout=100,
         cwd=cwd,
         env={**os.environ, **(env or {})},
     )
@@ -250,7 +250,7 @@ def test_control_c(folder, tmp_path):
         time.sleep(0.05)
     # As a terminal does: to the command and to the process that solves.
     os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=100)
     assert (process.returncode, out, err) == (130, b"", b"interrupted\n")
     with pytest.raises(ProcessLookupError):
         os.killpg(process.pid, 0)
@@ -263,7 +263,7 @@ def test_reader_who_goes_away(folder):
         capture_output=True,
         check=False,
         cwd=folder,
-        timeout=60,
+        timeout=100,
     )
     assert b"Traceback" not in done.stderr
     assert b"internal error" not in done.stderr
@@ -352,7 +352,7 @@ def test_progress_on_a_terminal(folder):
         env={**os.environ, "TERM": "xterm"},
     )
     os.close(secondary)
-    out, _ = done.communicate(timeout=60)
+    out, _ = done.communicate(timeout=100)
     seen = b""
     try:
         while chunk := os.read(primary, 4096):
@@ -382,7 +382,7 @@ def on_a_terminal(folder, arguments, term="xterm"):
             seen += chunk
     except OSError:
         pass
-    done.communicate(timeout=60)
+    done.communicate(timeout=100)
     os.close(primary)
     return seen.decode()
 
@@ -471,7 +471,7 @@ def test_the_asking_process_loads_no_algebra(folder):
         text=True,
         check=False,
         cwd=folder,
-        timeout=60,
+        timeout=100,
     )
     assert done.stdout.splitlines()[-1] == "[]", done.stderr
 

@@ -399,7 +399,7 @@ def test_ctrl_c_in_a_terminal(tmp_path):
         time.sleep(0.05)
     time.sleep(0.5)
     os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=100)
     assert out == "(0, 1, 2, 3) (4, 5, 6, 7, 8, 9)\n"
     assert err == ""
 

@@ -353,7 +353,7 @@ def test_ctrl_c_leaves_a_state_to_go_on_from(tmp_path):
         with pytest.raises(subprocess.TimeoutExpired):
             process.wait(1.5)
         process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
+        out, _ = process.communicate(timeout=100)
     saved = Gas.load(path)
     assert saved.impacts == int(out) > 0
     again = Gas.fluid(2000, 0.5, seed=1)

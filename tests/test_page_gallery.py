@@ -20,7 +20,7 @@ from restitution.draw.ink import ink
 from restitution.draw.svg import to_svg
 from restitution.examples.topics import TOPICS
 
-get = partial(httpx.get, timeout=60)
+get = partial(httpx.get, timeout=100)
 
 
 def solved(name: str):

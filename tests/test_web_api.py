@@ -59,7 +59,7 @@ def command(statement: str, *arguments: str) -> dict:
         input=statement,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=100,
         check=False,
     )
     return json.loads(done.stdout)
@@ -476,7 +476,7 @@ async def losing_all() -> None:
 def test_others_begin_when_all_are_lost():
     # In an interpreter of its own: all pools of one are forked from the same process.
     code = "import asyncio, test_web_api as t; asyncio.run(t.losing_all())"
-    subprocess.run([sys.executable, "-c", code], cwd=Path(__file__).parent, timeout=60, check=True)
+    subprocess.run([sys.executable, "-c", code], cwd=Path(__file__).parent, timeout=100, check=True)
 
 
 def test_nobody_waits_for_ever(monkeypatch):
@@ -600,7 +600,7 @@ def test_port_in_use(served):
         [sys.executable, "-m", "restitution", "serve", "--no-browser", "--port", port],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=100,
         check=False,
     )
     assert done.returncode == 2
@@ -632,7 +632,7 @@ def test_only_known_names():
 def interpreted(code: str) -> subprocess.CompletedProcess[str]:
     """What a fresh interpreter makes of some code."""
     return subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=100, check=False
     )
 
 
