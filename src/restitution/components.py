@@ -124,7 +124,7 @@ class _Named:
                 return free
         return key
 
-    def sign(self, x: sp.Expr) -> int | None:
+    def sign(self, x: sp.Expr, given: Sequence[object] = ()) -> int | None:
         x = sp.sympify(x, strict=True)
         if x.is_positive:
             return 1

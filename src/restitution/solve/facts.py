@@ -230,7 +230,7 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
         return False
     if story.field.exact or _placed(story, event, now):
         return True
-    if any(story.unknowns.sign(_approach(story, event, one, other, n)) == 1 for n in stages):
+    if any(story.sign(_approach(story, event, one, other, n)) == 1 for n in stages):
         raise MissingError(
             f"whether {one} and {other} collide again depends on their places, as they move "
             "across their line of centres, one relative to the other"

@@ -37,7 +37,7 @@ from restitution.problem import (
     Unknown,
 )
 from restitution.problem import Value as ValueItem
-from restitution.solve.admission import Admission, demands_for, demands_of
+from restitution.solve.admission import Admission, demands_for, demands_of, formula_of
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
@@ -105,12 +105,13 @@ class Letters:
     def all_roles(self) -> dict[str, Role]:
         return {**self.roles, **self.hidden_roles}
 
-    def proved_by(self, oracle: Oracle) -> bool:
-        """Whether the signs that a telling rests on are what they were taken for."""
-        return not self.undecided and all(oracle.decide(each) for each in self.assumed)
+    @property
+    def certain(self) -> bool:
+        """Whether all signs that a telling rests on are proved."""
+        return not self.undecided and not self.assumed
 
-    def sign(self, x: sp.Expr) -> int | None:
-        """The sign of an expression; None where it depends on the letters.
+    def sign(self, x: sp.Expr, given: Sequence[Condition | AnyOf] = ()) -> int | None:
+        """The sign of an expression where conditions hold; None where it depends on the letters.
 
         One that is seen at usual values, but is not proved for all, is among ``assumed``; what
         has different signs is among ``undecided``.
@@ -125,6 +126,9 @@ class Letters:
         if self.ground is None:
             self.ground = Oracle(ChainMap(dict(self.roles), self.hidden_roles))
         proved = self.ground.sign(x)
+        if proved is None and given:
+            facts = [formula_of(each) for each in given]
+            proved = self.ground.with_facts(dict.fromkeys(facts)).sign(x)
         if proved is not None:
             return proved
         points: Iterable[Sample] = self.samples
@@ -158,7 +162,7 @@ class Numbers:
             raise UndefinedError(name)
         return self.values[name]
 
-    def sign(self, x: Any) -> int:
+    def sign(self, x: Any, given: Sequence[Condition | AnyOf] = ()) -> int:
         return 0 if abs(x) < TINY else 1 if x > 0 else -1
 
 

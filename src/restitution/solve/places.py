@@ -91,9 +91,9 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     if story.field.is_zero(speed):
         raise ImpossibleError(f"{name} moves parallel to {wall.name} and does not reach it")
     if radius is not None:
-        side = story.unknowns.sign(gap)
+        side = story.sign(gap)
         if side in (None, 0):
-            side = -(story.unknowns.sign(speed) or 1)
+            side = -(story.sign(speed) or 1)
         gap = gap - side * radius * story.size(normal)
     flight = story.rational(-gap / speed)
     _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
@@ -149,9 +149,9 @@ def _nothing_first(
         if story.field.is_zero(speed):
             continue
         if radius is not None:
-            side = story.unknowns.sign(gap)
+            side = story.sign(gap)
             if side in (None, 0):
-                side = -(story.unknowns.sign(speed) or 1)
+                side = -(story.sign(speed) or 1)
             gap = gap - side * radius * story.size(normal)
         crossing = story.rational(-gap / speed)
         reason = f"{name} strikes {wall.name} first"
@@ -190,14 +190,14 @@ def _no_sphere_first(
         gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
         approach = v - w
         ga, ww = gap.dot(approach), approach.dot(approach)
-        if story.unknowns.sign(ga) != 1:
+        if story.sign(ga) != 1:
             continue
         under = ga * ga - ww * (gap.dot(gap) - reach * reach)
-        side = story.unknowns.sign(under)
+        side = story.sign(under)
         if side == -1 or (side == 0 and radius is not None):
             continue  # it passes by
         touch = (ga - (story.field.sqrt(under) if side == 1 else 0)) / ww
-        if story.unknowns.sign(touch) == 1:
+        if story.sign(touch) == 1:
             spare = start + touch - (own[1] + flight)
             reason = f"{name} strikes {other} first"
             story.conditions.append(Condition(spare, ">=", reason, "place"))
@@ -218,7 +218,7 @@ def _time_to_circle(
         return None
     out = known[0] - centre
     square = story.rational(out.dot(out))
-    inside = story.unknowns.sign(square - size * size)
+    inside = story.sign(square - size * size)
     reach = size
     if radius is not None:
         reach = size + radius if inside == 1 else size - radius
@@ -341,7 +341,7 @@ def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
     Which of its values goes with which letters is decided in numbers.
     """
     reason = f"{step.first} and {step.second} are separating"
-    sign = story.unknowns.sign(towards)
+    sign = story.sign(towards)
     key = f"s_{number}"
     if story.field.exact and sign is None:
         side = story.unknowns.hidden(key, f"the order of {step.first} and {step.second}", "real")
@@ -355,7 +355,7 @@ def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
 
 def later(story: Story, a: Scalar, b: Scalar) -> Scalar:
     """The later of two times; the first where the letters decide."""
-    sign = story.unknowns.sign(a - b)
+    sign = story.sign(a - b)
     return a if sign is None or sign >= 0 else b
 
 
@@ -400,7 +400,7 @@ def place_after_meeting(
         apart = Vector(story.field.zero, story.field.zero)
     else:
         oriented = c if unknown else c * closing
-        sign = story.unknowns.sign(closing) if not unknown else 1
+        sign = story.sign(closing) if not unknown else 1
         if sign in (1, -1) and not unknown:
             oriented = c * sign
         apart = oriented * (2 * r / story.size(oriented))

@@ -263,7 +263,7 @@ def _position_when(story: Story, name: str, t: Scalar, now: int, later: bool) ->
         return _missing_place(story, name)
     chosen = places[-1] if later else places[0]
     for each in () if later else places[1:]:
-        sign = story.unknowns.sign(t - each[2])
+        sign = story.sign(t - each[2])
         if sign is not None and sign >= 0:
             chosen = each
     n, where, when = chosen

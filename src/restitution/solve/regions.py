@@ -164,12 +164,11 @@ class Region:
         cases: list[Formula] = []
         for trial in self.trials:
             demands = self._demands(trial)
-            if demands is None:
-                return None
+            if demands is None or (trial.admission is not None and trial.admission.assumed):
+                return None  # it would be proved on what nobody has proved
             parts = [d.formula for d in demands]
             if self.only is None and trial.admission is not None:
                 parts += [Relation(each, "=") for each in trial.admission.equations]
-                parts += trial.admission.assumed
             cases.append(joined(dict.fromkeys(parts)))
         return cases[0] if len(cases) == 1 else Some(tuple(cases))
 

@@ -98,7 +98,7 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
         verdict = oracle.decide(claim)
     except BeyondError:
         return UNDECIDED, claim
-    if verdict and isinstance(letters_, Letters) and not letters_.proved_by(oracle):
+    if verdict and not (isinstance(letters_, Letters) and letters_.certain):
         return UNDECIDED, claim
     return verdict, claim
 

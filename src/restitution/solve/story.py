@@ -13,7 +13,7 @@ that says what it is. While telling, the story collects
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -66,8 +66,8 @@ class Unknowns(Protocol):
 
     def hidden(self, key: str, phrase: str, sign: Sign) -> Scalar: ...
 
-    def sign(self, x: Scalar) -> int | None:
-        """The sign of a scalar, or None where it depends on the letters."""
+    def sign(self, x: Scalar, given: Sequence[Condition | AnyOf] = ()) -> int | None:
+        """The sign of a scalar where some conditions hold; None where it depends on the letters."""
 
 
 @dataclass(frozen=True)
@@ -382,6 +382,10 @@ class Story:
         if self.field.is_zero(v.x):
             return self.field.abs(v.y)
         return self.field.sqrt(v.x * v.x + v.y * v.y)
+
+    def sign(self, x: Scalar) -> int | None:
+        """The sign of a scalar in all that is possible so far; None where the letters decide."""
+        return self.unknowns.sign(x, self.conditions)
 
     def direction(self, tree: Expression, now: int) -> Vector:
         """A direction: a vector, an angle, a wall or ``line_of_centres``."""
