@@ -60,7 +60,7 @@ def to_statement(problem: Problem) -> str:
         lines.append(f"title {_title(problem.title)}")
     for body in bodies:
         lines.extend(_body(body))
-    kinds = {body.name: type(body).__name__.lower() for body in bodies}
+    kinds = _kinds(problem)
     for part in problem.parts:
         if part.label is not None:
             if not _LABEL.fullmatch(part.label):
@@ -168,6 +168,16 @@ def _letter(name: str) -> str:
 
 def _terms(letters: tuple[str, ...] | None) -> str:
     return f" in terms of {', '.join(map(_letter, letters))}" if letters else ""
+
+
+def _kinds(problem: Problem) -> dict[str, str]:
+    bodies = (*problem.spheres, *problem.walls, *problem.points)
+    return {body.name: type(body).__name__.lower() for body in bodies}
+
+
+def relation_text(problem: Problem, relation: Relation) -> str:
+    """A relation as a statement has it."""
+    return _relation(_kinds(problem), relation)
 
 
 def _relation(kinds: Mapping[str, str], relation: Relation) -> str:

@@ -13,6 +13,7 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from restitution import exact
 from restitution.errors import (
+    ContradictionError,
     ImpossibleError,
     MissingError,
     RestitutionError,
@@ -55,7 +56,7 @@ from restitution.render.layout import (
     display_vector,
 )
 from restitution.render.text import to_text
-from restitution.solve import forms
+from restitution.solve import clash, forms
 from restitution.solve.coefficients import (
     COEFFICIENTS,
     impossible_coefficients,
@@ -154,6 +155,7 @@ class _Worker:
     # By the identity of the trials that they are made from, which settings may share.
     branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
     limits: dict[int, tuple[Limitation, ...]] = field(default_factory=dict)
+    clashes: dict[Any, ContradictionError] = field(default_factory=dict)
 
     @property
     def problem(self) -> Problem:
@@ -223,17 +225,28 @@ class _Worker:
         self, in_terms_of: tuple[str, ...] | None, claim: Show | None = None
     ) -> tuple[Outcome, list[Branch]]:
         """What solving gives for the values asked for, or for a claim. Raises RestitutionError."""
-        outcome = self.desk.outcome(self.desk.settle(in_terms_of, claim))
-        key = id(outcome.trials)
-        if key not in self.branches:
-            try:
-                self.branches[key] = self._branches(outcome)
-            except RestitutionError as error:
-                self.branches[key] = error
-        branches = self.branches[key]
-        if isinstance(branches, RestitutionError):
-            raise branches
+        setting = self.desk.settle(in_terms_of, claim)
+        try:
+            outcome = self.desk.outcome(setting)
+            key = id(outcome.trials)
+            if key not in self.branches:
+                try:
+                    self.branches[key] = self._branches(outcome)
+                except RestitutionError as error:
+                    self.branches[key] = error
+            branches = self.branches[key]
+            if isinstance(branches, RestitutionError):
+                raise branches
+        except ContradictionError as error:
+            raise self._clash(setting, error) from error
         return outcome, branches
+
+    def _clash(self, setting: Setting, error: ContradictionError) -> ContradictionError:
+        """The facts that clash; sought once for the same facts."""
+        key = (error.message, tuple(id(given) for given, _ in setting.facts))
+        if key not in self.clashes:
+            self.clashes[key] = clash.named(setting, error)
+        return self.clashes[key]
 
     def _branches(self, outcome: Outcome) -> list[Branch]:
         accepted = outcome.accepted
