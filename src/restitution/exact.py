@@ -29,6 +29,8 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Float, Integer, Mul, Pow, Rational, S, Symbol
 
+from restitution.work import spend
+
 # A tree above the first size is not searched for better forms, above the second not touched.
 SEARCHED = 260
 TOUCHED = 1500
@@ -48,8 +50,8 @@ _HALF = Rational(1, 2)
 def tidy(expression: Any) -> Any:
     """An expression (or the ends of a set of numbers) in the form a textbook would print.
 
-    The value is unchanged wherever the letters are admissible. Never raises; what is too large
-    to be improved quickly comes back as it is.
+    The value is unchanged wherever the letters are admissible. Never raises but at a limit of
+    work; what is too large to be improved quickly comes back as it is.
     """
     if isinstance(expression, sympy.Set):
         return _tidy_set(expression)
@@ -69,7 +71,8 @@ def tidy(expression: Any) -> Any:
 def tidy_angle(expression: Any) -> Any:
     """An angle in radians in its usual form: ``pi/3``, ``pi - atan(4/3)``, ``alpha``.
 
-    Recognised multiples of π/24 and π/10 are verified by exact algebra. Never raises.
+    Recognised multiples of π/24 and π/10 are verified by exact algebra. Never raises but
+    at a limit of work.
     """
     if not isinstance(expression, Expr) or expression.is_Atom:
         return expression
@@ -330,6 +333,7 @@ def _is_surd(value: sympy.Basic) -> bool:
 
 def _tidy_number(value: Expr) -> Expr:
     """A number without letters: surds denested, denominators rational, common factor in front."""
+    spend()
     if value.is_Rational or value.is_Atom:
         return value
     if value.has(*_TRIGONOMETRIC):
@@ -431,6 +435,7 @@ class _Angle:
 
 
 def _tidy(expression: Expr) -> Expr:
+    spend()
     if not expression.free_symbols:
         return _tidy_number(expression)
     starts = [expression]
@@ -696,6 +701,7 @@ def _square(root: Expr, back: dict[Symbol, Expr]) -> Expr | None:
 
 def _tidy_roots(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
     """Every root's contents in best form, squares taken out; the innermost first."""
+    spend()
     if value.is_Atom or not value.has(Pow):
         return value
     if isinstance(value, Pow) and isinstance(value.exp, Rational) and value.exp.q != 1:
@@ -877,6 +883,7 @@ def _divided(value: Expr) -> Expr:
 
 
 def _with_angle(best: Expr, angle: _Angle) -> Expr:
+    spend()
     s, c, t = angle.sine, angle.cosine, angle.tangent
     if t in best.free_symbols:
         raw = sympy.together(best.xreplace({t: s / c}))
@@ -971,6 +978,7 @@ def _in_tangent(form: tuple[Expr, Expr], angle: _Angle) -> Expr | None:
 
 def _factored(value: Expr, *, deep: bool = True) -> Expr:
     """Over one denominator, in factors; surds out of denominators; signs and conjugates tidy."""
+    spend()
     value = sympy.factor(value) if deep else sympy.factor_terms(sympy.together(value))
     coefficient: Expr = S.One
     powers: list[tuple[Expr, Expr]] = []
@@ -1290,6 +1298,7 @@ def _tidy_set(value: Any) -> Any:
 
 
 def _tidy_angle(value: Expr) -> Expr:
+    spend()
     if value.free_symbols:
         return _tidy_angle_letters(value)
     quotient = sympy.expand(value / sympy.pi)
@@ -1508,6 +1517,7 @@ def _evaluate(
 
     The scale is the size of the largest term, so that units do not matter.
     """
+    spend()
     try:
         number = value.evalf(digits, subs=point, maxn=4 * digits)
         terms = [abs(term.evalf(15, subs=point)) for term in Add.make_args(value)]

@@ -16,9 +16,7 @@ import multiprocessing
 import signal
 import sys
 import traceback
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Callable
 from types import TracebackType
 from typing import Any, Self
 
@@ -27,9 +25,6 @@ _START = 120.0
 
 _MEMORY = 4 * 2**30
 """Bytes of memory that the work may take, where the system can limit that."""
-
-_SOONEST = 0.001
-"""Seconds before a soft limit, at least: 0 would be never."""
 
 
 class LostError(Exception):
@@ -203,44 +198,3 @@ def _end_by_itself(limit: float | None) -> None:
     if hasattr(signal, "alarm"):
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
         signal.alarm(0 if limit is None else math.ceil(limit) + 5)
-
-
-@dataclass
-class Bell:
-    """How often a soft limit was reached.
-
-    What was then given up may have been given up in silence, by whoever caught the error and went
-    on without: so those who set the limit say that something may be left out.
-    """
-
-    rung: int = 0
-
-
-@contextmanager
-def soft_limit(first: float | None, again: float, error: Exception) -> Iterator[Bell]:
-    """Raise ``error`` inside the block after ``first`` seconds, and after every ``again`` more.
-
-    Thereby whoever catches it can give up one piece of the work and go on with the next. Only
-    where there is an interval timer and in the main thread; elsewhere nothing happens. What a
-    library holds in memory may be left half done, so this is for a process that ends soon.
-    """
-    bell = Bell()
-    if first is None or not hasattr(signal, "setitimer"):
-        yield bell
-        return
-
-    def ring(number: int, frame: Any) -> None:
-        bell.rung += 1
-        raise error
-
-    # One timer serves both: the alarm that ends the process is put back afterwards.
-    left = signal.setitimer(signal.ITIMER_REAL, 0)[0]
-    kept = signal.signal(signal.SIGALRM, ring)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, max(first, _SOONEST), again)
-        yield bell
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, kept)
-        if left:
-            signal.alarm(math.ceil(left))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.components import Model, model, protected_letters, rejected_values
-from restitution.errors import RestitutionError
+from restitution.errors import RestitutionError, TimeLimitError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.events import spoken, table_of
@@ -28,6 +28,7 @@ from restitution.solve.forms import signed
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.solve.story import lets_of
 from restitution.vector import Vector
+from restitution.work import confirm, limited
 
 # What algebra may raise on an expression of a form that was not foreseen.
 _FAILURES = (
@@ -50,8 +51,13 @@ _ONCE = ("heading", "setting", "principle")
 Carried = dict[str, tuple[str, sp.Expr]]
 
 
-def explain(solution: Solution, part: str | None = None) -> Explanation:
+def explain(
+    solution: Solution, part: str | None = None, time_limit: float | None = None
+) -> Explanation:
     """The worked solution of a problem, or of the part with that label.
+
+    It is whole, or there is none: after ``time_limit`` seconds (None is no limit; it holds in any
+    thread) TimeLimitError is raised.
 
     Every line is checked by numbers that satisfy the facts before it is kept; one that fails is
     left out, and a warning says so. Items without an answer are told with their reason. Raises
@@ -60,6 +66,14 @@ def explain(solution: Solution, part: str | None = None) -> Explanation:
     if part is not None and part not in solution.parts:
         known = ", ".join(str(label) for label in solution.parts)
         raise KeyError(f"there is no part {part!r}; parts: {known}")
+    limit = None if time_limit is None else f"no working within the time limit of {time_limit:g} s"
+    with limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
+        explanation = _explained(solution, part)
+        confirm()
+    return explanation
+
+
+def _explained(solution: Solution, part: str | None) -> Explanation:
     carried: Carried = {}
     told: list[PartExplanation] = []
     warnings = list(solution.warnings)

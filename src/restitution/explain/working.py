@@ -43,6 +43,7 @@ from restitution.solve.neat import factors, linear_solution
 from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
+from restitution.work import spend
 
 # Characters in a line of mathematics beyond which it is left out: it would help no one.
 _LONGEST = 260
@@ -155,6 +156,7 @@ class Working:
         checked = []
         rows = tuple(rows)
         for row in rows:
+            spend()
             if too_long(row):
                 continue  # true, but no one would write it
             if len(row.operands) > 1 and len(set(row.operands)) == 1:

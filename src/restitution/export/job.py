@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
+from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
     from restitution.export.sheet import Form, Options
@@ -22,10 +23,9 @@ if TYPE_CHECKING:
 
 Format = Literal["text", "markdown", "latex", "html", "json"]
 
-# Shares of the time limit: what is solved by then is kept, and what is left is given up piece
-# by piece, so that there is time to write down the rest.
+# Shares of the time limit: what is solved by then is kept, and what is left is given up, so that
+# there is time to write down the rest.
 _FIRST = 0.6
-_AGAIN = 0.08
 _WRITING = 0.3
 _SHOWING = 0.9  # by then all pieces of a page are made, or given up
 
@@ -155,17 +155,17 @@ def hurried(limit: float | None, while_: str) -> str:
 def serve(job: Job) -> Reply:
     """Solve, and make what is wanted. Raises RestitutionError where nothing at all can be said."""
     from restitution.export import contract
-    from restitution.killable import soft_limit
     from restitution.solve import solve
 
     began = time.monotonic()
-    first = None if job.limit is None else job.limit * _FIRST
-    with soft_limit(first, (job.limit or 0) * _AGAIN, stopped(job.limit)) as bell:
+    with limited(
+        None if job.limit is None else job.limit * _FIRST, error=stopped(job.limit)
+    ) as limit:
         solution = solve(job.problem)
     label = job.task.part if isinstance(job.task, Writing | Playing) else None
     found = contract.solved(job.file, solution, label)
     errors = _errors(solution, label)
-    tired = bell.rung > 0
+    tired = limit.broken
     late = [hurried(job.limit, "it was solved")] if tired else []
     found["warnings"] += late
     answered = contract.all_answered(found)
@@ -235,7 +235,6 @@ def _written(
 ) -> tuple[str, tuple[str, ...], str]:
     """The working, or the answers alone; why not the working; and the traceback of a fault."""
     from restitution.export.answers import answers
-    from restitution.killable import soft_limit
 
     assert task.form != "json"
     note: tuple[str, ...] = ()
@@ -243,9 +242,10 @@ def _written(
     if not task.answers_only:
         limit = None if whole is None else whole * _WRITING
         try:
-            with soft_limit(limit, limit or 0, stopped(whole)) as bell:
+            with limited(limit, error=stopped(whole)) as own:
                 text = _working(solution, task)
-            if bell.rung:
+                confirm()
+            if own.broken:
                 note = (hurried(whole, "the working was written"),)
             return text, note, ""
         except RestitutionError as error:

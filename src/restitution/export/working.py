@@ -23,11 +23,11 @@ from restitution.export.answers import is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
 from restitution.export.tree import Tree, tree, trees
-from restitution.killable import soft_limit
 from restitution.render.mathml import to_mathml
 from restitution.wording import asked, question
 from restitution.wording.html import said as words
 from restitution.wording.html import to_body
+from restitution.work import limited
 
 if TYPE_CHECKING:
     from restitution.draw.scene import Scene
@@ -41,8 +41,6 @@ _PICTURES = 0.5
 _WORKING = 0.6
 _EXACT = 0.5
 _OVER = "there was no time left for it"
-# The part of its time after which a piece that goes on is broken off once more.
-_AGAIN = 0.1
 
 
 @dataclass(frozen=True)
@@ -91,7 +89,7 @@ class Shown:
 
 
 def shown(solution: Solution, seconds: float | None = None) -> Shown:
-    """The pieces of a page, made within so many ``seconds`` (that needs the main thread)."""
+    """The pieces of a page, made within so many ``seconds`` (None is no limit)."""
     clock = _Clock(seconds)
     worded = clock.spare("question", lambda: tree(to_body(question(solution.problem))))
     names = clock.spare("wording of the items", lambda: _names(solution))
@@ -147,15 +145,15 @@ class _Clock:
             self.tired = True
             return None, out_of_time.message
         try:
-            with soft_limit(limit, (limit or 0) * _AGAIN, out_of_time) as bell:
+            with limited(limit, error=out_of_time) as own:
                 made = make()
         except RestitutionError as error:
-            self.tired = self.tired or error is out_of_time
+            self.tired = self.tired or error.kind == TimeLimitError.kind
             return None, error.message
         except Exception:  # noqa: BLE001 - the other pieces are right without it
             self.faults.append(traceback.format_exc())
             return None, "it could not be made, by a fault of the program"
-        if bell.rung:
+        if own.broken:
             self.tired = True
             self.left_out.append(f"something of the {name} is left out: there was no time for it")
             return made, "there was no time left for all of it"

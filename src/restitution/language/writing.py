@@ -171,7 +171,7 @@ def _terms(letters: tuple[str, ...] | None) -> str:
 
 
 def _kinds(problem: Problem) -> dict[str, str]:
-    bodies = (*problem.spheres, *problem.walls, *problem.points)
+    bodies: list[Sphere | Wall | Point] = [*problem.spheres, *problem.walls, *problem.points]
     return {body.name: type(body).__name__.lower() for body in bodies}
 
 

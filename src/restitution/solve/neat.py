@@ -10,6 +10,8 @@ from functools import lru_cache
 
 import sympy as sp
 
+from restitution import work
+
 _LARGE = 400
 _LONG = 60
 
@@ -27,6 +29,7 @@ def neat(x: sp.Expr) -> sp.Expr:
         return x
     if not _needs_work(x):
         return x
+    work.spend()
     if sp.count_ops(x) > _LARGE:
         return sp.together(x)
     try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -11,13 +11,14 @@ from typing import Any
 import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
-from restitution import exact
+from restitution import exact, work
 from restitution.errors import (
     ContradictionError,
     ImpossibleError,
     MissingError,
     RestitutionError,
     StatementError,
+    TimeLimitError,
     UnsupportedError,
 )
 from restitution.expression.evaluate import Angle, Evaluator
@@ -92,14 +93,22 @@ from restitution.solve.verify import verify_principles, verify_value
 from restitution.vector import Vector
 
 
-def solve(problem: Problem) -> Solution:
-    """Solves every part of a problem.
+def solve(problem: Problem, time_limit: float | None = None) -> Solution:
+    """Solves every part of a problem, within ``time_limit`` seconds (None is no limit).
 
     What cannot be answered carries its own error in the result, so that one item takes no other
-    with it. Raises StatementError for a problem that makes no sense (a body that is not there, a
-    number where a vector is needed), as reading its text would have done.
+    with it. Where the time runs out, items already solved are kept, and the others carry a
+    TimeLimitError; the limit holds in any thread. Raises StatementError for a problem that makes no
+    sense (a body that is not there, a number where a vector is needed), as reading its text would
+    have done.
     """
     check(problem)
+    limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
+    with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
+        return _solved(problem)
+
+
+def _solved(problem: Problem) -> Solution:
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()
@@ -177,10 +186,21 @@ class _Worker:
                 now += 1
             elif isinstance(step, Find):
                 for item in step.items:
-                    results.append(self._item(item, now, step.in_terms_of))
+                    results.append(self._kept(partial(self._item, item, now, step.in_terms_of)))
             elif isinstance(step, Show):
-                results.append(self._show(step, now))
+                results.append(self._kept(partial(self._show, step, now)))
         return self._whole(tuple(results))
+
+    def _kept(self, make: Callable[[], ItemResult]) -> ItemResult:
+        """An item, unless something of it was broken off and passed over."""
+        made = make()
+        try:
+            work.confirm()
+        except RestitutionError as error:
+            if made.error is None or made.error.kind != error.kind:
+                error.line = made.line
+                made = ItemResult(made.item, made.line, made.text, made.kind, error=error)
+        return made
 
     def _whole(self, results: tuple[ItemResult, ...]) -> PartSolution:
         """The part as it is explained: with what all the values asked for have in common."""

@@ -22,7 +22,7 @@ from typing import Any, Literal, Protocol
 
 import sympy as sp
 
-from restitution import law
+from restitution import law, work
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Numeric, Scalar, Symbolic, Value
 from restitution.expression.tree import (
@@ -127,6 +127,7 @@ class Story:
         unknowns: Unknowns,
         lets: Mapping[str, tuple[Let, int]],
     ) -> None:
+        work.spend()
         self.problem = problem
         self.field = arithmetic
         self.unknowns = unknowns

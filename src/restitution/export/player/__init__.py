@@ -74,7 +74,7 @@ def play(
     """The motion of a solved problem (of all its parts, or the one with that label), or another.
 
     After so many ``seconds`` spent on exact values of a problem, what is left of them is given as
-    decimals only, and a note says so; that needs the main thread. Letters of a problem are at
+    decimals only, and a note says so. Letters of a problem are at
     representative values, which the page tells.
 
     Raises StatementError for anything else, KeyError for a part that is not there, what kept the

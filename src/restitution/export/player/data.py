@@ -23,11 +23,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from restitution.errors import TimeLimitError
+from restitution.errors import TimeLimitError, UnsupportedError
 from restitution.expression.tree import Expression, letters
-from restitution.killable import soft_limit
 from restitution.motion.pieces import Blow, Circle, Line, Motion, Reached, Struck
 from restitution.vector import Vector
+from restitution.work import limited
 
 if TYPE_CHECKING:
     from restitution.motion.stage import Event
@@ -41,6 +41,8 @@ Object = dict[str, Any]
 _SHORT = 22
 # What is said where the clock broke them off.
 _NO_TIME = "Some exact values are left out: there was no time left for them."
+# Steps of work for all exact values of a problem.
+_STEPS = 100_000
 # Values of more operations than this have no short form.
 _LONG = 30
 
@@ -61,16 +63,16 @@ def of_solution(
 def of_told(told: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
     """Motions of one problem, with exact values as far as they are short.
 
-    Those that are not known after so many ``seconds`` are left out, and a note says so.
+    Those that would take too many steps to work out are left out, as are, on a machine that is
+    too slow, those that are not known after so many ``seconds``; a note says so.
     """
     made = [_of_told(each, label) for each, label in zip(told, _labels(told), strict=True)]
-    out_of_time = TimeLimitError("no exact values in time")
     try:
-        with soft_limit(seconds, (seconds or 0) / 4, out_of_time) as bell:
+        with limited(seconds, _STEPS) as own:
             for shown, each in zip(made, told, strict=True):
                 _add_exact(shown, each)
-        hurried = bell.rung > 0
-    except TimeLimitError:
+        hurried = own.broken
+    except (TimeLimitError, UnsupportedError):
         hurried = True
     if hurried:  # numbers are there for all of it
         for shown in made:

@@ -1,0 +1,109 @@
+"""Limits of work: operations counted, and as outer guard a clock.
+
+Whoever works passes checkpoints: ``spend(n)`` before a step of about n operations. Whoever asks
+for the work sets limits around it::
+
+    with limited(operations=10**6, error=UnsupportedError("too hard")):
+        ...
+
+What is counted comes out the same on every machine, so operations may decide what is answered; a
+clock may only break off. Limits nest, and hold in the thread that sets them and in no other: there
+is no signal, and no state is left behind.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+from restitution.errors import RestitutionError, TimeLimitError, UnsupportedError
+
+_CURRENT: ContextVar[Limit | None] = ContextVar("limit of work", default=None)
+
+
+class Limit:
+    """One limit in force.
+
+    ``left`` are operations, or None where they do not matter; ``broken`` tells that something was
+    broken off because its clock ran out.
+    """
+
+    __slots__ = ("_end", "_error", "_outer", "broken", "left")
+
+    def __init__(
+        self,
+        outer: Limit | None,
+        seconds: float | None,
+        operations: int | None,
+        error: RestitutionError | None,
+    ) -> None:
+        self._outer = outer
+        self._end = None if seconds is None else time.monotonic() + seconds
+        self._error = error
+        self.left = operations
+        self.broken = False
+
+    def spend(self, operations: int) -> None:
+        """Count a step, here and in the limits around it; raises the error of one that is over."""
+        limit: Limit | None = self
+        while limit is not None:
+            if limit.left is not None:
+                limit.left -= operations
+                if limit.left < 0:
+                    raise limit.error(UnsupportedError("this takes too many steps to work out"))
+            if limit._end is not None and time.monotonic() >= limit._end:
+                limit.broken = True
+                raise limit.error(TimeLimitError("this was not done within its time limit"))
+            limit = limit._outer
+
+    def confirm(self) -> None:
+        """Raise again what a clock has raised in this block, had somebody passed over it."""
+        limit: Limit | None = self
+        while limit is not None:
+            if limit.broken:
+                raise limit.error(TimeLimitError("this was not done within its time limit"))
+            limit = limit._outer
+
+    def error(self, usual: RestitutionError) -> RestitutionError:
+        """An error of this limit, made anew: one that was raised carries its traceback."""
+        if self._error is None:
+            return usual
+        return type(self._error)(self._error.message, self._error.line, self._error.column)
+
+
+@contextmanager
+def limited(
+    seconds: float | None = None,
+    operations: int | None = None,
+    error: RestitutionError | None = None,
+) -> Iterator[Limit]:
+    """Limit the work inside the block, beside the limits that are in force around it.
+
+    The first checkpoint beyond ``seconds`` or ``operations``, and every one after it, raises
+    ``error``; without that, TimeLimitError for the clock and UnsupportedError for operations.
+    """
+    limit = Limit(_CURRENT.get(), seconds, operations, error)
+    token = _CURRENT.set(limit)
+    try:
+        yield limit
+    finally:
+        _CURRENT.reset(token)
+
+
+def spend(operations: int = 1) -> None:
+    """A checkpoint: so many operations are about to be done. Raises the error of a limit."""
+    limit = _CURRENT.get()
+    if limit is not None:
+        limit.spend(operations)
+
+
+def confirm() -> None:
+    """Before a result is kept: raise again what a clock has raised, had it been passed over.
+
+    Much of the work tries several ways, and takes an error for "not this way".
+    """
+    limit = _CURRENT.get()
+    if limit is not None:
+        limit.confirm()
