@@ -16,6 +16,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components import Component, Frame, Law, Model
+from restitution.errors import UnsupportedError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.checking import holds
 from restitution.explain.order import blocks, needed
@@ -39,8 +40,9 @@ from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
-from restitution.solve.neat import factors, linear_solution
+from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.polynomials import factors
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
 from restitution.work import spend
@@ -582,7 +584,7 @@ class Working:
         above = _above(x)
         try:
             parts = factors(sp.expand(above))
-        except (sp.PolynomialError, NotImplementedError):
+        except (sp.PolynomialError, UnsupportedError):
             return sp.expand(above)
         kept = sp.Integer(1)
         for factor in parts:

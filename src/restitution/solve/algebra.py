@@ -3,6 +3,10 @@
 Angles that are sought become tangents, or pairs of cosine and sine; roots of expressions with
 unknowns are squared away. What is found satisfies the polynomials; whether it also satisfies the
 facts as they were told, signs and ranges, is for the caller to check.
+
+Degrees, coefficients, factors, resultants and zeros are asked of ``polynomials``, over the
+rationals and in letters of which nothing is assumed. All work is counted before it is begun: what
+is too hard is refused after the same steps on every machine.
 """
 
 from __future__ import annotations
@@ -10,32 +14,39 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import lru_cache
 
 import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested
 from restitution.oracle.roles import Role
-from restitution.solve.neat import factors, neat, numerator
-from restitution.solve.numbers import changes_sign, vanishes
+from restitution.solve.neat import neat
+from restitution.solve.numbers import vanishes
+from restitution.solve.polynomials import (
+    afford,
+    coefficients,
+    definite,
+    degree,
+    factors,
+    norm,
+    numerator,
+    plain_number,
+    resultant,
+    sign,
+    split_over_numbers,
+    terms_in,
+    too_hard,
+    vanishing,
+)
+from restitution.work import limited
 
 MOST_BRANCHES = 24
-MOST_STEPS = 400
+MOST_OPERATIONS = 20_000_000
+"""Operations that one system may take: elimination on bad systems grows without end."""
+REDUCING = 50_000
+"""Operations that a round of elimination counts for, beside the steps in it."""
 
 Assignment = dict[sp.Symbol, sp.Expr]
-
-
-@dataclass
-class Budget:
-    """Bounds the work of one system: elimination on bad systems grows without end."""
-
-    steps: int = MOST_STEPS
-
-    def spend(self) -> None:
-        self.steps -= 1
-        if self.steps < 0:
-            raise UnsupportedError("the equations of this question are too hard to solve exactly")
 
 
 @dataclass(frozen=True)
@@ -61,11 +72,25 @@ def solve_system(
 
     An unknown that the equations do not fix is absent from a solution. Equations without
     unknowns that do not vanish are handed back as ``leftover``: facts about the data.
-    Raises UnsupportedError where elimination meets what it cannot solve.
+    Raises UnsupportedError where elimination meets what it cannot solve, or is too much work.
     """
+    with limited(operations=MOST_OPERATIONS, error=too_hard()):
+        try:
+            return _solved(equations, unknowns, angles, acute, roles)
+        except sp.PolynomialError as error:
+            raise UnsupportedError("these equations cannot be made polynomial") from error
 
+
+def _solved(
+    equations: Iterable[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    angles: frozenset[sp.Symbol],
+    acute: frozenset[sp.Symbol],
+    roles: Mapping[str, Role],
+) -> list[Found]:
     def zero(x: sp.Expr) -> bool:
-        return vanishes(x, roles)
+        decided = vanishing(x)
+        return vanishes(x, roles) if decided is None else decided
 
     sought = list(unknowns)
     current = [sp.sympify(each, strict=True) for each in equations]
@@ -91,8 +116,7 @@ def solve_system(
         pairs[symbol] = (c, s)
     # Roots and sizes of what is unknown are squared away.
     everything = set(sought) | {x for pair in pairs.values() for x in pair}
-    current = [_rational(each, everything) for each in current]
-    polynomials = [numerator(each) for each in current]
+    polynomials = [_polynomial(each, everything) for each in current]
     for symbol, (c, s) in pairs.items():
         if any(each.has(symbol) for each in polynomials):
             raise UnsupportedError(
@@ -111,8 +135,7 @@ def solve_system(
     gens = [x for x in sought if x not in pairs]
     order = gens + generators
     solutions: list[Found] = []
-    budget = Budget()
-    for assignment, rest in _reduce(polynomials, order, {}, zero, budget):
+    for assignment, rest in _reduce(polynomials, order, {}, zero):
         values: dict[str, sp.Expr] = {}
         found_angles: dict[str, tuple[sp.Expr, sp.Expr]] = {}
         for symbol in sought:
@@ -154,11 +177,11 @@ def _within(angle: sp.Expr, role: Role) -> sp.Expr:
 
 
 def _angle_of(c: sp.Expr, s: sp.Expr) -> sp.Expr:
-    if c.is_zero:
-        return sp.pi / 2 if s.is_positive is not False else -sp.pi / 2
+    if vanishing(c):
+        return sp.pi / 2 if definite(s) >= 0 else -sp.pi / 2
     if c.is_number and s.is_number:
-        return sp.atan2(sp.radsimp(s), sp.radsimp(c))
-    if c.is_positive:
+        return sp.atan2(_surds(s), _surds(c))
+    if definite(c) > 0:
         return sp.atan(neat(s / c))
     return sp.atan2(s, c)
 
@@ -196,71 +219,96 @@ def _trig_in(x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.S
     return x.xreplace(mapping)
 
 
-def _rational(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
-    """An equation freed of roots and sizes of expressions in the unknowns, by squaring."""
-    for _ in range(6):
-        x = sp.sympify(x, strict=True)
-        radicals = sorted(
-            (
-                node
-                for node in sp.preorder_traversal(x)
-                if (
-                    (node.is_Pow and node.exp.is_Rational and not node.exp.is_Integer)
-                    or isinstance(node, sp.Abs)
-                )
-                and node.free_symbols & unknowns
-            ),
-            key=lambda node: (-sp.count_ops(node), sp.default_sort_key(node)),
-        )
-        if not radicals:
-            return x
-        chosen = radicals[0]
-        if isinstance(chosen, sp.Abs):
-            base, square = chosen, chosen.args[0] ** 2
-        elif chosen.exp.q == 2:
-            base, square = sp.sqrt(chosen.base), chosen.base
+def _polynomial(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
+    """A polynomial that vanishes where an equation holds: a product, where that is known."""
+    return sp.Mul(*[numerator(each) for each in _rational(x, unknowns)])
+
+
+def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.Expr]:
+    """The factors of an equation freed of roots and sizes of expressions in the unknowns.
+
+    A root is squared away. The size of w is w or −w, which gives two factors of half the degree.
+    """
+    x = sp.sympify(x, strict=True)
+    radicals = sorted(
+        (
+            node
+            for node in sp.preorder_traversal(x)
+            if (
+                (node.is_Pow and node.exp.is_Rational and not node.exp.is_Integer)
+                or isinstance(node, sp.Abs)
+            )
+            and node.free_symbols & unknowns
+        ),
+        key=lambda node: (-sp.count_ops(node), sp.default_sort_key(node)),
+    )
+    if not radicals:
+        return [x]
+    if depth == 0:
+        raise UnsupportedError("too many roots of what is sought in one equation")
+    chosen = radicals[0]
+    if isinstance(chosen, sp.Abs):
+        base, square = chosen, chosen.args[0] ** 2
+    elif chosen.exp.q == 2:
+        base, square = sp.sqrt(chosen.base), chosen.base
+    else:
+        raise UnsupportedError("a root other than a square root of what is sought")
+    mark = sp.Dummy("root", nonnegative=True)
+    replaced = x.replace(
+        lambda n, b=base: (
+            n == b
+            or (
+                n.is_Pow
+                and b.is_Pow
+                and n.base == b.base
+                and n.exp.is_Rational
+                and not n.exp.is_Integer
+            )
+        ),
+        lambda n, b=base, mark=mark: mark if n == b else mark ** (n.exp / b.exp),
+    )
+    even = odd = sp.Integer(0)
+    parts = coefficients(numerator(replaced), mark)
+    for power, coefficient in enumerate(reversed(parts)):
+        if power % 2:
+            odd += coefficient * square ** ((power - 1) // 2)
         else:
-            raise UnsupportedError("a root other than a square root of what is sought")
-        mark = sp.Dummy("root", nonnegative=True)
-        replaced = x.replace(
-            lambda n, b=base: (
-                n == b
-                or (
-                    n.is_Pow
-                    and b.is_Pow
-                    and n.base == b.base
-                    and n.exp.is_Rational
-                    and not n.exp.is_Integer
-                )
-            ),
-            lambda n, b=base, mark=mark: mark if n == b else mark ** (n.exp / b.exp),
-        )
-        poly = sp.Poly(numerator(replaced), mark)
-        even = odd = sp.Integer(0)
-        for (power,), coefficient in poly.terms():
-            if power % 2:
-                odd += coefficient * square ** ((power - 1) // 2)
-            else:
-                even += coefficient * square ** (power // 2)
-        x = odd if even == 0 else (even if odd == 0 else even**2 - odd**2 * square)
-        if odd == 0 and even == 0:
-            return sp.Integer(0)
-        if even == 0:
-            x = odd * square
-    raise UnsupportedError("too many roots of what is sought in one equation")
+            even += coefficient * square ** (power // 2)
+    if odd == 0:
+        made = [even]
+    elif even == 0:
+        made = [odd, square]
+    elif isinstance(chosen, sp.Abs):
+        inside = chosen.args[0]
+        made = [even - odd * inside, even + odd * inside]
+    else:
+        afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
+        made = [even**2 - odd**2 * square]
+    return [part for each in made for part in _rational(each, unknowns, depth - 1)]
 
 
 def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
     """A polynomial in cosine and sine as one in the tangent, if its terms allow it."""
     if not x.has(c, s):
         return x
-    poly = sp.Poly(x, c, s)
-    degrees = {sum(powers) % 2 for powers in poly.monoms()}
-    if len(degrees) > 1:
+    if x.is_Mul:
+        parts = [_by_tangent(each, c, s, t) for each in x.args if each.is_Add]
+        rest = _by_tangent_of_sum(sp.Mul(*[f for f in x.args if not f.is_Add]), c, s, t)
+        whole = [each for each in (rest, *parts) if each is not None]
+        return sp.Mul(*whole) if len(whole) > len(parts) else None
+    return _by_tangent_of_sum(x, c, s, t)
+
+
+def _by_tangent_of_sum(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
+    terms = terms_in(x, [c, s])
+    if not terms:
+        return sp.Integer(0)
+    if len({sum(powers) % 2 for powers in terms}) > 1:
         return None
-    top = max(sum(powers) for powers in poly.monoms())
+    top = max(sum(powers) for powers in terms)
+    afford(len(terms) * 4**top)
     result = sp.Integer(0)
-    for (a, b), coefficient in poly.terms():
+    for (a, b), coefficient in terms.items():
         lack = (top - a - b) // 2
         result += coefficient * t**b * (1 + t**2) ** lack
     return sp.expand(result)
@@ -274,10 +322,9 @@ def _reduce(
     unknowns: list[sp.Symbol],
     found: Assignment,
     zero: Zero,
-    budget: Budget,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     """Branches of (assignment, equations left over)."""
-    budget.spend()
+    afford(REDUCING)
     simple: list[sp.Expr] = []
     rest: list[sp.Expr] = []
     free = set(unknowns)
@@ -291,7 +338,7 @@ def _reduce(
             results = []
             for factor in parts:
                 others = simple + rest + equations[index + 1 :]
-                results += _reduce([factor, *others], unknowns, found, zero, budget)
+                results += _reduce([factor, *others], unknowns, found, zero)
                 if len(results) > MOST_BRANCHES:
                     raise UnsupportedError("too many cases to distinguish")
             return results
@@ -310,29 +357,28 @@ def _reduce(
     others = [each for each in simple if each is not equation] + rest
     left = [u for u in unknowns if u != x]
     if kind == "roots":
-        return _by_roots(equation, x, others, left, found, zero, budget)
+        return _by_roots(equation, x, others, left, found, zero)
     if kind == "linear":
         a, b = _linear(equation, x)
-        return _substitute(x, neat(-b / a), others, left, found, zero, budget)
+        return _substitute(x, neat(-b / a), others, left, found, zero)
     if kind == "linear?":
         a, b = _linear(equation, x)
-        results = _substitute(x, neat(-b / a), others, left, found, zero, budget)
+        results = _substitute(x, neat(-b / a), others, left, found, zero)
         results = [(values, more) for values, more in results if not _lost(a, values, zero)]
-        if not _nonzero(a):
-            results += _reduce([a, b, *others], unknowns, found, zero, budget)
+        if not definite(a):
+            results += _reduce([a, b, *others], unknowns, found, zero)
         return results
     if kind == "square":
-        poly = sp.Poly(equation, x)
-        a, b = poly.coeff_monomial(x**2), poly.coeff_monomial(1)
+        a, _, b = coefficients(equation, x)
         square = neat(-b / a)
         mapped = [numerator(_even(each, x, square)) for each in others]
         results = []
-        for values, more in _reduce(mapped, left, found, zero, budget):
+        for values, more in _reduce(mapped, left, found, zero):
             value = neat(square.xreplace(values))
             for candidate in _square_roots(value, x):
                 results.append(({**values, x: candidate}, more))
         return results
-    return _by_resultant(equation, x, others, left, found, zero, budget)
+    return _by_resultant(equation, x, others, left, found, zero)
 
 
 def _lost(a: sp.Expr, values: Assignment, zero: Zero) -> bool:
@@ -343,14 +389,14 @@ def _lost(a: sp.Expr, values: Assignment, zero: Zero) -> bool:
 
 
 def _even(x: sp.Expr, symbol: sp.Symbol, square: sp.Expr) -> sp.Expr:
-    poly = sp.Poly(x, symbol)
-    return sp.Add(*[c * square ** (p // 2) for (p,), c in poly.terms()])
+    parts = coefficients(x, symbol)
+    return sp.Add(*[c * square ** (p // 2) for p, c in enumerate(reversed(parts))])
 
 
 def _square_roots(value: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
-    if value == 0:
+    if vanishing(value):
         return [] if x.is_positive else [sp.Integer(0)]
-    if value.is_negative:
+    if definite(value) < 0:
         return []
     size = _sqrt(value)
     if x.is_nonnegative:
@@ -359,9 +405,16 @@ def _square_roots(value: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
 
 def _sqrt(value: sp.Expr) -> sp.Expr:
-    value = sp.factor(value) if value.free_symbols else sp.radsimp(value)
-    result = sp.sqrt(value)
-    return denested(result) if not value.free_symbols else result
+    if not value.free_symbols:
+        return denested(sp.sqrt(_surds(value)))
+    afford(sp.count_ops(value) ** 2)
+    return sp.sqrt(sp.factor(value))
+
+
+def _surds(value: sp.Expr, max_terms: int = 4) -> sp.Expr:
+    """A number without roots in denominators."""
+    plain = plain_number(value)
+    return sp.radsimp(sp.expand(value) if plain is None else plain, max_terms=max_terms)
 
 
 def _substitute(
@@ -371,14 +424,13 @@ def _substitute(
     left: list[sp.Symbol],
     found: Assignment,
     zero: Zero,
-    budget: Budget,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     if value.is_number and not _admissible(value, x):
         return []
     put = {x: value}
     mapped = [numerator(each.xreplace(put)) if each.has(x) else each for each in others]
     results = []
-    for values, rest in _reduce(mapped, left, found, zero, budget):
+    for values, rest in _reduce(mapped, left, found, zero):
         own = value.xreplace(values) if value.free_symbols else value
         if own.has(sp.zoo, sp.nan, sp.oo):
             continue
@@ -388,15 +440,16 @@ def _substitute(
 
 def _admissible(value: sp.Expr, x: sp.Symbol) -> bool:
     """Whether a number fits what is known of an unknown that people never see the value of."""
-    if not value.is_real and value.is_real is not None:
+    own = sign(value)
+    if own is None:
         return False
     trigonometric = x.name.startswith(("cos_", "sin_", "tan_"))
-    return not (trigonometric and x.is_positive and not value.is_positive)
+    return not (trigonometric and x.is_positive and own <= 0)
 
 
 def _linear(equation: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
-    poly = sp.Poly(equation, x)
-    return poly.coeff_monomial(x), poly.coeff_monomial(1)
+    a, b = coefficients(equation, x)
+    return a, b
 
 
 def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
@@ -406,13 +459,12 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Exp
     if not equation.free_symbols & free:
         return None if zero(equation) else [equation]
     parts: Sequence[sp.Expr] = [equation]
-    with suppress(sp.PolynomialError, NotImplementedError):
-        if sp.count_ops(equation) < 1500:
-            parts = factors(equation)
+    with suppress(sp.PolynomialError, UnsupportedError):  # then it stays whole
+        parts = factors(equation)
     kept = []
     # A factor that cannot vanish for admissible letters is left out; were it the only one, its
     # root is kept, to be refused with a reason.
-    able = [factor for factor in parts if not _nonzero(factor)]
+    able = [factor for factor in parts if not definite(factor)]
     if not any(factor.free_symbols & free for factor in able):
         of_data = [factor for factor in able if factor.free_symbols]
         if of_data:
@@ -443,8 +495,8 @@ def _told_of(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
     (x,) = factor.free_symbols
     if x.name.startswith(("_", "cos_", "sin_", "tan_")) or not factor.is_polynomial(x):
         return False
-    poly = sp.Poly(factor, x)
-    return bool(poly.degree() == 1 and poly.eval(-1) != 0)
+    parts = coefficients(factor, x)
+    return len(parts) == 2 and parts[0] != parts[1]
 
 
 def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
@@ -455,9 +507,9 @@ def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Ex
             cleaned.append(factor)  # its coefficients are numbers
             continue
         gens = sorted(factor.free_symbols & free, key=lambda s: s.name)
-        poly = sp.Poly(factor, *gens)
-        terms = [(m, c) for m, c in poly.terms() if not (not c.is_number and zero(c))]
-        if len(terms) == len(poly.terms()):
+        whole = terms_in(factor, gens)
+        terms = [(m, c) for m, c in whole.items() if not (not c.is_number and zero(c))]
+        if len(terms) == len(whole):
             cleaned.append(factor)
             continue
         if not terms:
@@ -470,13 +522,6 @@ def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Ex
     return cleaned
 
 
-@lru_cache(maxsize=2048)
-def _nonzero(x: sp.Expr) -> bool:
-    if x.is_Add and changes_sign(x):
-        return False  # which SymPy would take long to give up
-    return bool(x.is_nonzero) or bool(x.is_positive) or bool(x.is_negative)
-
-
 def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp.Expr, sp.Symbol]:
     """Which unknown to remove next, from which equation, and how: the cheapest."""
     best: tuple[tuple[int, int, int], str, sp.Expr, sp.Symbol] | None = None
@@ -487,25 +532,23 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
         for rank, x in enumerate(unknowns):
             if x not in inside:
                 continue
-            poly = sp.Poly(equation, x)
-            degree = poly.degree()
+            a, *rest = coefficients(equation, x)
+            top = len(rest)
             if len(inside) == 1:
-                kind, cost = "roots", (0 if degree == 1 else 2 if degree <= 2 else 6)
-            elif degree == 1:
-                a = poly.coeff_monomial(x)
+                kind, cost = "roots", (0 if top == 1 else 2 if top <= 2 else 6)
+            elif top == 1:
                 if not a.free_symbols & free:
                     kind, cost = "linear", 1
-                elif _nonzero(a):
+                elif definite(a):
                     kind, cost = "linear", 3
                 else:
                     kind, cost = "linear?", 4
-            elif degree == 2 and _only_even(equations, x):
-                a = poly.coeff_monomial(x**2)
+            elif top == 2 and _only_even(equations, x):
                 kind, cost = (
-                    ("square", 3) if not a.free_symbols & free or _nonzero(a) else ("resultant", 8)
+                    ("square", 3) if not a.free_symbols & free or definite(a) else ("resultant", 8)
                 )
             else:
-                kind, cost = "resultant", 8 + int(degree)
+                kind, cost = "resultant", 8 + top
             key = (cost, size, rank)
             if best is None or key < best[0]:
                 best = (key, kind, equation, x)
@@ -515,10 +558,10 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
 
 def _only_even(equations: list[sp.Expr], x: sp.Symbol) -> bool:
     return all(
-        power % 2 == 0
+        c == 0 or power % 2 == 0
         for each in equations
         if each.has(x)
-        for (power,) in sp.Poly(each, x).monoms()
+        for power, c in enumerate(reversed(coefficients(each, x)))
     )
 
 
@@ -529,11 +572,10 @@ def _by_roots(
     left: list[sp.Symbol],
     found: Assignment,
     zero: Zero,
-    budget: Budget,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     results = []
     for value in roots(equation, x):
-        results += _substitute(x, value, others, left, found, zero, budget)
+        results += _substitute(x, value, others, left, found, zero)
     return results
 
 
@@ -544,31 +586,27 @@ def _by_resultant(
     left: list[sp.Symbol],
     found: Assignment,
     zero: Zero,
-    budget: Budget,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     with_x = [each for each in others if each.has(x)]
     without = [each for each in others if not each.has(x)]
     if not with_x:
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
-        for values, rest in _reduce(without, left, found, zero, budget):
+        for values, rest in _reduce(without, left, found, zero):
             reduced = numerator(equation.xreplace(values))
             for value in roots(reduced, x):
                 results.append(({**values, x: neat(value)}, rest))
         return results
     for each in with_x:
-        budget.spend()
-        if sp.count_ops(each) * sp.count_ops(equation) > 400_000:
-            raise UnsupportedError("the equations of this question are too hard to solve exactly")
-        r = sp.expand(sp.resultant(equation, each, x))
+        r = resultant(equation, each, x)
         if r == 0:
             raise UnsupportedError("equations with a common part")
         without.append(r)
     results = []
-    for values, rest in _reduce(without, left, found, zero, budget):
+    for values, rest in _reduce(without, left, found, zero):
         candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
         candidates = [each for each in candidates if each.has(x)] or candidates
-        simplest = min(candidates, key=lambda e: sp.degree(e, x) if e.has(x) else 99)
+        simplest = min(candidates, key=lambda e: degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):
             continue
         for value in roots(simplest, x):
@@ -585,112 +623,98 @@ def roots(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
     Raises UnsupportedError where there is no formula for people (degree above 2 with letters).
     """
-    poly = sp.Poly(equation, x)
-    degree = poly.degree()
-    if degree == 0:
+    parts = coefficients(equation, x)
+    if len(parts) < 2:
         return []
-    if degree == 1:
-        a, b = poly.all_coeffs()
+    if len(parts) == 2:
+        a, b = parts
         return [_tidy_root(-b / a)]
     found: list[sp.Expr] = []
-    for factor in _factors_of(poly, x):
+    for factor in _factors_of(equation, x):
         found += [each for each in _roots_of(factor, x) if each not in found]
     return found
 
 
-def _factors_of(poly: sp.Poly, x: sp.Symbol) -> list[sp.Poly]:
-    expression = poly.as_expr()
-    letters = expression.free_symbols - {x}
-    surds = sorted(
-        {
-            node
-            for node in expression.atoms(sp.Pow)
-            if node.is_number and node.exp == sp.S.Half and node.base.is_Rational
-        },
-        key=sp.default_sort_key,
-    )
+def _factors_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    if degree(equation, x) > 2 and equation.free_symbols == {x}:
+        return split_over_numbers(equation, x)
     try:
-        if surds and poly.degree() > 2 and not letters and len(surds) <= 2:
-            _, pairs = sp.factor_list(expression, x, extension=surds)
-            parts = tuple(factor for factor, _ in pairs)
-        else:
-            parts = factors(expression)
-    except (sp.PolynomialError, NotImplementedError):
-        return [poly]
-    return [sp.Poly(factor, x) for factor in parts if factor.has(x)]
+        parts = factors(equation)
+    except (sp.PolynomialError, UnsupportedError):
+        return [equation]
+    return [factor for factor in parts if factor.has(x)]
 
 
-def _roots_of(poly: sp.Poly, x: sp.Symbol) -> list[sp.Expr]:
-    degree = poly.degree()
-    coefficients = poly.all_coeffs()
-    letters = poly.as_expr().free_symbols - {x}
-    if degree == 1:
-        return [_tidy_root(-coefficients[1] / coefficients[0])]
-    if degree == 2:
-        a, b, c = coefficients
-        return _quadratic(a, b, c)
-    if degree == 4 and coefficients[1] == 0 and coefficients[3] == 0:
-        squares = _quadratic(coefficients[0], coefficients[2], coefficients[4])
+def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    parts = coefficients(equation, x)
+    top = len(parts) - 1
+    if top == 1:
+        return [_tidy_root(-parts[1] / parts[0])]
+    if top == 2:
+        return _quadratic(*parts)
+    if top == 4 and parts[1] == 0 and parts[3] == 0:
+        squares = _quadratic(parts[0], parts[2], parts[4])
         found = []
         for square in squares:
-            if square.is_number and square.is_negative:
+            if definite(square) < 0:
                 continue
             size = _sqrt(square)
             found += [size, -size] if size != 0 else [size]
         return found
-    if letters:
-        named = sp.roots(poly)
-        if sum(named.values()) == degree:
-            return [each for each in named if each.is_real is not False]
-        raise UnsupportedError(
-            f"an equation of degree {degree} with letters has no usable exact solution"
-        )
-    rational = _rational_multiple(poly, x)
+    if equation.free_symbols != {x}:
+        if any(each != 0 for each in parts[1:-1]):
+            raise UnsupportedError(
+                f"an equation of degree {top} with letters has no usable exact solution"
+            )
+        return _of_binomial(parts[0], parts[-1], top)
+    rational = norm(equation, x)
     found = []
-    for candidate in sp.Poly(rational, x).real_roots(multiple=False):
-        value = candidate[0]
-        if rational.as_expr() == poly.as_expr() or _is_root(poly, value):
+    for value, _ in sp.Poly(rational, x, domain="QQ").real_roots(multiple=False):
+        if degree(rational, x) == top or _is_root(parts, value):
             found.append(value)
     return found
 
 
-def _is_root(poly: sp.Poly, value: sp.Expr) -> bool:
-    size = sum(abs(sp.N(c, 40)) for c in poly.all_coeffs())
-    return bool(abs(sp.N(poly.as_expr().xreplace({poly.gen: sp.N(value, 60)}), 40)) < size * 1e-25)
-
-
-def _rational_multiple(poly: sp.Poly, x: sp.Symbol) -> sp.Poly:
-    """A multiple with rational coefficients: the product over conjugate surds."""
-    expression = poly.as_expr()
-    for _ in range(3):
-        surd = next(
-            (
-                node
-                for node in expression.atoms(sp.Pow)
-                if node.is_number and node.exp == sp.S.Half and node.base.is_Rational
-            ),
-            None,
+def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:
+    """The real roots of a xⁿ + b: one if n is odd and the sign is known, else two or none."""
+    value = neat(-b / a)
+    known = definite(value)
+    if known == 0 or (known < 0 and power % 2 == 0):
+        if known < 0:
+            return []
+        raise UnsupportedError(
+            f"an equation of degree {power} with letters has no usable exact solution"
         )
-        if surd is None:
-            break
-        expression = sp.expand(expression * expression.xreplace({surd: -surd}))
-    result = sp.Poly(expression, x)
-    if not all(c.is_Rational for c in result.all_coeffs()):
-        raise UnsupportedError("an equation whose coefficients hold nested roots")
-    return result
+    size = sp.Pow(value if known > 0 else neat(-value), sp.Rational(1, power))
+    if power % 2:
+        return [size if known > 0 else -size]
+    return [size, -size]
+
+
+def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
+    """Whether a root of the norm is one of a polynomial, and not of a conjugate of it."""
+    at, total, size = sp.N(value, 60), sp.Integer(0), sp.Integer(0)
+    for each in parts:
+        coefficient = sp.N(each, 60)
+        total, size = total * at + coefficient, size * abs(at) + abs(coefficient)
+    return bool(abs(total) < size * sp.Float("1e-25"))
 
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
     if a.is_number and not a.is_Rational:
         # Dividing first keeps surds out of the denominator under the root.
-        b, c = (sp.radsimp(sp.expand(each / a), max_terms=4) for each in (b, c))
+        over = plain_number(1 / a)
+        b, c = (
+            sp.radsimp(sp.expand(each / a if over is None else each * over), max_terms=4)
+            for each in (b, c)
+        )
         a = sp.Integer(1)
     discriminant = sp.expand(b * b - 4 * a * c)
     if discriminant.is_number:
-        discriminant = sp.radsimp(discriminant)
-        if discriminant.is_negative:
+        discriminant = _surds(discriminant)
+        if sign(discriminant) in (-1, None):
             return []
-    if discriminant == 0:
+    if vanishing(discriminant):
         return [_tidy_root(-b / (2 * a))]
     d = _sqrt(discriminant)
     return [_tidy_root((-b + d) / (2 * a)), _tidy_root((-b - d) / (2 * a))]
@@ -698,5 +722,5 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
-        return denested(sp.radsimp(sp.expand(value), max_terms=4))
+        return denested(_surds(value))
     return neat(value)

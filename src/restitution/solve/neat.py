@@ -11,6 +11,7 @@ from functools import lru_cache
 import sympy as sp
 
 from restitution import work
+from restitution.solve.polynomials import plain_number
 
 _LARGE = 400
 _LONG = 60
@@ -25,7 +26,8 @@ def neat(x: sp.Expr) -> sp.Expr:
     x = pythagoras(x)
     if not x.free_symbols:
         if x.has(sp.Pow):
-            return sp.radsimp(sp.expand(x), max_terms=6)
+            plain = plain_number(x)
+            return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=6)
         return x
     if not _needs_work(x):
         return x
@@ -40,21 +42,6 @@ def neat(x: sp.Expr) -> sp.Expr:
         with suppress(sp.PolynomialError):  # a cosine under a root
             result = _reduced(result)
     return pythagoras(sp.factor_terms(result))
-
-
-@lru_cache(maxsize=2048)
-def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The irreducible factors of a polynomial, each once and numbers left out.
-
-    Raises PolynomialError for what is none.
-    """
-    return tuple(factor for factor, _ in sp.factor_list(x)[1])
-
-
-@lru_cache(maxsize=2048)
-def numerator(x: sp.Expr) -> sp.Expr:
-    """What stands above the line when all is one fraction, multiplied out."""
-    return sp.expand(sp.together(x).as_numer_denom()[0])
 
 
 @lru_cache(maxsize=512)
