@@ -11,7 +11,7 @@ is too hard is refused after the same steps on every machine.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -58,7 +58,36 @@ class Found:
     leftover: tuple[sp.Expr, ...] = ()
 
 
-Zero = Callable[[sp.Expr], bool]
+@dataclass(frozen=True)
+class Known:
+    """What is known of the letters: their ranges, and sines and cosines that are positive."""
+
+    roles: Mapping[str, Role]
+    positive: frozenset[sp.Expr]
+
+    def zero(self, x: sp.Expr) -> bool:
+        """Whether an expression vanishes whatever its letters are."""
+        decided = vanishing(x)
+        return vanishes(x, self.roles) if decided is None else decided
+
+    def nonzero(self, x: sp.Expr) -> bool:
+        """Whether an expression is seen never to vanish."""
+        return definite(x, self.positive) != 0
+
+
+def _positive(roles: Mapping[str, Role], unknowns: frozenset[sp.Symbol]) -> frozenset[sp.Expr]:
+    """The sines and cosines of data that are positive, by the ranges of the angles."""
+    found: set[sp.Expr] = set()
+    names = {x.name for x in unknowns}
+    for name, role in roles.items():
+        if role.kind != "angle" or name in names or role.low is None or role.high is None:
+            continue
+        for function, low, high in ((sp.sin, 0, sp.pi), (sp.cos, -sp.pi / 2, sp.pi / 2)):
+            above = role.low > low or (role.low == low and not role.closed[0])
+            below = role.high < high or (role.high == high and not role.closed[1])
+            if bool(above) and bool(below):
+                found.add(function(role.symbol(name)))
+    return frozenset(found)
 
 
 def solve_system(
@@ -88,12 +117,10 @@ def _solved(
     acute: frozenset[sp.Symbol],
     roles: Mapping[str, Role],
 ) -> list[Found]:
-    def zero(x: sp.Expr) -> bool:
-        decided = vanishing(x)
-        return vanishes(x, roles) if decided is None else decided
+    known = Known(roles, _positive(roles, frozenset(unknowns)))
 
     sought = list(unknowns)
-    current = [sp.sympify(each, strict=True) for each in equations]
+    current = [_without_bars(sp.sympify(each, strict=True), known) for each in equations]
     generators: list[sp.Symbol] = []
     pairs: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
     tangents: dict[sp.Symbol, sp.Symbol] = {}
@@ -135,7 +162,7 @@ def _solved(
     gens = [x for x in sought if x not in pairs]
     order = gens + generators
     solutions: list[Found] = []
-    for assignment, rest in _reduce(polynomials, order, {}, zero):
+    for assignment, rest in _reduce(polynomials, order, {}, known):
         values: dict[str, sp.Expr] = {}
         found_angles: dict[str, tuple[sp.Expr, sp.Expr]] = {}
         for symbol in sought:
@@ -164,8 +191,16 @@ def _solved(
         found_angles = {
             name: (c.xreplace(names), s.xreplace(names)) for name, (c, s) in found_angles.items()
         }
-        solutions.append(Found(values, found_angles, tuple(rest)))
+        solution = Found(values, found_angles, tuple(rest))
+        if solution not in solutions:  # two factors may have a root in common
+            solutions.append(solution)
     return solutions
+
+
+def _without_bars(x: sp.Expr, known: Known) -> sp.Expr:
+    """|w| is w or −w where what is known of the letters tells which."""
+    signs = {bar: definite(bar.args[0], known.positive) for bar in x.atoms(sp.Abs)}
+    return x.xreplace({bar: bar.args[0] * own for bar, own in signs.items() if own})
 
 
 def _within(angle: sp.Expr, role: Role) -> sp.Expr:
@@ -281,10 +316,17 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
     elif isinstance(chosen, sp.Abs):
         inside = chosen.args[0]
         made = [even - odd * inside, even + odd * inside]
+        whole = numerator(sp.Mul(*made))
+        if _has_surds(made[0]) and not _has_surds(whole):
+            made = [whole]  # conjugates of each other, which are solved as one
     else:
         afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
         made = [even**2 - odd**2 * square]
     return [part for each in made for part in _rational(each, unknowns, depth - 1)]
+
+
+def _has_surds(x: sp.Expr) -> bool:
+    return any(each.is_number and not each.exp.is_Integer for each in x.atoms(sp.Pow))
 
 
 def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
@@ -321,7 +363,7 @@ def _reduce(
     equations: list[sp.Expr],
     unknowns: list[sp.Symbol],
     found: Assignment,
-    zero: Zero,
+    known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     """Branches of (assignment, equations left over)."""
     afford(REDUCING)
@@ -329,7 +371,7 @@ def _reduce(
     rest: list[sp.Expr] = []
     free = set(unknowns)
     for index, equation in enumerate(equations):
-        parts = _factors(equation, free, zero)
+        parts = _factors(equation, free, known)
         if parts is None:
             continue  # it vanishes
         if not parts:
@@ -338,7 +380,7 @@ def _reduce(
             results = []
             for factor in parts:
                 others = simple + rest + equations[index + 1 :]
-                results += _reduce([factor, *others], unknowns, found, zero)
+                results += _reduce([factor, *others], unknowns, found, known)
                 if len(results) > MOST_BRANCHES:
                     raise UnsupportedError("too many cases to distinguish")
             return results
@@ -352,38 +394,38 @@ def _reduce(
             return []
     if not simple:
         return [(found, rest)]
-    pivot = _pivot(simple, unknowns)
+    pivot = _pivot(simple, unknowns, known)
     kind, equation, x = pivot
     others = [each for each in simple if each is not equation] + rest
     left = [u for u in unknowns if u != x]
     if kind == "roots":
-        return _by_roots(equation, x, others, left, found, zero)
+        return _by_roots(equation, x, others, left, found, known)
     if kind == "linear":
         a, b = _linear(equation, x)
-        return _substitute(x, neat(-b / a), others, left, found, zero)
+        return _substitute(x, neat(-b / a), others, left, found, known)
     if kind == "linear?":
         a, b = _linear(equation, x)
-        results = _substitute(x, neat(-b / a), others, left, found, zero)
-        results = [(values, more) for values, more in results if not _lost(a, values, zero)]
-        if not definite(a):
-            results += _reduce([a, b, *others], unknowns, found, zero)
+        results = _substitute(x, neat(-b / a), others, left, found, known)
+        results = [(values, more) for values, more in results if not _lost(a, values, known)]
+        if not known.nonzero(a):
+            results += _reduce([a, b, *others], unknowns, found, known)
         return results
     if kind == "square":
         a, _, b = coefficients(equation, x)
         square = neat(-b / a)
         mapped = [numerator(_even(each, x, square)) for each in others]
         results = []
-        for values, more in _reduce(mapped, left, found, zero):
+        for values, more in _reduce(mapped, left, found, known):
             value = neat(square.xreplace(values))
             for candidate in _square_roots(value, x):
                 results.append(({**values, x: candidate}, more))
         return results
-    return _by_resultant(equation, x, others, left, found, zero)
+    return _by_resultant(equation, x, others, left, found, known)
 
 
-def _lost(a: sp.Expr, values: Assignment, zero: Zero) -> bool:
+def _lost(a: sp.Expr, values: Assignment, known: Known) -> bool:
     try:
-        return zero(sp.sympify(a.xreplace(values), strict=True))
+        return known.zero(sp.sympify(a.xreplace(values), strict=True))
     except (ZeroDivisionError, TypeError):
         return False
 
@@ -423,14 +465,14 @@ def _substitute(
     others: list[sp.Expr],
     left: list[sp.Symbol],
     found: Assignment,
-    zero: Zero,
+    known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     if value.is_number and not _admissible(value, x):
         return []
     put = {x: value}
     mapped = [numerator(each.xreplace(put)) if each.has(x) else each for each in others]
     results = []
-    for values, rest in _reduce(mapped, left, found, zero):
+    for values, rest in _reduce(mapped, left, found, known):
         own = value.xreplace(values) if value.free_symbols else value
         if own.has(sp.zoo, sp.nan, sp.oo):
             continue
@@ -452,36 +494,40 @@ def _linear(equation: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
     return a, b
 
 
-def _factors(equation: sp.Expr, free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
+def _factors(equation: sp.Expr, free: set[sp.Symbol], known: Known) -> list[sp.Expr] | None:
     """The factors that may vanish; None if the equation holds by itself."""
     if equation == 0:
         return None
     if not equation.free_symbols & free:
-        return None if zero(equation) else [equation]
+        return None if known.zero(equation) else [equation]
     parts: Sequence[sp.Expr] = [equation]
     with suppress(sp.PolynomialError, UnsupportedError):  # then it stays whole
         parts = factors(equation)
     kept = []
     # A factor that cannot vanish for admissible letters is left out; were it the only one, its
     # root is kept, to be refused with a reason.
-    able = [factor for factor in parts if not definite(factor)]
+    able = [
+        factor
+        for factor in parts
+        if not (definite(factor) if factor.free_symbols & free else known.nonzero(factor))
+    ]
     if not any(factor.free_symbols & free for factor in able):
         of_data = [factor for factor in able if factor.free_symbols]
         if of_data:
-            return None if any(zero(factor) for factor in of_data) else of_data
+            return None if any(known.zero(factor) for factor in of_data) else of_data
         able = [f for f in parts if any(not s.name.startswith("_") for s in f.free_symbols)]
     else:
         able += [f for f in parts if f not in able and _told_of(f, free)]
     for factor in able:
         inside = factor.free_symbols & free
         if not inside:
-            if zero(factor):
+            if known.zero(factor):
                 return None
             continue  # a factor of data alone is not zero in general
         kept.append(factor)
-    if not kept and zero(equation):
+    if not kept and known.zero(equation):
         return None
-    return _truly(kept, free, zero)
+    return _truly(kept, free, known)
 
 
 def _told_of(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
@@ -499,7 +545,7 @@ def _told_of(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
     return len(parts) == 2 and parts[0] != parts[1]
 
 
-def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Expr] | None:
+def _truly(parts: list[sp.Expr], free: set[sp.Symbol], known: Known) -> list[sp.Expr] | None:
     """Drops coefficients that are zero in disguise (sin² + cos² − 1)."""
     cleaned = []
     for factor in parts:
@@ -508,7 +554,7 @@ def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Ex
             continue
         gens = sorted(factor.free_symbols & free, key=lambda s: s.name)
         whole = terms_in(factor, gens)
-        terms = [(m, c) for m, c in whole.items() if not (not c.is_number and zero(c))]
+        terms = [(m, c) for m, c in whole.items() if not (not c.is_number and known.zero(c))]
         if len(terms) == len(whole):
             cleaned.append(factor)
             continue
@@ -522,7 +568,9 @@ def _truly(parts: list[sp.Expr], free: set[sp.Symbol], zero: Zero) -> list[sp.Ex
     return cleaned
 
 
-def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp.Expr, sp.Symbol]:
+def _pivot(
+    equations: list[sp.Expr], unknowns: list[sp.Symbol], known: Known
+) -> tuple[str, sp.Expr, sp.Symbol]:
     """Which unknown to remove next, from which equation, and how: the cheapest."""
     best: tuple[tuple[int, int, int], str, sp.Expr, sp.Symbol] | None = None
     free = set(unknowns)
@@ -539,13 +587,15 @@ def _pivot(equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> tuple[str, sp
             elif top == 1:
                 if not a.free_symbols & free:
                     kind, cost = "linear", 1
-                elif definite(a):
+                elif known.nonzero(a):
                     kind, cost = "linear", 3
                 else:
                     kind, cost = "linear?", 4
             elif top == 2 and _only_even(equations, x):
                 kind, cost = (
-                    ("square", 3) if not a.free_symbols & free or definite(a) else ("resultant", 8)
+                    ("square", 3)
+                    if not a.free_symbols & free or known.nonzero(a)
+                    else ("resultant", 8)
                 )
             else:
                 kind, cost = "resultant", 8 + top
@@ -571,11 +621,11 @@ def _by_roots(
     others: list[sp.Expr],
     left: list[sp.Symbol],
     found: Assignment,
-    zero: Zero,
+    known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     results = []
     for value in roots(equation, x):
-        results += _substitute(x, value, others, left, found, zero)
+        results += _substitute(x, value, others, left, found, known)
     return results
 
 
@@ -585,14 +635,14 @@ def _by_resultant(
     others: list[sp.Expr],
     left: list[sp.Symbol],
     found: Assignment,
-    zero: Zero,
+    known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     with_x = [each for each in others if each.has(x)]
     without = [each for each in others if not each.has(x)]
     if not with_x:
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
-        for values, rest in _reduce(without, left, found, zero):
+        for values, rest in _reduce(without, left, found, known):
             reduced = numerator(equation.xreplace(values))
             for value in roots(reduced, x):
                 results.append(({**values, x: neat(value)}, rest))
@@ -603,14 +653,14 @@ def _by_resultant(
             raise UnsupportedError("equations with a common part")
         without.append(r)
     results = []
-    for values, rest in _reduce(without, left, found, zero):
+    for values, rest in _reduce(without, left, found, known):
         candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
         candidates = [each for each in candidates if each.has(x)] or candidates
         simplest = min(candidates, key=lambda e: degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):
             continue
         for value in roots(simplest, x):
-            if all(zero(each.xreplace({x: value})) for each in candidates):
+            if all(known.zero(each.xreplace({x: value})) for each in candidates):
                 results.append(({**values, x: neat(value)}, rest))
     return results
 

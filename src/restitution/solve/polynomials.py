@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -148,14 +148,16 @@ class Field:
             if b.is_ground or below.is_ground:
                 common, x, y = self.ring.one, b, below
             else:
-                afford(self._gcd_size(b, below))
+                afford(self.common_size(b, below))
                 common, x, y = b.cofactors(below)
             total = self.times(total, x) + self.times(a, y)
             below = self.times(self.times(common, x), y)
         return total, below
 
-    def _gcd_size(self, a: Element, b: Element) -> float:
-        return len(a) * len(b) * (1 + sum(max(p, q) for p, q in zip(a.degrees(), b.degrees())))
+    def common_size(self, a: Element, b: Element) -> int:
+        """An estimate of the operations of finding what two polynomials have in common."""
+        degrees = zip(a.degrees(), b.degrees(), strict=True)
+        return int(len(a) * len(b) * (1 + sum(max(0, min(p, q)) for p, q in degrees)))
 
     # --- calculating -------------------------------------------------------------------------
 
@@ -324,25 +326,27 @@ def numerator(x: sp.Expr) -> sp.Expr:
     """What stands above the line when all is one fraction, multiplied out."""
     x = _opened(x)
     field = Field([x])
-    above, _ = field.fraction(x)
+    above, below = field.fraction(x)
+    size = field.common_size(above, below)
+    if not below.is_ground and size < LARGEST:
+        afford(size)
+        above, _ = above.cancel(below)
     return field.expression(_whole(above))
 
 
 def _opened(x: sp.Expr) -> sp.Expr:
     """With all that stands under roots multiplied out, so that the same root is the same."""
-    nodes = [
-        node
-        for node in sp.preorder_traversal(x)
-        if isinstance(node, sp.Abs) or (node.is_Pow and not node.exp.is_Integer)
-    ]
-    put = {}
-    for node in sorted(nodes, key=sp.count_ops):
-        inside = node.args[0]
-        if not inside.is_Add and not inside.is_Mul:
-            continue
-        afford(4 ** min(sp.count_ops(inside), 12))
-        put[node] = node.func(sp.expand(inside), *node.args[1:])
-    return x.xreplace(put) if put else x
+    if x.is_Atom or not x.has(sp.Pow, sp.Abs):
+        return x
+    arguments = [_opened(each) for each in x.args]
+    if isinstance(x, sp.Abs) or (x.is_Pow and x.exp.is_Rational and not x.exp.is_Integer):
+        if arguments[0].is_Add or arguments[0].is_Mul:
+            field = Field([arguments[0]])
+            above, below = map(field.expression, field.fraction(arguments[0]))
+            arguments[0] = above / below
+    elif not (x.is_Add or x.is_Mul or x.is_Pow):
+        return x
+    return x.func(*arguments) if tuple(arguments) != x.args else x
 
 
 def _whole(a: Element) -> Element:
@@ -483,7 +487,7 @@ def factoring(a: Element) -> float:
     if not degrees or len(a) < 2:
         return 1
     size = math.prod(d + 1 for d in degrees)
-    return size * (1 + max(degrees)) * (1 + bits(a) / WORD) * len(degrees)
+    return float(size * (1 + max(degrees)) * (1 + bits(a) / WORD) * len(degrees))
 
 
 # --- resultants -------------------------------------------------------------------------------
@@ -604,8 +608,11 @@ def sign(x: sp.Expr) -> int | None:
 
 
 @lru_cache(maxsize=2048)
-def definite(x: sp.Expr) -> int:
-    """1 or −1 where the signs of letters and terms prove that sign; 0 where they do not."""
+def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
+    """1 or −1 where the signs of letters and terms prove that sign; 0 where they do not.
+
+    ``positive`` are other expressions in it that are known to be so, such as sines.
+    """
     if x.is_Symbol:
         return 1 if x.is_positive else 0
     if x.is_number:
@@ -615,17 +622,17 @@ def definite(x: sp.Expr) -> int:
         above, below = field.fraction(x)
     except (PolynomialError, UnsupportedError):
         return 0
-    return _definite(field, above) * _definite(field, below)
+    return _definite(field, above, positive) * _definite(field, below, positive)
 
 
-def _definite(field: Field, a: Element) -> int:
+def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> int:
     numbers = {index for index, atom in enumerate(field.atoms) if atom.is_number}
     terms: dict[tuple[int, ...], Element] = {}
     for monomial, c in a.items():
         kept = tuple(0 if n in numbers else power for n, power in enumerate(monomial))
         number = tuple(power if n in numbers else 0 for n, power in enumerate(monomial))
         terms.setdefault(kept, field.ring.zero)[number] = c
-    signs = [_sign_of_atom(atom) for atom in field.atoms]
+    signs = [atom in known_positive or _sign_of_atom(atom, known_positive) for atom in field.atoms]
     found, strict = 0, False
     for monomial, part in terms.items():
         own = sign(field.expression(part))
@@ -645,14 +652,14 @@ def _definite(field: Field, a: Element) -> int:
     return found if strict else 0
 
 
-def _sign_of_atom(x: sp.Expr) -> bool | None:
+def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
     """True for positive, False for not negative, None for real."""
     if x.is_Symbol:
         return True if x.is_positive else False if x.is_nonnegative else None
     if x.is_number:
         return None  # counted with the coefficients
-    if x.is_Pow:
-        return definite(x.base) > 0
+    if x.is_Pow and x.exp.q % 2 == 0:
+        return definite(x.base, positive) > 0
     return False if isinstance(x, sp.Abs) else None
 
 
@@ -686,9 +693,15 @@ def split_over_numbers(x: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr]:
             if common is None:
                 return [x]
             if len(common) > 1:
-                found.append(field.expression(_from_powers(_moved(field, common, surds * -shift))))
-        return found
+                found.append(_moved(field, common, surds * -shift))
+        found.sort(key=lambda parts: (len(parts), [_coordinates(part) for part in parts]))
+        return [field.expression(_from_powers(parts)) for parts in found]
     return [x]
+
+
+def _coordinates(a: Element) -> list[Any]:
+    """A number of a field by its coordinates, those of the highest surds first."""
+    return sorted(a.items(), reverse=True)
 
 
 def norm(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
