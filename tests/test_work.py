@@ -71,6 +71,24 @@ def test_a_clock_around_other_limits():
         work.spend()
 
 
+def test_what_is_remembered_counts_as_much_as_before():
+    calls = []
+
+    @work.remembered(10)
+    def square(x: int) -> int:
+        calls.append(x)
+        work.spend(x)
+        return x * x
+
+    for _ in range(2):
+        with work.limited(operations=7) as limit:
+            assert square(5) == 25
+            assert (limit.left, limit.used) == (2, 5)
+            with pytest.raises(UnsupportedError):
+                square(5)
+    assert calls == [5]
+
+
 def test_solving_keeps_what_is_solved():
     problem = r.parse(CORNER)
     solution = r.solve(problem, time_limit=0)

@@ -22,14 +22,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
 import sympy
 from sympy import Add, Expr, Float, Integer, Mul, Pow, Rational, S, Symbol
 
-from restitution.work import spend
+from restitution.work import remembered, spend
 
 # A tree above the first size is not searched for better forms, above the second not touched.
 SEARCHED = 260
@@ -46,7 +45,7 @@ _HALF = Rational(1, 2)
 # --- the public functions ---------------------------------------------------------------------
 
 
-@lru_cache(maxsize=4096)
+@remembered(4096)
 def tidy(expression: Any) -> Any:
     """An expression (or the ends of a set of numbers) in the form a textbook would print.
 
@@ -67,7 +66,7 @@ def tidy(expression: Any) -> Any:
         return expression
 
 
-@lru_cache(maxsize=1024)
+@remembered(1024)
 def tidy_angle(expression: Any) -> Any:
     """An angle in radians in its usual form: ``pi/3``, ``pi - atan(4/3)``, ``alpha``.
 

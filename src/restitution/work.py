@@ -14,23 +14,27 @@ is no signal, and no state is left behind.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import lru_cache, wraps
+from threading import local
+from typing import Any, TypeVar
 
 from restitution.errors import RestitutionError, TimeLimitError, UnsupportedError
 
+_F = TypeVar("_F", bound=Callable[..., Any])
 _CURRENT: ContextVar[Limit | None] = ContextVar("limit of work", default=None)
 
 
 class Limit:
     """One limit in force.
 
-    ``left`` are operations, or None where they do not matter; ``broken`` tells that something was
-    broken off because its clock ran out.
+    ``left`` are operations, or None where they do not matter, ``used`` those counted so far;
+    ``broken`` tells that something was broken off because its clock ran out.
     """
 
-    __slots__ = ("_end", "_error", "_outer", "broken", "left")
+    __slots__ = ("_end", "_error", "_outer", "broken", "left", "used")
 
     def __init__(
         self,
@@ -43,12 +47,14 @@ class Limit:
         self._end = None if seconds is None else time.monotonic() + seconds
         self._error = error
         self.left = operations
+        self.used = 0
         self.broken = False
 
     def spend(self, operations: int) -> None:
         """Count a step, here and in the limits around it; raises the error of one that is over."""
         limit: Limit | None = self
         while limit is not None:
+            limit.used += operations
             if limit.left is not None:
                 limit.left -= operations
                 if limit.left < 0:
@@ -107,3 +113,35 @@ def confirm() -> None:
     limit = _CURRENT.get()
     if limit is not None:
         limit.confirm()
+
+
+def remembered(maxsize: int) -> Callable[[_F], _F]:
+    """Keep the results of a function, as ``lru_cache`` does, with the operations they took.
+
+    A result that is taken from the store counts as much as one that is worked out: what is refused
+    is the same, whatever was asked before. The function has ``cache_clear``, and arguments by
+    position that can be hashed.
+    """
+
+    def decorate(function: _F) -> _F:
+        state = local()
+
+        @lru_cache(maxsize=maxsize)
+        def kept(*arguments: Any) -> tuple[Any, int]:
+            with limited() as limit:
+                value = function(*arguments)
+            state.fresh = True
+            return value, limit.used
+
+        @wraps(function)
+        def wrapper(*arguments: Any) -> Any:
+            state.fresh = False
+            value, used = kept(*arguments)
+            if not state.fresh:
+                spend(used)
+            return value
+
+        wrapper.cache_clear = kept.cache_clear  # type: ignore[attr-defined]
+        return wrapper  # type: ignore[return-value]
+
+    return decorate

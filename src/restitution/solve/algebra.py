@@ -23,6 +23,8 @@ from restitution.oracle.roles import Role
 from restitution.solve.neat import neat
 from restitution.solve.numbers import vanishes
 from restitution.solve.polynomials import (
+    TOO_HARD,
+    TooLargeError,
     afford,
     coefficients,
     definite,
@@ -35,7 +37,6 @@ from restitution.solve.polynomials import (
     sign,
     split_over_numbers,
     terms_in,
-    too_hard,
     vanishing,
 )
 from restitution.work import limited
@@ -103,7 +104,7 @@ def solve_system(
     unknowns that do not vanish are handed back as ``leftover``: facts about the data.
     Raises UnsupportedError where elimination meets what it cannot solve, or is too much work.
     """
-    with limited(operations=MOST_OPERATIONS, error=too_hard()):
+    with limited(operations=MOST_OPERATIONS, error=UnsupportedError(TOO_HARD)):
         try:
             return _solved(equations, unknowns, angles, acute, roles)
         except sp.PolynomialError as error:
@@ -501,7 +502,7 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], known: Known) -> list[sp.E
     if not equation.free_symbols & free:
         return None if known.zero(equation) else [equation]
     parts: Sequence[sp.Expr] = [equation]
-    with suppress(sp.PolynomialError, UnsupportedError):  # then it stays whole
+    with suppress(sp.PolynomialError, TooLargeError):  # then it stays whole
         parts = factors(equation)
     kept = []
     # A factor that cannot vanish for admissible letters is left out; were it the only one, its
@@ -690,7 +691,7 @@ def _factors_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
         return split_over_numbers(equation, x)
     try:
         parts = factors(equation)
-    except (sp.PolynomialError, UnsupportedError):
+    except (sp.PolynomialError, TooLargeError):
         return [equation]
     return [factor for factor in parts if factor.has(x)]
 
@@ -764,6 +765,8 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
         discriminant = _surds(discriminant)
         if sign(discriminant) in (-1, None):
             return []
+    elif definite(discriminant) < 0:
+        return []
     if vanishing(discriminant):
         return [_tidy_root(-b / (2 * a))]
     d = _sqrt(discriminant)

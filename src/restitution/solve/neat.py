@@ -6,18 +6,17 @@ This is about size and equality, not about beauty: the textbook form is ``exact.
 from __future__ import annotations
 
 from contextlib import suppress
-from functools import lru_cache
 
 import sympy as sp
 
-from restitution import work
 from restitution.solve.polynomials import plain_number
+from restitution.work import remembered, spend
 
 _LARGE = 400
 _LONG = 60
 
 
-@lru_cache(maxsize=4096)
+@remembered(4096)
 def neat(x: sp.Expr) -> sp.Expr:
     """The same value as one reduced fraction, with sin² + cos² = 1 used where it stands."""
     x = sp.sympify(x, strict=True)
@@ -31,7 +30,7 @@ def neat(x: sp.Expr) -> sp.Expr:
         return x
     if not _needs_work(x):
         return x
-    work.spend()
+    spend()
     if sp.count_ops(x) > _LARGE:
         return sp.together(x)
     try:
@@ -44,7 +43,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     return pythagoras(sp.factor_terms(result))
 
 
-@lru_cache(maxsize=512)
+@remembered(512)
 def linear_solution(
     equations: tuple[sp.Expr, ...], unknowns: tuple[sp.Symbol, ...]
 ) -> tuple[sp.Expr, ...] | None:

@@ -17,7 +17,6 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -28,7 +27,7 @@ from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
 from restitution.solve.numbers import ROUNDING, UndefinedError, at
-from restitution.work import spend
+from restitution.work import remembered, spend
 
 Element = Any
 """A polynomial of a ring: SymPy's PolyElement, a dictionary of monomials."""
@@ -40,15 +39,17 @@ LARGEST = 4_000_000
 MOST_COLUMNS = 12
 
 
-def too_hard() -> UnsupportedError:
-    """The error of an elimination that would take too many operations."""
-    return UnsupportedError("the equations of this question are too hard to solve exactly")
+TOO_HARD = "the equations of this question are too hard to solve exactly"
+
+
+class TooLargeError(UnsupportedError):
+    """A single step that would be too large, whatever else was done."""
 
 
 def afford(operations: float) -> None:
-    """Count a step before it is begun. Raises UnsupportedError for one that is too large."""
+    """Count a step before it is begun. Raises TooLargeError, or the error of a limit of work."""
     if operations > LARGEST:
-        raise too_hard()
+        raise TooLargeError(TOO_HARD)
     spend(1 + int(operations))
 
 
@@ -321,7 +322,7 @@ def _coprime(numbers: Iterable[int]) -> tuple[int, ...]:
 # --- questions about expressions --------------------------------------------------------------
 
 
-@lru_cache(maxsize=2048)
+@remembered(2048)
 def numerator(x: sp.Expr) -> sp.Expr:
     """What stands above the line when all is one fraction, multiplied out."""
     x = _opened(x)
@@ -354,7 +355,7 @@ def _whole(a: Element) -> Element:
     return a.clear_denoms()[1]
 
 
-@lru_cache(maxsize=4096)
+@remembered(4096)
 def coefficients(x: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Those of a polynomial in one letter, of the highest power first; () for nothing.
 
@@ -420,12 +421,12 @@ def _from_powers(parts: Sequence[Element]) -> Element:
     return total
 
 
-@lru_cache(maxsize=2048)
+@remembered(2048)
 def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
     """The irreducible factors of a polynomial, each once and numbers left out.
 
     Surds count as letters here. In the order of SymPy's factor_list. Raises PolynomialError for
-    what is no polynomial, and UnsupportedError for what is too large.
+    what is no polynomial, and TooLargeError for what is too large.
     """
     found: dict[sp.Expr, Any] = {}
     for each in sp.Mul.make_args(x):
@@ -493,7 +494,7 @@ def factoring(a: Element) -> float:
 # --- resultants -------------------------------------------------------------------------------
 
 
-@lru_cache(maxsize=256)
+@remembered(256)
 def resultant(f: sp.Expr, g: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     """The resultant of two polynomials with respect to a letter, multiplied out."""
     field = Field([f, g], [symbol])
@@ -559,7 +560,7 @@ def _determinant(field: Field, rows: Sequence[Sequence[Element]]) -> Element:
 # --- zero and signs ---------------------------------------------------------------------------
 
 
-@lru_cache(maxsize=4096)
+@remembered(4096)
 def vanishing(x: sp.Expr) -> bool | None:
     """Whether an expression is zero whatever its letters are; None where that is not decided."""
     if x.is_Rational:
@@ -571,14 +572,14 @@ def vanishing(x: sp.Expr) -> bool | None:
         above, _ = field.fraction(x)
         for circle in field.circles:
             above = field.using(circle, above)
-    except (PolynomialError, AssertionError, UnsupportedError):
+    except (PolynomialError, TooLargeError):
         return None
     if above == 0:
         return True
     return False if field.exact else None
 
 
-@lru_cache(maxsize=2048)
+@remembered(2048)
 def plain_number(x: sp.Expr) -> sp.Expr | None:
     """A number in surds as a sum with rational coefficients; None for any other."""
     try:
@@ -607,7 +608,7 @@ def sign(x: sp.Expr) -> int | None:
     return 1 if value > 0 else -1
 
 
-@lru_cache(maxsize=2048)
+@remembered(2048)
 def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
     """1 or −1 where the signs of letters and terms prove that sign; 0 where they do not.
 
@@ -620,7 +621,7 @@ def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
     try:
         field = Field([x])
         above, below = field.fraction(x)
-    except (PolynomialError, UnsupportedError):
+    except (PolynomialError, TooLargeError):
         return 0
     return _definite(field, above, positive) * _definite(field, below, positive)
 
