@@ -349,7 +349,7 @@ def _by_tangent_of_sum(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> 
     if len({sum(powers) % 2 for powers in terms}) > 1:
         return None
     top = max(sum(powers) for powers in terms)
-    afford(len(terms) * 4**top)
+    afford(len(terms) * (top + 1) ** 2)
     result = sp.Integer(0)
     for (a, b), coefficient in terms.items():
         lack = (top - a - b) // 2
