@@ -33,6 +33,7 @@ from restitution.solve.polynomials import (
     norm,
     numerator,
     plain_number,
+    rational_below,
     resultant,
     sign,
     split_over_numbers,
@@ -42,9 +43,9 @@ from restitution.solve.polynomials import (
 from restitution.work import limited
 
 MOST_BRANCHES = 24
-MOST_OPERATIONS = 20_000_000
+MOST_OPERATIONS = 8_000_000
 """Operations that one system may take: elimination on bad systems grows without end."""
-REDUCING = 50_000
+REDUCING = 20_000
 """Operations that a round of elimination counts for, beside the steps in it."""
 
 Assignment = dict[sp.Symbol, sp.Expr]
@@ -216,7 +217,7 @@ def _angle_of(c: sp.Expr, s: sp.Expr) -> sp.Expr:
     if vanishing(c):
         return sp.pi / 2 if definite(s) >= 0 else -sp.pi / 2
     if c.is_number and s.is_number:
-        return sp.atan2(_surds(s), _surds(c))
+        return sp.atan2(rational_below(s), rational_below(c))
     if definite(c) > 0:
         return sp.atan(neat(s / c))
     return sp.atan2(s, c)
@@ -318,7 +319,7 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
         inside = chosen.args[0]
         made = [even - odd * inside, even + odd * inside]
         whole = numerator(sp.Mul(*made))
-        if _has_surds(made[0]) and not _has_surds(whole):
+        if _hasrational_below(made[0]) and not _hasrational_below(whole):
             made = [whole]  # conjugates of each other, which are solved as one
     else:
         afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
@@ -326,7 +327,7 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
     return [part for each in made for part in _rational(each, unknowns, depth - 1)]
 
 
-def _has_surds(x: sp.Expr) -> bool:
+def _hasrational_below(x: sp.Expr) -> bool:
     return any(each.is_number and not each.exp.is_Integer for each in x.atoms(sp.Pow))
 
 
@@ -449,15 +450,9 @@ def _square_roots(value: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
 def _sqrt(value: sp.Expr) -> sp.Expr:
     if not value.free_symbols:
-        return denested(sp.sqrt(_surds(value)))
+        return denested(sp.sqrt(rational_below(value)))
     afford(sp.count_ops(value) ** 2)
     return sp.sqrt(sp.factor(value))
-
-
-def _surds(value: sp.Expr, max_terms: int = 4) -> sp.Expr:
-    """A number without roots in denominators."""
-    plain = plain_number(value)
-    return sp.radsimp(sp.expand(value) if plain is None else plain, max_terms=max_terms)
 
 
 def _substitute(
@@ -762,7 +757,7 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
         a = sp.Integer(1)
     discriminant = sp.expand(b * b - 4 * a * c)
     if discriminant.is_number:
-        discriminant = _surds(discriminant)
+        discriminant = rational_below(discriminant)
         if sign(discriminant) in (-1, None):
             return []
     elif definite(discriminant) < 0:
@@ -775,5 +770,5 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
-        return denested(_surds(value))
+        return denested(rational_below(value))
     return neat(value)

@@ -9,7 +9,12 @@ from contextlib import suppress
 
 import sympy as sp
 
-from restitution.solve.polynomials import plain_number
+from restitution.solve.polynomials import (
+    TooLargeError,
+    rational_below,
+    reduced,
+    without_cos_squared,
+)
 from restitution.work import remembered, spend
 
 _LARGE = 400
@@ -25,8 +30,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     x = pythagoras(x)
     if not x.free_symbols:
         if x.has(sp.Pow):
-            plain = plain_number(x)
-            return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=6)
+            return rational_below(x, max_terms=6)
         return x
     if not _needs_work(x):
         return x
@@ -34,11 +38,11 @@ def neat(x: sp.Expr) -> sp.Expr:
     if sp.count_ops(x) > _LARGE:
         return sp.together(x)
     try:
-        result = sp.cancel(sp.together(x))
-    except (sp.PolynomialError, NotImplementedError):
+        result = sp.cancel(sp.together(x)) if _has_letters_inside(x) else reduced(x)
+    except (sp.PolynomialError, TooLargeError):
         return sp.together(x)
     if result.has(sp.sin) and sp.count_ops(result) > _LONG:
-        with suppress(sp.PolynomialError):  # a cosine under a root
+        with suppress(sp.PolynomialError, TooLargeError):  # a cosine under a root
             result = _reduced(result)
     return pythagoras(sp.factor_terms(result))
 
@@ -55,29 +59,25 @@ def linear_solution(
     return tuple(found[0]) if len(found) == 1 else None
 
 
+def _has_letters_inside(x: sp.Expr) -> bool:
+    """Whether letters stand under a root or between bars, where fractions are put in order too."""
+    if x.has(sp.sign, sp.atan, sp.atan2):
+        return True
+    return any(
+        node.free_symbols and (isinstance(node, sp.Abs) or not node.exp.is_Integer)
+        for node in x.atoms(sp.Abs, sp.Pow)
+    )
+
+
 def _reduced(x: sp.Expr) -> sp.Expr:
     """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
     above, below = sp.fraction(x)
     for angle in sorted({each.args[0] for each in x.atoms(sp.sin)}, key=sp.default_sort_key):
-        above, below = (_without_cos_squared(each, angle) for each in (above, below))
+        above, below = (without_cos_squared(each, angle) for each in (above, below))
     if below == 0:
         return x
-    found = sp.cancel(above / below)
+    found = reduced(above / below)
     return found if sp.count_ops(found) < sp.count_ops(x) else x
-
-
-def _without_cos_squared(x: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    c = sp.cos(angle)
-    poly = sp.Poly(x, c)
-    square = 1 - sp.sin(angle) ** 2
-    return sp.expand(
-        sp.Add(
-            *[
-                coefficient * square ** (power // 2) * c ** (power % 2)
-                for (power,), coefficient in poly.terms()
-            ]
-        )
-    )
 
 
 def pythagoras(x: sp.Expr) -> sp.Expr:

@@ -33,7 +33,7 @@ Element = Any
 """A polynomial of a ring: SymPy's PolyElement, a dictionary of monomials."""
 
 WORD = 64
-LARGEST = 4_000_000
+LARGEST = 3_000_000
 """Operations that one step may be estimated to take."""
 
 MOST_COLUMNS = 12
@@ -96,8 +96,9 @@ class Field:
                 self.circles.append(Relation(self.atoms.index(x), 2, square))
         for root in sorted(kinds.roots, key=lambda x: (sp.count_ops(x), sp.default_sort_key(x))):
             above, below = self.fraction(root.base)
-            if below.is_ground:
-                value = above.mul_ground(1 / QQ.convert(below.LC))
+            inverse = self.inverse(below)
+            if inverse is not None:
+                value = self.times(above, inverse)
                 self.relations.append(Relation(self.atoms.index(root), int(root.exp.q), value))
 
     # --- into the ring -----------------------------------------------------------------------
@@ -146,10 +147,11 @@ class Field:
             above[b] = above[b] + a if b in above else a
         (below, total), *others = above.items()
         for b, a in others:
-            if b.is_ground or below.is_ground:
+            size = self.common_size(b, below)
+            if b.is_ground or below.is_ground or size > LARGEST:
                 common, x, y = self.ring.one, b, below
             else:
-                afford(self.common_size(b, below))
+                afford(size)
                 common, x, y = b.cofactors(below)
             total = self.times(total, x) + self.times(a, y)
             below = self.times(self.times(common, x), y)
@@ -173,6 +175,9 @@ class Field:
 
     def power(self, a: Element, n: int) -> Element:
         """A power in normal form."""
+        if len(a) == 1:
+            afford(n)
+            return self.normal(a**n)
         result = self.ring.one
         for _ in range(n):
             result = self.times(result, a)
@@ -220,10 +225,14 @@ class Field:
         return a
 
     def inverse(self, a: Element) -> Element | None:
-        """1/a for a number of the field; None for a divisor of zero."""
+        """1/a for a number of the field; None for a divisor of zero, and for what holds letters."""
+        if a.is_ground:
+            return None if a == 0 else self.ring.ground_new(1 / QQ.convert(a.LC))
         multiple = self.ring.one
         for relation in reversed(self.relations):
             if any(m[relation.index] for m in a):
+                if relation.power != 2:
+                    return None
                 turned = self.conjugate(a, relation.index)
                 a, multiple = self.times(a, turned), self.times(multiple, turned)
         if not a.is_ground or a == 0:
@@ -288,7 +297,10 @@ class _Atoms:
                 self.radicands.add(int(x.base))
             else:
                 self.visit(x.base)
-                self.roots.add(sp.Pow(x.base, sp.Rational(1, x.exp.q)))
+                root = sp.Pow(x.base, sp.Rational(1, x.exp.q))
+                if not root.is_Pow:
+                    raise PolynomialError(f"{x} can be taken")
+                self.roots.add(root)
         elif x.has(sp.nan, sp.zoo, sp.oo, sp.S.NegativeInfinity, sp.I) or not isinstance(
             x, sp.Expr
         ):
@@ -353,6 +365,33 @@ def _opened(x: sp.Expr) -> sp.Expr:
 def _whole(a: Element) -> Element:
     """Without denominators in the coefficients."""
     return a.clear_denoms()[1]
+
+
+@remembered(2048)
+def reduced(x: sp.Expr) -> sp.Expr:
+    """A quotient of two polynomials that have nothing in common, as SymPy's ``cancel`` has it."""
+    field = Field([x])
+    above, below = field.fraction(x)
+    if below == 0:
+        raise PolynomialError("division by zero")
+    afford(field.common_size(above, below))
+    above, below = above.cancel(below)
+    return field.expression(above) / field.expression(below)
+
+
+def without_cos_squared(x: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    """A polynomial with cos² = 1 − sin² of one angle used throughout."""
+    cosine = sp.cos(angle)
+    field = Field([x, cosine, sp.sin(angle)])
+    if any(atom != cosine and atom.has(cosine) for atom in field.atoms):
+        raise PolynomialError(f"{x} is no polynomial in {cosine}")
+    above, below = field.fraction(x)
+    if not below.is_ground:
+        raise PolynomialError(f"{x} is no polynomial")
+    for circle in field.circles:
+        if field.atoms[circle.index] == cosine:
+            above = field.using(circle, above)
+    return field.expression(above.mul_ground(1 / QQ.convert(below.LC)))
 
 
 @remembered(4096)
@@ -487,7 +526,7 @@ def factoring(a: Element) -> float:
     degrees = [d - low for d, low in zip(a.degrees(), common, strict=True) if d > low]
     if not degrees or len(a) < 2:
         return 1
-    size = math.prod(d + 1 for d in degrees)
+    size = min(math.prod(d + 1 for d in degrees), 50 * len(a) ** 2)
     return float(size * (1 + max(degrees)) * (1 + bits(a) / WORD) * len(degrees))
 
 
@@ -581,14 +620,17 @@ def vanishing(x: sp.Expr) -> bool | None:
 
 @remembered(2048)
 def plain_number(x: sp.Expr) -> sp.Expr | None:
-    """A number in surds as a sum with rational coefficients; None for any other."""
+    """A number in roots as a sum without roots in denominators; None for any other.
+
+    A root of a root that could be taken may stand in the way: then None too.
+    """
     try:
         field = Field([x])
-        if not field.exact:
+        if any(not atom.is_Pow for atom in field.atoms):
             return None
         above, below = field.fraction(x)
         inverse = field.inverse(below)
-    except PolynomialError:
+    except (PolynomialError, TooLargeError):
         return None
     return None if inverse is None else field.expression(field.times(above, inverse))
 
@@ -662,6 +704,15 @@ def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
     if x.is_Pow and x.exp.q % 2 == 0:
         return definite(x.base, positive) > 0
     return False if isinstance(x, sp.Abs) else None
+
+
+def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
+    """A number without roots in denominators, in SymPy's form for surds."""
+    plain = plain_number(x)
+    nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
+    if nested:
+        return x if plain is None else plain
+    return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=max_terms)
 
 
 # --- polynomials in one letter with numbers as coefficients ------------------------------------
