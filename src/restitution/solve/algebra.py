@@ -449,6 +449,8 @@ def _square_roots(value: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
 
 def _sqrt(value: sp.Expr) -> sp.Expr:
+    if value.has(sp.CRootOf):
+        return sp.sqrt(value)
     if not value.free_symbols:
         return denested(sp.sqrt(rational_below(value)))
     afford(sp.count_ops(value) ** 2)
@@ -747,7 +749,7 @@ def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
 
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
-    if a.is_number and not a.is_Rational:
+    if a.is_number and not a.is_Rational and not a.has(sp.CRootOf):
         # Dividing first keeps surds out of the denominator under the root.
         over = plain_number(1 / a)
         b, c = (
@@ -770,5 +772,5 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
-        return denested(rational_below(value))
+        return value if value.has(sp.CRootOf) else denested(rational_below(value))
     return neat(value)

@@ -707,10 +707,15 @@ def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
 
 
 def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
-    """A number without roots in denominators, in SymPy's form for surds."""
+    """A number without roots in denominators, in SymPy's form for surds.
+
+    What is more than roots of roots comes back as it is, and so does what their conjugates do not
+    help: SymPy would try for ever.
+    """
     plain = plain_number(x)
-    nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
-    if nested:
+    if x.has(sp.CRootOf) or any(
+        node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer
+    ):
         return x if plain is None else plain
     return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=max_terms)
 
