@@ -66,6 +66,53 @@ def test_nested_roots_are_solved():
         assert abs(mpmath.hypot(*a) - speed) < mpmath.mpf(10) ** -30
 
 
+@pytest.mark.parametrize(
+    ("statement", "answers"),
+    [
+        (  # e belongs to a cosine that is a root of roots
+            """
+            sphere A: mass 6, velocity 2 at alpha
+            sphere B: mass 1, at rest
+            A hits B: along (4, -3)
+            given deflection(A) = arctan(48/611), along(velocity(A), i) = 184/125
+            find alpha, e
+            """,
+            {"alpha": [sp.atan(sp.Rational(3, 4))], "e": [1]},
+        ),
+        (  # the second solution has no formula
+            """
+            sphere A: mass 3/2, velocity u at 120°
+            sphere B: mass 2, velocity (2, 5/3)
+            A hits B: along (1, -1)
+            given energy_lost = (180sqrt(3) + 343)/42, speed(A) = 2sqrt(2324 - 837sqrt(3))/21
+            find u, e
+            """,
+            {"u": [6, "10.60"], "e": [0, "0.8174"]},
+        ),
+        (
+            """
+            sphere A: mass 2, velocity (2, 3/2)
+            sphere B: mass 3/2, velocity (-1, 5)
+            B hits A: e = 1, along theta
+            given impulse = 3(-6 + 7sqrt(3))/7
+            find theta
+            """,
+            {"theta": [sp.pi / 3]},
+        ),
+    ],
+)
+def test_surds_among_the_data(statement, answers):
+    solution = solve(parse(statement))
+    for name, wanted in answers.items():
+        values = [answer.value for answer in solution[name].answers]
+        assert len(values) == len(wanted)
+        for value, own in zip(values, wanted, strict=True):
+            if isinstance(own, str):
+                assert str(sp.N(value, 4)) == own
+            else:
+                assert value == own
+
+
 # --- rings and normal forms -------------------------------------------------------------------
 
 

@@ -38,7 +38,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     if sp.count_ops(x) > _LARGE:
         return sp.together(x)
     try:
-        result = sp.cancel(sp.together(x)) if _has_letters_inside(x) else reduced(x)
+        result = sp.cancel(sp.together(x)) if _has_sums_inside(x) else reduced(x)
     except (sp.PolynomialError, TooLargeError):
         return sp.together(x)
     if result.has(sp.sin) and sp.count_ops(result) > _LONG:
@@ -59,14 +59,11 @@ def linear_solution(
     return tuple(found[0]) if len(found) == 1 else None
 
 
-def _has_letters_inside(x: sp.Expr) -> bool:
-    """Whether letters stand under a root or between bars, where fractions are put in order too."""
-    if x.has(sp.sign, sp.atan, sp.atan2):
+def _has_sums_inside(x: sp.Expr) -> bool:
+    """Whether more than a number stands under a root or between bars: SymPy orders that too."""
+    if x.has(sp.sign, sp.atan, sp.atan2, sp.Abs):
         return True
-    return any(
-        node.free_symbols and (isinstance(node, sp.Abs) or not node.exp.is_Integer)
-        for node in x.atoms(sp.Abs, sp.Pow)
-    )
+    return any(not node.exp.is_Integer and not node.base.is_Rational for node in x.atoms(sp.Pow))
 
 
 def _reduced(x: sp.Expr) -> sp.Expr:

@@ -709,15 +709,22 @@ def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
 def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
     """A number without roots in denominators, in SymPy's form for surds.
 
-    What is more than roots of roots comes back as it is, and so does what their conjugates do not
-    help: SymPy would try for ever.
+    Large numbers with roots of roots, with which SymPy might never end, are multiplied out by their
+    conjugates. What is more than roots of roots comes back as it is.
     """
+    if x.has(sp.CRootOf):
+        return x
+    nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
+    large = sp.count_ops(x) > _LARGE_NUMBER
+    if nested and not large:
+        return sp.radsimp(sp.expand(x), max_terms=max_terms)
     plain = plain_number(x)
-    if x.has(sp.CRootOf) or any(
-        node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer
-    ):
+    if nested or (large and plain is None):
         return x if plain is None else plain
     return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=max_terms)
+
+
+_LARGE_NUMBER = 60
 
 
 # --- polynomials in one letter with numbers as coefficients ------------------------------------
