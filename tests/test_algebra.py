@@ -79,6 +79,16 @@ def test_nested_roots_are_solved():
             """,
             {"alpha": [sp.atan(sp.Rational(3, 4))], "e": [1]},
         ),
+        (  # the roots that are rejected have no formula
+            """
+            sphere A: mass 2, velocity 1 at alpha from j
+            sphere B: mass 3, at rest
+            A hits B: along (1, -1)
+            given along(velocity(A), i) = -123/520, energy_lost = 6069/27040
+            find alpha, e
+            """,
+            {"alpha": [sp.atan(sp.Rational(12, 5))], "e": [sp.Rational(3, 4)]},
+        ),
         (  # the second solution has no formula
             """
             sphere A: mass 3/2, velocity u at 120°
@@ -227,6 +237,17 @@ def test_factors_over_surds():
         x - root,
         x**2 - root * x + r3,
     }
+
+
+def test_a_root_without_a_formula_is_a_letter_with_its_polynomial():
+    root = sp.CRootOf(x**3 + x + 1, 0)
+    assert plain.vanishing(root**3 + root + 1) is True
+    assert plain.vanishing(root**2 - root) is False
+    assert plain.rational_below(1 / root) == -1 - root**2
+    assert plain.rational_below((root + r3) / (root - r3)).has(sp.CRootOf)
+    quotient = plain.rational_below((2 * root + 1) / (root**2 - 3))
+    assert abs(sp.N(quotient - (2 * root + 1) / (root**2 - 3), 30)) < sp.Float("1e-28")
+    assert all(node.exp.is_positive for node in quotient.atoms(sp.Pow))
 
 
 # --- systems ----------------------------------------------------------------------------------

@@ -1304,6 +1304,8 @@ def _tidy_angle(value: Expr) -> Expr:
     if quotient.is_Rational:
         return quotient * sympy.pi
     size = value.evalf(40)
+    if value.has(sympy.CRootOf) and not _near_nice(size):
+        return value  # nobody would write it out
     if isinstance(value, sympy.atan) and is_nested(value.args[0]) and not _near_nice(size):
         return value.func(_tidy_number(value.args[0]))
     direction = _direction(value)

@@ -749,7 +749,10 @@ def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
 
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
-    if a.is_number and not a.is_Rational and not a.has(sp.CRootOf):
+    if a.has(sp.CRootOf):
+        b, c = (rational_below(each / a) if each.is_number else each / a for each in (b, c))
+        a = sp.Integer(1)
+    elif a.is_number and not a.is_Rational:
         # Dividing first keeps surds out of the denominator under the root.
         over = plain_number(1 / a)
         b, c = (
@@ -772,5 +775,6 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
-        return value if value.has(sp.CRootOf) else denested(rational_below(value))
+        value = rational_below(value)
+        return value if value.has(sp.CRootOf) else denested(value)
     return neat(value)

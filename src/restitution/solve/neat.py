@@ -29,7 +29,7 @@ def neat(x: sp.Expr) -> sp.Expr:
         return x
     x = pythagoras(x)
     if not x.free_symbols:
-        if x.has(sp.Pow):
+        if x.has(sp.Pow, sp.CRootOf):
             return rational_below(x, max_terms=6)
         return x
     if not _needs_work(x):

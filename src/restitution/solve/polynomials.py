@@ -21,8 +21,9 @@ from typing import Any
 
 import sympy as sp
 from sympy.polys.domains import QQ
+from sympy.polys.euclidtools import dup_invert
 from sympy.polys.orderings import lex
-from sympy.polys.polyerrors import PolynomialError
+from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
@@ -90,6 +91,11 @@ class Field:
         ]
         self.circles: list[Relation] = []
         self.exact = not kinds.roots and all(map(_independent, (*first, *kinds.plain)))
+        unnamed = [x for x in self.atoms if isinstance(x, sp.CRootOf)]
+        for x in unnamed:
+            self.relations.append(self._of_polynomial(x))
+            # Of two of them one may be a polynomial in the other.
+            self.exact = self.exact and len(unnamed) == 1 and not surds
         for x in self.atoms:
             if x.func is sp.cos and sp.sin(x.args[0]) in self._gens:
                 square = 1 - self._gens[sp.sin(x.args[0])] ** 2
@@ -100,6 +106,15 @@ class Field:
             if inverse is not None:
                 value = self.times(above, inverse)
                 self.relations.append(Relation(self.atoms.index(root), int(root.exp.q), value))
+
+    def _of_polynomial(self, x: sp.CRootOf) -> Relation:
+        """The highest power of a root without a formula, by those below it."""
+        index, parts = self.atoms.index(x), x.poly.all_coeffs()
+        letter, top = self.ring.gens[index], len(parts) - 1
+        value = self.ring.zero
+        for power, c in enumerate(reversed(parts[1:])):
+            value = value - letter**power * QQ(int(c), int(parts[0]))
+        return Relation(index, top, value)
 
     # --- into the ring -----------------------------------------------------------------------
 
@@ -231,6 +246,9 @@ class Field:
         multiple = self.ring.one
         for relation in reversed(self.relations):
             if any(m[relation.index] for m in a):
+                if isinstance(self.atoms[relation.index], sp.CRootOf):
+                    own = self._inverse_in_one(a, relation)
+                    return None if own is None else self.times(multiple, own)
                 if relation.power != 2:
                     return None
                 turned = self.conjugate(a, relation.index)
@@ -238,6 +256,28 @@ class Field:
         if not a.is_ground or a == 0:
             return None
         return multiple.mul_ground(1 / QQ.convert(a.LC))
+
+    def _inverse_in_one(self, a: Element, relation: Relation) -> Element | None:
+        """1/a for a polynomial in one root without a formula alone."""
+        index = relation.index
+        if any(power for m in a for n, power in enumerate(m) if n != index):
+            return None
+        modulus = self.ring.gens[index] ** relation.power - relation.value
+        dense = []
+        for each in (a, modulus):
+            parts = [QQ(0)] * (1 + max(m[index] for m in each))
+            for m, c in each.items():
+                parts[-1 - m[index]] = c
+            dense.append(parts)
+        afford(relation.power**3 * (1 + (bits(a) + bits(modulus)) / WORD))
+        try:
+            found = dup_invert(*dense, QQ)
+        except NotInvertible:
+            return None
+        inverse = self.ring.zero
+        for power, c in enumerate(reversed(found)):
+            inverse = inverse + self.ring.gens[index] ** power * c
+        return inverse
 
     # --- and back ----------------------------------------------------------------------------
 
@@ -265,6 +305,8 @@ _RANKS = {name: rank for rank, name in enumerate("xyzpqrstuvwabcdefghijklmno")}
 
 def _independent(x: sp.Expr) -> bool:
     """Whether a letter of the ring may be anything, but for what its relations say of it."""
+    if isinstance(x, sp.CRootOf):
+        return True
     return bool(x.is_Symbol or (x.func in (sp.sin, sp.cos) and x.args[0].is_Symbol))
 
 
@@ -626,7 +668,7 @@ def plain_number(x: sp.Expr) -> sp.Expr | None:
     """
     try:
         field = Field([x])
-        if any(not atom.is_Pow for atom in field.atoms):
+        if not all(atom.is_Pow or isinstance(atom, sp.CRootOf) for atom in field.atoms):
             return None
         above, below = field.fraction(x)
         inverse = field.inverse(below)
@@ -710,10 +752,12 @@ def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
     """A number without roots in denominators, in SymPy's form for surds.
 
     Large numbers with roots of roots, with which SymPy might never end, are multiplied out by their
-    conjugates. What is more than roots of roots comes back as it is.
+    conjugates; a root without a formula stands in a polynomial of lower degree than its own. What
+    is more comes back as it is.
     """
     if x.has(sp.CRootOf):
-        return x
+        plain = plain_number(x)
+        return x if plain is None else plain
     nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
     large = sp.count_ops(x) > _LARGE_NUMBER
     if nested and not large:
