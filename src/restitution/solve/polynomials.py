@@ -93,7 +93,7 @@ class Field:
         self.exact = not kinds.roots and all(map(_independent, (*first, *kinds.plain)))
         unnamed = [x for x in self.atoms if isinstance(x, sp.CRootOf)]
         for x in unnamed:
-            self.relations.append(self._of_polynomial(x))
+            self.relations.insert(0, self._of_polynomial(x))
             # Of two of them one may be a polynomial in the other.
             self.exact = self.exact and len(unnamed) == 1 and not surds
         for x in self.atoms:
