@@ -30,6 +30,7 @@ from restitution.solve.polynomials import (
     definite,
     degree,
     factors,
+    isolating,
     norm,
     numerator,
     plain_number,
@@ -716,6 +717,7 @@ def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
             )
         return _of_binomial(parts[0], parts[-1], top)
     rational = norm(equation, x)
+    afford(isolating(rational, x))
     found = []
     for value, _ in sp.Poly(rational, x, domain="QQ").real_roots(multiple=False):
         if degree(rational, x) == top or _is_root(parts, value):

@@ -569,6 +569,8 @@ def factoring(a: Element) -> float:
     if not degrees or len(a) < 2:
         return 1
     size = min(math.prod(d + 1 for d in degrees), 50 * len(a) ** 2)
+    if len(degrees) == 1:
+        size = max(degrees) ** 2  # of one letter only, the coefficients modulo many primes
     return float(size * (1 + max(degrees)) * (1 + bits(a) / WORD) * len(degrees))
 
 
@@ -820,6 +822,14 @@ def norm(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     if any(power for m in multiple for power in m[1:]):
         raise UnsupportedError("an equation whose coefficients are no roots of rational numbers")
     return field.expression(_whole(multiple))
+
+
+def isolating(x: sp.Expr, symbol: sp.Symbol) -> float:
+    """An estimate of the operations of finding the real roots of a polynomial over ℚ."""
+    field = Field([x], [symbol])
+    whole = _from_powers(_coefficients(field, x, symbol))
+    top = max(m[0] for m in whole)
+    return float(10 * top**3 * (1 + bits(whole) / WORD))
 
 
 def _alone(a: Element) -> Element:
