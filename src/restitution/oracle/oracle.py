@@ -26,11 +26,14 @@ from restitution.oracle.points import BeyondError, Point, Program, Value, ends_o
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.simple import simpler
+from restitution.work import spend
 
 Answer = Literal["proved", "refuted", "undecided"]
 Proof = Literal["algebra", "decision", "intervals", "witness", "undecided"]
 
 FEW, MANY = 48, 160
+# What a claim, and what a question to the decision procedure, counts in steps of work.
+_CLAIM, _QUESTION = 100, 2000
 
 
 @dataclass(frozen=True)
@@ -130,6 +133,7 @@ class Oracle:
         return Verdict("undecided", "undecided")
 
     def _decide(self, claim: Formula) -> Verdict:
+        spend(_CLAIM)
         if isinstance(claim, All):
             return self._all(claim)
         algebra = self._by_algebra(claim)
@@ -244,6 +248,7 @@ class Oracle:
     # --- asking Z3 -------------------------------------------------------------------------------
 
     def _asked(self, more: Sequence[Formula]) -> tuple[decision.Reply, Polynomials | None]:
+        spend(_QUESTION)
         formulas = [*self.facts, *more]
         values = [each.value for formula in formulas for each in relations(formula)]
         try:

@@ -27,8 +27,8 @@ from restitution.render.layout import Layout, Phrase, Words, from_set, from_symp
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.admission import Demand, demands_for
-from restitution.solve.neat import factors
 from restitution.solve.part import Outcome, Trial
+from restitution.solve.polynomials import factors
 from restitution.solve.regions import Region, to_set
 from restitution.solve.solution import Answer
 
