@@ -176,7 +176,7 @@ given k > 2
 given k < 1
 find velocity(A)""").error
     assert isinstance(error, ContradictionError)
-    assert "lines 5 and 6" in str(error)
+    assert "'k > 2' (line 5) and 'k < 1' (line 6) cannot both be" in str(error)
 
 
 # --- the side on which a sphere is struck ---------------------------------------------------------

@@ -12,6 +12,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -153,6 +154,8 @@ class Program:
                 values.append(_ball_power(values[arguments[0]], arguments[1]))
             elif operation == "root":
                 values.append(_ball_root(values[arguments[0]], arguments[1], arguments[2]))
+            elif operation == "constant":
+                values.append(_ball(arguments[0]))
             else:
                 values.append(_ball_function(operation, [values[each] for each in arguments]))
             middle, error = values[-1]
@@ -240,6 +243,8 @@ class _Compiler:
             return "power", (self.place(x.base), int(x.exp))
         if x.is_Pow and x.exp.is_Rational:
             return "root", (self.place(x.base), int(x.exp.p), int(x.exp.q))
+        if isinstance(x, sp.CRootOf):
+            return "constant", (x,)
         name = _FUNCTIONS.get(type(x))
         if name is None:
             raise BeyondError(str(x))
@@ -359,6 +364,8 @@ def _enclosed(
         return _fraction_in(context, Fraction(str(value)) if isinstance(value, sp.Expr) else value)
     if operation == "pi":
         return context.pi
+    if operation == "constant":
+        return _root_in(context, arguments[0])
     if operation == "nothing":
         raise BeyondError
     if operation == "power":
@@ -396,6 +403,15 @@ def _enclosed(
 def _fraction_in(context: Any, value: Any) -> Any:
     fraction = Fraction(*to_rational(value._mpf_)) if hasattr(value, "_mpf_") else Fraction(value)
     return context.mpf(fraction.numerator) / fraction.denominator
+
+
+@lru_cache(maxsize=512)
+def _root_in(context: Any, x: Any) -> Any:
+    """A real root of a polynomial without a formula."""
+    width = sp.Rational(1, 10 ** (context.dps + 5))
+    middle = x.eval_rational(width)
+    low, high = (Fraction(int(y.p), int(y.q)) for y in (middle - width, middle + width))
+    return context.mpf([_fraction_in(context, low).a, _fraction_in(context, high).b])
 
 
 def _function_in(context: Any, operation: str, inner: list[Any]) -> Any:

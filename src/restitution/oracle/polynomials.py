@@ -185,7 +185,7 @@ class Polynomials:
             self._new(("extreme", x), f"extreme{len(self._order)}")
         else:
             self._new(("other", x), f"other{len(self._order)}")
-            self.loose = True
+            self.loose = self.loose or not isinstance(x, sp.CRootOf)
 
     def _letter(self, x: sp.Symbol) -> None:
         name = f"x_{x.name}"
@@ -354,6 +354,12 @@ class Polynomials:
                 self.between[name] = (low, high, True, True)
                 if low > 0:
                     self.senses[name] = "+"
+                if isinstance(x, sp.CRootOf):
+                    own = self._generators[name]
+                    powers = enumerate(reversed(x.poly.all_coeffs()))
+                    self.relations.append(
+                        sum((own**n * QQ(int(c.p), int(c.q)) for n, c in powers), self.ring.zero)
+                    )
                 return
         elif isinstance(x, sp.atan | sp.asin):
             ends = -sp.pi / 2, sp.pi / 2

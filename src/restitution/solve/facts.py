@@ -215,7 +215,7 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
     """Whether two spheres that met may have left the line of centres by the time that matters.
 
     If nothing has happened to either since, they are separating, and if both keep to the line,
-    their order decides. Raises MissingError, in numbers, where only their places can tell.
+    their order decides. Raises MissingError where only their places can tell.
     """
     since = story.happenings[event.number : now]
     if not any({one, other} & set(each.bodies) for each in since):
@@ -228,9 +228,9 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
     ]
     if all(story.field.is_zero(each) for each in across):
         return False
-    if story.field.exact or _placed(story, event, now):
+    if _placed(story, event, now):
         return True
-    if any(story.sign(_approach(story, event, one, other, n)) == 1 for n in stages):
+    if any(story.sign(_approach(story, event, one, other, n)) in (1, None) for n in stages):
         raise MissingError(
             f"whether {one} and {other} collide again depends on their places, as they move "
             "across their line of centres, one relative to the other"

@@ -37,7 +37,13 @@ from restitution.problem import (
     Unknown,
 )
 from restitution.problem import Value as ValueItem
-from restitution.solve.admission import Admission, demands_for, demands_of, formula_of
+from restitution.solve.admission import (
+    COEFFICIENT_RULE,
+    Admission,
+    demands_for,
+    demands_of,
+    formula_of,
+)
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.facts import givens, requirements
@@ -302,6 +308,8 @@ class Setting:
         self, found: Found, letters_: Letters, admission: Admission, story: Story
     ) -> Trial:
         known = admission.roles
+        if any(role.kind == "restitution" and _is_empty(role) for role in known.values()):
+            return Trial(found, (), COEFFICIENT_RULE, "coefficient", admission)
         free = sorted((set(self.roles) | set(known)) - set(found.values) - set(self.lets))
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
@@ -441,6 +449,10 @@ class Setting:
 
     def _used_letters(self) -> set[str]:
         return set(self.roles) - set(self.lets)
+
+
+def _is_empty(role: Role) -> bool:
+    return role.low is not None and role.high is not None and bool(role.low > role.high)
 
 
 def holds(condition: Condition) -> bool:
