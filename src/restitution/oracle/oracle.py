@@ -13,6 +13,8 @@ import sympy as sp
 from restitution.oracle import decision, intervals
 from restitution.oracle.draws import draws
 from restitution.oracle.formula import (
+    FALSE,
+    TRUE,
     All,
     Formula,
     Relation,
@@ -121,10 +123,11 @@ class Oracle:
 
     def decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
         """Whether wherever the facts hold, some values of the free letters satisfy a claim."""
-        values = [each.value for each in relations(joined((*self.facts, claim)))]
+        formulas = [_without_numbers(each) for each in (*self.facts, claim)]
+        values = [each.value for each in relations(joined(formulas))]
         try:
             world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
-            prepared = [_prepared(each, self.roles) for each in (*self.facts, claim)]
+            prepared = [_prepared(each, self.roles) for each in formulas]
             answer = decision.covers(world, prepared[:-1], prepared[-1], free)
         except (TooLargeError, BeyondError):
             answer = "unknown"
@@ -249,7 +252,7 @@ class Oracle:
 
     def _asked(self, more: Sequence[Formula]) -> tuple[decision.Reply, Polynomials | None]:
         spend(_QUESTION)
-        formulas = [*self.facts, *more]
+        formulas = [_without_numbers(each) for each in (*self.facts, *more)]
         values = [each.value for formula in formulas for each in relations(formula)]
         try:
             world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
@@ -344,6 +347,20 @@ def _allowed(value: Value, role: Role) -> bool:
 def holds_at(formula: Formula, point: Point) -> bool | None:
     """Whether a formula holds at a point; None where that is not certain."""
     return _Tester(formula).holds(point)
+
+
+def _without_numbers(formula: Formula) -> Formula:
+    """The formula without relations between plain numbers whose truth is certain."""
+    match formula:
+        case Relation(value, operator):
+            sign = None if value.free_symbols else Program.of([value]).signs({})[0]
+            if sign is None:
+                return formula
+            return TRUE if holds_with(Relation(value, operator), {value: sign}) else FALSE
+        case All(parts):
+            return All(tuple(_without_numbers(each) for each in parts))
+        case Some(parts):
+            return Some(tuple(_without_numbers(each) for each in parts))
 
 
 def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:

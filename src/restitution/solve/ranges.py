@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
@@ -19,8 +19,18 @@ from restitution.errors import (
 )
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
-from restitution.oracle import Proof
-from restitution.oracle.roles import Role
+from restitution.oracle import (
+    All,
+    BeyondError,
+    Oracle,
+    Point,
+    Proof,
+    Relation,
+    Verdict,
+    joined,
+    letters_of,
+)
+from restitution.oracle.roles import REAL, TO_180, Role
 from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
@@ -33,6 +43,7 @@ from restitution.solve.numbers import (
     UndefinedError,
     at,
     draw,
+    number_of,
     sample,
     sign_at,
 )
@@ -41,9 +52,11 @@ from restitution.solve.regions import (
     DRAWS,
     DRAWS_TRIED,
     INFINITE,
+    ROUNDS,
     End,
     Piece,
     Region,
+    inside_of,
     reconcile,
     to_set,
     zeros,
@@ -71,7 +84,7 @@ def find_range(
         if region is not None:
             limits, proof = range_limitations(region.outcome, region, values), region.proof
     else:
-        values, angle = _range_of_quantity(desk, meant, now, in_terms_of)
+        values, angle, proof = _range_of_quantity(desk, meant, now, in_terms_of)
     if values is sp.S.EmptySet:
         raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
     layout = display_set(values, from_tree(item.expression), angle=angle)
@@ -107,7 +120,7 @@ def _meant(desk: Desk, item: Range, in_terms_of: tuple[str, ...] | None) -> Rang
     return item if has_quantity(tree) else replace(item, expression=tree)
 
 
-def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
+def _range_of_ratio(desk: Desk, item: Range) -> tuple[sp.Set, Proof] | None:
     """The range of q/p from that of q, where it does not depend on p but through q/p."""
     tree = item.expression
     roles = desk.settle(None, item).roles
@@ -118,7 +131,9 @@ def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
         if not slope.is_positive:
             continue  # rising with this letter, whatever the others are
         try:
-            values, _ = _range_of_letter(desk, name, None, desk.settle(None, item, letters(tree)))
+            values, region = _range_of_letter(
+                desk, name, None, desk.settle(None, item, letters(tree))
+            )
         except RestitutionError:
             continue
         if not isinstance(values, sp.Interval):
@@ -126,7 +141,9 @@ def _range_of_ratio(desk: Desk, item: Range) -> sp.Set | None:
         ends = [limit(value, symbol, end, end == sp.oo) for end in (values.start, values.end)]
         if any(end is None or (end.free_symbols & value.free_symbols) for end in ends):
             continue
-        return sp.Interval(ends[0], ends[1], values.left_open, values.right_open)
+        image = sp.Interval(ends[0], ends[1], values.left_open, values.right_open)
+        # It rises with this letter, so what is proved of that is proved of the ratio.
+        return image, "algebra" if region is None else region.proof
     return None
 
 
@@ -177,14 +194,14 @@ def _free(outcome: Outcome, in_terms_of: tuple[str, ...] | None) -> set[str]:
 
 def _range_of_quantity(
     desk: Desk, item: Range, now: int, in_terms_of: tuple[str, ...] | None
-) -> tuple[sp.Set, bool]:
+) -> tuple[sp.Set, bool, Proof]:
     tree = item.expression
     setting = desk.settle(in_terms_of, item)
     named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
     if len(named) > 1 and not letters(tree) & set(setting.lets):
         found = _range_of_ratio(desk, item)
         if found is not None:
-            return found, False
+            return found[0], False, found[1]
     walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(tree, angles, walls)
@@ -197,11 +214,12 @@ def _range_of_quantity(
     free = ((_free(first, in_terms_of) | named) & present) - (fixed - named)
     free = free or _restricted(outcome) & present
     if not free:
-        return sp.FiniteSet(*[value for _, value in values]), angle
+        return sp.FiniteSet(*[value for _, value in values]), angle, "algebra"
     if any(name.startswith("_") for name in present):
         hidden = min(name for name in present if name.startswith("_"))
         raise MissingError(f"the range needs {outcome.letters.phrases.get(hidden, hidden)}")
-    return _image(outcome, values, sorted(free)), angle
+    image, proof = _image(outcome, values, sorted(free), angle)
+    return image, angle, proof
 
 
 def _restricted(outcome: Outcome) -> set[str]:
@@ -229,17 +247,23 @@ def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, s
     return found
 
 
-def _image(outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str]) -> sp.Set:
+def _image(
+    outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str], angle: bool
+) -> tuple[sp.Set, Proof]:
     """The values of expressions as letters vary freely within what is allowed."""
-    sets = []
+    sets: list[sp.Set] = []
+    proofs: list[Proof] = []
     for trial, value in values:
         own = replace(outcome, trials=(trial,))
         used = [name for name in free if any(s.name == name for s in value.free_symbols)]
         if not used:
             sets.append(sp.FiniteSet(value))
+            proofs.append("algebra")
             continue
-        sets.append(_image_of(own, value, used))
-    return sp.Union(*sets)
+        image = _Image(own, value, used, angle)
+        sets.append(to_set(image.pieces()))
+        proofs.append(image.proof)
+    return sp.Union(*sets), "undecided" if "undecided" in proofs else proofs[0]
 
 
 @dataclass(frozen=True)
@@ -254,32 +278,104 @@ class Candidate:
     sides: Mapping[str, int] = field(default_factory=dict)
 
 
-def _image_of(outcome: Outcome, value: sp.Expr, free: list[str]) -> sp.Set:
-    region = Region(outcome, free[0], tuple(free[1:]))
-    data = region.data()
-    roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
-    candidates = list(_candidates(outcome, value, free, region))
-    rng = random.Random(23)
-    shapes: list[tuple[list[Piece], Sample]] = []
-    for _ in range(DRAWS_TRIED if data else 1):
-        drawn = sample(data, roles, rng)
-        inside = _seen(region, value, free, drawn)
+class _Image:
+    """The values of an expression: one interval, sought at a few values of the data, then proved.
+
+    ``proof`` tells after `pieces` what it rests on.
+    """
+
+    def __init__(self, outcome: Outcome, value: sp.Expr, free: list[str], angle: bool) -> None:
+        self.value, self.free = value, free
+        self.region = Region(outcome, free[0], tuple(free[1:]))
+        self.candidates = list(_candidates(outcome, value, free, self.region))
+        self.angle = angle
+        self.proof: Proof = "undecided"
+
+    def pieces(self) -> list[Piece]:
+        """The interval. Raises ContradictionError where nothing is possible."""
+        shapes = self._shapes()
+        if not shapes:
+            raise ContradictionError("no values satisfy all that is told")
+        for _ in range(ROUNDS):
+            pieces = reconcile(shapes)
+            verdict = self._proved(pieces)
+            self.proof = verdict.proof if verdict else "undecided"
+            if verdict.answer != "refuted" or verdict.witness is None:
+                break
+            shape = self._shape(self.region._drawn(verdict.witness), verdict.witness)
+            if shape is None or shape in shapes:
+                break
+            shapes.append(shape)
+        return reconcile(shapes)
+
+    def _shapes(self) -> list[tuple[list[Piece], Sample]]:
+        data = self.region.data()
+        rng = random.Random(23)
+        shapes: list[tuple[list[Piece], Sample]] = []
+        for _ in range(DRAWS_TRIED if data else 1):
+            shape = self._shape(sample(data, self.region.roles, rng), {})
+            if shape is not None:
+                shapes.append(shape)
+            if len(shapes) == DRAWS:
+                break
+        if shapes or self.region.formula is None:
+            return shapes
+        possible = Oracle(self.region.roles, (self.region.formula,)).possible
+        if possible.witness is None:
+            return []
+        shape = self._shape(self.region._drawn(possible.witness), possible.witness)
+        return [] if shape is None else [shape]
+
+    def _shape(self, drawn: Sample, point: Point) -> tuple[list[Piece], Sample] | None:
+        """The interval for some values of the data; ``point`` has values that do occur."""
+        inside = _seen(self.region, self.value, self.free, drawn, point)
         if not inside:
-            continue
+            return None
         ends = []
         for sign, bound in ((-1, min(inside)), (1, max(inside))):
-            best = _bounding(region, candidates, drawn, sign, bound)
+            best = _bounding(self.region, self.candidates, drawn, sign, bound)
             if best is None:
                 raise UnsupportedError(
                     "the ends of this range have no exact form that is found here"
                 )
-            ends.append(End(best.value, _is_reached(region, best, drawn)))
-        shapes.append(([(ends[0], ends[1])], drawn))
-        if len(shapes) == DRAWS:
-            break
-    if not shapes:
-        raise ContradictionError("no values satisfy all that is told")
-    return to_set(reconcile(shapes))
+            ends.append(End(best.value, _is_reached(self.region, best, drawn)))
+        return [(ends[0], ends[1])], drawn
+
+    def _proved(self, pieces: Sequence[Piece]) -> Verdict:
+        """Whether just these values occur, whatever the data are."""
+        formula = self.region.formula
+        if formula is None:
+            return Verdict("undecided", "undecided")
+        role = _role_of_angle(pieces) if self.angle else REAL
+        roles = {**self.region.roles, _NAME: role}
+        symbol = role.symbol(_NAME)
+        # What is asked of the data alone holds whether or not a value occurs.
+        of_data = tuple(
+            each
+            for each in (formula.parts if isinstance(formula, All) else (formula,))
+            if letters_of(each) and not letters_of(each) & set(self.free)
+        )
+        try:
+            outer = Oracle(roles, (formula,)).decide(inside_of(self.value, pieces))
+            if not outer:
+                return outer
+            inner = Oracle(roles, (*of_data, inside_of(symbol, pieces))).decide_some(
+                joined((formula, Relation(self.value - symbol, "="))), frozenset(self.free)
+            )
+        except BeyondError:
+            return Verdict("undecided", "undecided")
+        return inner
+
+
+_NAME = "value sought"  # no name that a letter can have
+
+
+def _role_of_angle(pieces: Sequence[Piece]) -> Role:
+    """What an angle may be that lies in some intervals; the narrower, the sooner it is decided."""
+    plain = [end.value for piece in pieces for end in piece if end.value.is_number]
+    if len(plain) == 2 * len(pieces) and all(0 <= at(x, {}) < at(sp.pi / 2, {}) for x in plain):
+        return Role("angle", sp.Integer(0), sp.pi / 2, (True, False))
+    return TO_180
 
 
 def _bounding(
@@ -304,13 +400,19 @@ def _bounding(
     return None if best is None else best[1]
 
 
-def _seen(region: Region, value: sp.Expr, free: list[str], drawn: Sample) -> list[Any]:
-    """Values that do occur, at many random points."""
+def _seen(
+    region: Region, value: sp.Expr, free: list[str], drawn: Sample, known: Point
+) -> list[Any]:
+    """Values that do occur: at many random points, and at one that is known."""
     rng = random.Random(29)
     found = []
-    for _ in range(60):
-        point = {name: draw(region.setting.roles[name], rng) for name in free}
+    points = [{name: draw(region.setting.roles[name], rng) for name in free} for _ in range(60)]
+    if known:
+        points.append({name: number_of(known[name]) for name in free if name in known})
+    for point in points:
         values = {**drawn, **point}
+        if not set(free) <= set(values):
+            continue
         if region._possible(values):
             try:
                 found.append(at(value, values))

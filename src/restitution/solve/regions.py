@@ -394,7 +394,7 @@ class Region:
         """Whether just these values are allowed: nothing outside, and everything inside."""
         if self.formula is None:
             return Verdict("undecided", "undecided")
-        inside = self._inside(pieces)
+        inside = inside_of(self.symbol, pieces)
         try:
             outer = Oracle(self.roles, (*self._given, self.formula)).decide(inside)
             if outer.answer != "proved":
@@ -410,21 +410,6 @@ class Region:
         if inner.answer != "proved":
             return inner
         return inner if outer.proof == "algebra" else outer
-
-    def _inside(self, pieces: Sequence[Piece]) -> Formula:
-        x = self.symbol
-        parts: list[Formula] = []
-        for low, high in pieces:
-            if low.value == high.value:
-                parts.append(Relation(x - low.value, "="))
-                continue
-            ends: list[Formula] = []
-            if low.value != -sp.oo:
-                ends.append(Relation(x - low.value, ">=" if low.closed else ">"))
-            if high.value != sp.oo:
-                ends.append(Relation(high.value - x, ">=" if high.closed else ">"))
-            parts.append(All(tuple(ends)))
-        return parts[0] if len(parts) == 1 else Some(tuple(parts))
 
     def _pieces_for(self, drawn: Sample) -> list[Piece]:
         numbered: list[tuple[Any, sp.Expr]] = []
@@ -482,6 +467,22 @@ def _at_end(x: sp.Expr, symbol: sp.Symbol, end: sp.Expr) -> sp.Expr | None:
 def _at_infinity(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
     """What decides the sign of a polynomial as a letter grows without end."""
     return sp.Poly(x, symbol).LC() if x.is_polynomial(symbol) else None
+
+
+def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
+    """That a value lies in one of some intervals."""
+    parts: list[Formula] = []
+    for low, high in pieces:
+        if low.value == high.value:
+            parts.append(Relation(x - low.value, "="))
+            continue
+        ends: list[Formula] = []
+        if low.value != -sp.oo:
+            ends.append(Relation(x - low.value, ">=" if low.closed else ">"))
+        if high.value != sp.oo:
+            ends.append(Relation(high.value - x, ">=" if high.closed else ">"))
+        parts.append(All(tuple(ends)))
+    return parts[0] if len(parts) == 1 else Some(tuple(parts))
 
 
 def zeros(
