@@ -11,6 +11,7 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
 from restitution.expression.tree import Letter, has_quantity, letters
+from restitution.oracle import BeyondError, Oracle, Proof, Relation
 from restitution.problem import Extremum
 from restitution.render.layout import (
     Phrase,
@@ -58,7 +59,9 @@ def find_extremum(
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
     found: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
+    values: dict[int, sp.Expr] = {}
     for trial, value in _images(outcome, item.expression, now):
+        values[id(trial)] = value
         best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:
             found.append((trial, best))
@@ -94,7 +97,26 @@ def find_extremum(
         angle,
         layout,
     )
-    return ItemResult(item, line, item.text, "extremum", (answer,))
+    proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
+    return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int) -> Proof:
+    """What it rests on that no value is beyond an extremum, nor equal to one only approached.
+
+    Raises UnsupportedError where some value is.
+    """
+    region = Region(outcome, next(iter(best.where)))
+    if region.formula is None:
+        return "undecided"
+    claim = Relation(sign * (best.value - value), ">=" if reached else ">")
+    try:
+        verdict = Oracle(region.roles, (region.formula,)).decide(claim)
+    except BeyondError:
+        return "undecided"
+    if verdict.answer == "refuted":
+        raise UnsupportedError("the extremum has no exact form that is found here")
+    return verdict.proof if verdict else "undecided"
 
 
 def _best(

@@ -347,7 +347,10 @@ class _Worker:
                 from restitution.solve.extrema import find_extremum
 
                 kind = "extremum"
-                return find_extremum(self.desk, item, now, in_terms_of)
+                extreme = find_extremum(self.desk, item, now, in_terms_of)
+                if extreme.proof == "undecided":
+                    self._warn(f"{item.text} was sought at some values of the letters, not proved")
+                return extreme
             kind = self._kind(item.expression)
             return self._value(item, now, in_terms_of, kind)
         except RestitutionError as error:
