@@ -4,17 +4,50 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
 from restitution import exact
 from restitution.expression.evaluate import Angle, root
+from restitution.oracle import Oracle, Relation, Some
 from restitution.solve.neat import neat
 from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, sign_at
 from restitution.vector import Vector
 
 Samples = Iterable[Mapping[str, Any]]
+
+
+@dataclass(frozen=True)
+class _Moving:
+    """Samples of what is so wherever a vector is not zero: else it has no direction."""
+
+    samples: Samples
+    oracle: Oracle | None
+
+    def __iter__(self) -> Iterator[Mapping[str, Any]]:
+        return iter(self.samples)
+
+
+def _moving(x: sp.Expr, y: sp.Expr, samples: Samples) -> Samples:
+    oracle: Oracle | None = getattr(samples, "oracle", None)
+    if oracle is None or not (x.free_symbols or y.free_symbols):
+        return samples
+    return _Moving(samples, oracle.with_facts([Some((Relation(x, "!="), Relation(y, "!=")))]))
+
+
+def sign_of(x: sp.Expr, samples: Samples) -> int | None:
+    """The sign of an expression: seen at all samples, and proved where they know how to.
+
+    It may be zero besides, where a letter is at an end of what it may be.
+    """
+    seen = sign_at(x, samples)
+    oracle: Oracle | None = getattr(samples, "oracle", None)
+    if seen is None or oracle is None or not sp.sympify(x, strict=True).free_symbols:
+        return seen
+    claim = Relation(x, "=") if seen == 0 else Relation(seen * x, ">=")
+    return seen if oracle.decide(claim) else None
 
 
 def plain(value: Any, samples: Samples) -> Any:
@@ -89,7 +122,7 @@ def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
             break
         put = {}
         for node in bars:
-            sign = sign_at(node.args[0], samples)
+            sign = sign_of(node.args[0], samples)
             if sign is not None:
                 put[node] = sign * node.args[0]
         if not put:
@@ -103,7 +136,8 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
     x, y = (signed(sp.sympify(part, strict=True), samples) for part in (value.x, value.y))
     if not x.free_symbols and not y.free_symbols and not (x + y).has(sp.sin, sp.cos, sp.tan):
         return exact.tidy_angle(sp.atan2(_number(y), _number(x)))
-    sx, sy = sign_at(x, samples), sign_at(y, samples)
+    samples = _moving(x, y, samples)
+    sx, sy = sign_of(x, samples), sign_of(y, samples)
     if sy == 0 and sx is not None:
         return sp.Integer(0) if sx > 0 else sp.pi
     if sx == 0 and sy is not None:
@@ -153,10 +187,10 @@ def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
         for sense in (1, -1):
             c, s = sp.cos(letter), sense * sp.sin(letter)
             along, across = neat(x * c + y * s), neat(y * c - x * s)
-            sign = sign_at(along, samples)
+            sign = sign_of(along, samples)
             if sign == 1:
                 yield sense * letter + _arc(across, along, None)
-            elif sign == -1 and sign_at(across, samples) == 1:
+            elif sign == -1 and sign_of(across, samples) == 1:
                 yield sp.pi + sense * letter - _arc(across, -along, 1)
 
 
@@ -223,12 +257,12 @@ def direction(value: Vector, samples: Samples) -> Vector:
     """A direction vector, up to scale: without fractions or common factors."""
     x, y = (signed(sp.sympify(part, strict=True), samples) for part in value)
     if x == 0:
-        return Vector(sp.Integer(0), sp.Integer(sign_at(y, samples) or 1))
+        return Vector(sp.Integer(0), sp.Integer(sign_of(y, samples) or 1))
     if y == 0:
-        return Vector(sp.Integer(sign_at(x, samples) or 1), sp.Integer(0))
+        return Vector(sp.Integer(sign_of(x, samples) or 1), sp.Integer(0))
     ratio = tidy(neat(y / x))
     up, along = sp.fraction(ratio)
     if not _has_root(ratio) and exact.cost(up) + exact.cost(along) < 12:
-        sense = sign_at(along * x, samples) or 1
+        sense = sign_of(along * x, samples) or 1
         return Vector(sense * along, sense * up)
     return Vector(tidy(x), tidy(y))

@@ -701,6 +701,11 @@ class Witnesses:
     outcome: Outcome
     trial: Trial
 
+    @property
+    def oracle(self) -> Oracle | None:
+        """What decides for all admissible values; None where only points are known."""
+        return None if self.trial.admission is None else self.trial.admission.oracle
+
     def __iter__(self) -> Iterator[Sample]:
         yield from self.trial.samples
         yield from self._more
