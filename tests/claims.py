@@ -449,6 +449,15 @@ def _shown(letters: Mapping[str, Any]) -> str:
     return ", ".join(f"{name} = {mp.nstr(value, 20)}" for name, value in letters.items())
 
 
+def _between(condition: str, rng: random.Random) -> dict[str, Any]:
+    """A number for the letter of ``20 <= u <= 40/sqrt(3)``: chance alone hardly finds one."""
+    chain = re.fullmatch(r"(\S+) <=? (\w+) <=? (\S+)", condition)
+    if chain is None or re.search(r"[a-z]", re.sub(r"sqrt|pi", "", chain[1] + chain[3])):
+        return {}
+    low, high = physics.value_of(chain[1]), physics.value_of(chain[3])
+    return {chain[2]: low + (high - low) * mp.mpf(rng.uniform(0.01, 0.99))}
+
+
 def _points(problem: p.Problem, outcome: str, seed: int) -> list[dict[str, Any]]:
     """Numbers for the letters that are data: at large, and on both sides of each border of the
     condition, a billionth away.
@@ -467,7 +476,7 @@ def _points(problem: p.Problem, outcome: str, seed: int) -> list[dict[str, Any]]
     for _ in range(4000):
         if len(inside) >= 8:
             break
-        point = drawn(names, problem, rng)
+        point = drawn(names, problem, rng) | _between(condition, rng)
         if physics.true_of(condition, point):
             inside.append(point)
     outside = [each for each in points if not physics.true_of(condition, each)]

@@ -31,14 +31,15 @@ MOST_MONOMIALS = 1500
 class Reply:
     """What Z3 says: no values satisfy the formula, some do (``model``), or it does not know.
 
-    ``model`` gives each generator a SymPy number.
+    ``model`` gives each generator a SymPy number, ``reason`` why nothing is known.
     """
 
     satisfiable: Literal["no", "yes", "unknown"]
     model: Mapping[str, sp.Expr] | None = None
+    reason: str = ""
 
 
-UNKNOWN = Reply("unknown")
+UNKNOWN = Reply("unknown", None, "too large")
 
 
 @dataclass(frozen=True)
@@ -275,7 +276,7 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
     if answer == z3.unsat:
         return Reply("no")
     if answer != z3.sat:
-        return UNKNOWN
+        return Reply("unknown", None, solver.reason_unknown())
     model = solver.model()
     values = {
         name: _exact(model.eval(number, model_completion=True))

@@ -1,0 +1,180 @@
+"""The oracle: what is proved holds, what is refuted fails at a point, and the rest is undecided."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import pytest
+import sympy as sp
+
+from restitution.oracle import (
+    All,
+    Oracle,
+    Point,
+    Program,
+    Relation,
+    Some,
+    compared,
+    holds_at,
+    negation,
+)
+from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180, Role
+
+ROLES = {
+    **dict.fromkeys(("m", "u", "k", "v"), POSITIVE),
+    "e": COEFFICIENT,
+    "alpha": ACUTE,
+    "beta": ACUTE,
+    "phi": TO_180,
+    "x": REAL,
+    "y": REAL,
+}
+m, u, k, v, alpha, beta = (ROLES[n].symbol(n) for n in ("m", "u", "k", "v", "alpha", "beta"))
+e, phi, x, y = (ROLES[n].symbol(n) for n in ("e", "phi", "x", "y"))
+SPEED = (1 + e) * u / (1 + k)
+AFTER_WALL = u * sp.sqrt(sp.cos(alpha) ** 2 + e**2 * sp.sin(alpha) ** 2)
+
+TRUE = {
+    "the struck sphere is slower than 2u": compared(SPEED, "<", 2 * u),
+    "a wall speeds nothing up": compared(AFTER_WALL, "<=", u),
+    "a wall leaves e of a speed": compared(AFTER_WALL, ">=", e * u),
+    "what is parallel to a wall is left": compared(AFTER_WALL, ">=", u * sp.cos(alpha)),
+    "the path is flatter after a wall": compared(sp.atan(e * sp.tan(alpha)), "<=", alpha),
+    "a deflection is less than 180°": compared(alpha + sp.atan(e * sp.tan(alpha)), "<", sp.pi),
+    "two squares": compared(x**2 + y**2, ">=", 2 * x * y),
+    "one of them is not negative": Some((Relation(x, ">="), Relation(-x, ">="))),
+    "sines of a sum": compared(sp.sin(alpha + beta), "<=", sp.sin(alpha) + sp.sin(beta)),
+    "half an angle": compared(sp.cos(alpha) + 1, "=", 2 * sp.cos(alpha / 2) ** 2),
+    "three times an angle": compared(
+        sp.sin(3 * alpha), "=", 3 * sp.sin(alpha) - 4 * sp.sin(alpha) ** 3
+    ),
+    "a wide angle": compared(sp.sin(phi), ">=", 0),
+    "roots in roots": compared(sp.sqrt(3 + 2 * sp.sqrt(2)), "=", 1 + sp.sqrt(2)),
+    "37 degrees": compared(sp.sin(37 * sp.pi / 180), "<", sp.Rational(602, 1000)),
+    "bars": compared(sp.Abs(x + y), "<=", sp.Abs(x) + sp.Abs(y)),
+    "the greater of two": compared(sp.Max(u, v), ">=", u),
+    "an angle beside its sine": compared(sp.sin(alpha), "<", alpha + sp.Rational(1, 10)),
+}
+
+
+@pytest.mark.parametrize("claim", TRUE.values(), ids=TRUE.keys())
+def test_true_claims_are_proved_and_their_contraries_refuted(claim: Any) -> None:
+    oracle = Oracle(ROLES)
+    assert oracle.decide(claim).answer == "proved"
+    contrary = oracle.decide(negation(claim))
+    assert contrary.answer == "refuted"
+    if contrary.witness is not None and contrary.proof == "witness":
+        assert holds_at(claim, contrary.witness) is True
+
+
+@pytest.mark.parametrize("size", [Fraction(10) ** n for n in (-12, -3, 0, 3, 12)])
+@pytest.mark.parametrize("share", [Fraction(1, 10**9), Fraction(1, 10**30)])
+def test_a_bound_moved_by_a_hair_turns_the_verdict(size: Fraction, share: Fraction) -> None:
+    unit = sp.Rational(size.numerator, size.denominator)
+    hair = sp.Rational(share.numerator, share.denominator)
+    speed = SPEED * unit
+    oracle = Oracle(ROLES)
+    assert oracle.decide(compared(speed, "<", 2 * u * unit)).answer == "proved"
+    below = oracle.decide(compared(speed, "<", 2 * u * unit * (1 - hair)))
+    assert below.answer == "refuted"
+    assert below.witness is not None
+    assert _speed(below.witness) >= 2 * Fraction(below.witness["u"]) * (1 - share)
+
+
+def _speed(point: Point) -> Fraction:
+    e_, u_, k_ = (Fraction(point[name]) for name in "euk")
+    return (1 + e_) * u_ / (1 + k_)
+
+
+def test_facts_that_nothing_satisfies() -> None:
+    assert Oracle(ROLES, (compared(u, ">", 3), compared(u, "<", 3))).possible.answer == "refuted"
+    pinned = Oracle(ROLES, (compared(u, ">=", 3), compared(u, "<=", 3)))
+    assert pinned.possible.witness == {"u": 3}
+    assert pinned.decide(compared(u, "=", 3)).answer == "proved"
+
+
+def test_an_end_that_alone_is_possible() -> None:
+    first, second = sp.symbols("e_1 e_2", nonnegative=True)
+    roles = {"e_1": COEFFICIENT, "e_2": COEFFICIENT}
+    oracle = Oracle(roles, (compared(first * second, "=", 1),))
+    assert (
+        oracle.decide(All((compared(first, "=", 1), compared(second, "=", 1)))).answer == "proved"
+    )
+
+
+def test_for_every_value_there_is_another() -> None:
+    oracle = Oracle(ROLES, (compared(u, ">=", 25), compared(u, "<=", 50)))
+    claim = All((compared((1 + e) * u, "=", 50),))
+    assert oracle.decide_some(claim, frozenset({"e"})).answer == "proved"
+    wider = Oracle(ROLES, (compared(u, ">=", 24), compared(u, "<=", 50)))
+    assert wider.decide_some(claim, frozenset({"e"})).answer != "proved"
+
+
+def test_what_is_neither_proved_nor_refuted() -> None:
+    verdict = Oracle(ROLES).decide(compared(sp.sin(alpha), "<", alpha))
+    assert verdict.answer == verdict.proof == "undecided"
+    assert verdict.trials > 0
+
+
+def test_points_of_a_verdict_are_allowed() -> None:
+    roles = {"k": Role("positive", sp.Integer(2), sp.Integer(3), (False, True)), "e": COEFFICIENT}
+    verdict = Oracle(roles).decide(compared(k * e, "<", sp.Rational(5, 2)))
+    assert verdict.witness is not None
+    assert 2 < verdict.witness["k"] <= 3
+    assert 0 <= verdict.witness["e"] <= 1
+
+
+def _random_expression(rng: random.Random, depth: int) -> sp.Expr:
+    if depth == 0:
+        return rng.choice([u, k, e, alpha, sp.Rational(rng.randint(-9, 9), rng.randint(1, 9))])
+    left, right = (_random_expression(rng, depth - 1) for _ in range(2))
+    match rng.randrange(6):
+        case 0:
+            return left + right
+        case 1:
+            return left * right
+        case 2:
+            return left - right
+        case 3:
+            return sp.sqrt(left**2 + 1)
+        case 4:
+            return sp.cos(left) * right
+        case _:
+            return left / (right**2 + 1)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_signs_at_a_point_are_those_of_another_arithmetic(seed: int) -> None:
+    rng = random.Random(seed)
+    expression = _random_expression(rng, 4)
+    point: dict[str, Any] = {
+        name: Fraction(rng.randint(1, 10**6), rng.randint(1, 10**6)) for name in ("u", "k", "alpha")
+    }
+    point["e"] = Fraction(rng.randint(0, 10), 10)
+    (sign,) = Program.of([expression]).signs(point)
+    with mpmath.workdps(60):
+        put = {
+            ROLES[n].symbol(n): sp.Rational(q.numerator, q.denominator) for n, q in point.items()
+        }
+        value = sp.N(expression.xreplace(put), 60)
+    assert sign is not None or value == 0
+    if sign is not None:
+        assert sign == (0 if abs(value) < sp.Float("1e-50") else sp.sign(value))
+
+
+def test_a_statement_in_plain_numbers_loads_no_decision_procedure() -> None:
+    folder = Path(__file__).parent.parent / "src" / "restitution" / "examples"
+    code = (
+        "import sys, restitution as r\n"
+        "for name in ('corner', 'two-spheres-with-vectors', 'which-line-of-centres'):\n"
+        f"    r.explain(r.solve(r.read({str(folder)!r} + f'/{{name}}.impact')))\n"
+        "print('z3' in sys.modules)\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100)
+    assert ran.stdout.split() == ["False"], ran.stderr
