@@ -225,7 +225,9 @@ class World:
         gap = plus(origin, start, -1)
         time = cross(gap, along) / across
         share = cross(gap, v) / across
-        return bool(time > 0 and (wall.start is None or 0 < share < 1))
+        # An end is met for certain where only rounding sets the share apart from it.
+        inside = NONE < share < 1 - NONE
+        return bool(time > 0 and (wall.start is None or inside))
 
     # --- expressions ------------------------------------------------------------------------
 

@@ -106,9 +106,13 @@ class Admission:
         return None
 
     def refusal(self) -> Demand | None:
-        """The first demand that no values of the letters satisfy; None if there is no such."""
+        """The first demand that no values of the letters satisfy; None if there is no such.
+
+        An impossible coefficient is blamed only where nothing else is wrong.
+        """
         alone = Oracle(self.roles, self.assumed)
-        return next((each for each in self.demands if alone.decide(negation(each.formula))), None)
+        by_blame = sorted(self.demands, key=lambda each: each.kind == "coefficient")
+        return next((each for each in by_blame if alone.decide(negation(each.formula))), None)
 
 
 def demands_of(
@@ -118,7 +122,11 @@ def demands_of(
     phrases: Mapping[str, str],
 ) -> list[Demand]:
     """What the role of each letter that was solved for asks of its value."""
-    hidden: list[Demand] = []
+    hidden = [
+        Demand(Relation(radicand, ">="), "it would not be real", "equation")
+        for value in values.values()
+        for radicand in _radicands(value)
+    ]
     plain: list[Demand] = []
     coefficients: list[Demand] = []
     for name, value in values.items():
@@ -135,6 +143,18 @@ def demands_of(
         (coefficients if kind == "coefficient" else plain).append(Demand(formula, reason, kind))
     # An impossible coefficient is blamed only where nothing else is wrong.
     return [*hidden, *plain, *coefficients]
+
+
+def _radicands(value: sp.Expr) -> list[sp.Expr]:
+    """What stands under the square roots of a value, where it has letters."""
+    return sorted(
+        {
+            node.base
+            for node in value.atoms(sp.Pow)
+            if node.exp.is_Rational and node.exp.q % 2 == 0 and node.base.free_symbols
+        },
+        key=sp.default_sort_key,
+    )
 
 
 def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -> Iterable[Formula]:
