@@ -370,10 +370,7 @@ def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     return False
 
 
-UNDECIDED = (
-    "this is not decided. It failed at none of the values of the letters that were tried, "
-    "but that proves nothing."
-)
+UNDECIDED = "It fails at none of the values of the letters that were tried, but that proves nothing."
 
 # --- shows ---------------------------------------------------------------------------------------
 
@@ -383,7 +380,10 @@ def _show(work: Working, item: Show, result: ItemResult, now: int) -> None:
         _refute(work, item, result, now)
         return
     if result.undecided:
-        work.write("note", words=(f"{result.text}: {UNDECIDED}",))
+        from restitution.explain.refuting import claim_of
+
+        claim = claim_of(item) or f"“{result.text}”"
+        work.write("note", words=("It is not decided whether ", claim, f". {UNDECIDED}"))
         return
     if item.subject is not None:
         from restitution.explain.bounds import explain_shown_bound

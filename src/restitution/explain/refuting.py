@@ -59,6 +59,14 @@ def _no_bound(item: Show, relation: Compare) -> Words:
     return ("The range of possible values is not ", claim, ".")
 
 
+def claim_of(item: Show) -> Layout | None:
+    """A claim as mathematics, or None where it is no comparison of quantities."""
+    relation: Relation = item.relation
+    if isinstance(relation, Compare) and item.subject is None and relation.figures is None:
+        return _claim(relation)
+    return None
+
+
 def _claim(relation: Compare) -> Layout:
     operands = tuple(lay.from_tree(each) for each in relation.operands)
     return lay.Relation(operands, tuple(lay.SIGNS.get(op, op) for op in relation.operators))

@@ -7,15 +7,19 @@ from dataclasses import dataclass
 from html import escape as escape_html
 from typing import Any, Literal
 
+from restitution.explain.refuting import instances
 from restitution.problem import Value
 from restitution.render.latex import escape as escape_latex
 from restitution.render.latex import to_latex
-from restitution.render.layout import Layout, display, display_point, display_vector
+from restitution.render.layout import Layout, Phrase, display, display_point, display_vector
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
+from restitution.render.text import to_text
 from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
 
 Format = Literal["text", "markdown", "latex", "html"]
+
+UNDECIDED = "not decided, as neither a proof nor a counter-example is known"
 
 _STYLE = "body { font-family: serif; max-width: 45em; margin: 2em auto; padding: 0 1em }"
 
@@ -66,24 +70,34 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
         yield f"no answer: {item.error.message}"
     elif item.holds is not None:
         yield "shown" if item.holds else "not true"
-        if item.counterexample:
-            values = ", ".join(f"{name} = {value}" for name, value in item.counterexample.items())
-            yield f", for instance with {values}"
+        for number, each in enumerate(instances(item.counterexample or {})):
+            yield ", " if number else ", for instance with "
+            yield _Said(each, to_text(each))
         if item.answers:
             yield ": "
     elif item.undecided:
-        yield "not decided"
+        yield UNDECIDED
     for number, answer in enumerate(item.distinct):
         if number:
             yield "  or  "
-        yield _answer(item, answer)
+        yield from _answer(item, answer)
     for root in item.rejected:
-        yield f"  (rejected: {root.display}, as {root.reason})"
+        yield "  (rejected: "
+        yield from _answer(item, root)
+        yield f", as {root.reason})"
 
 
-def _answer(item: ItemResult, answer: Answer) -> str | _Said:
-    layout = layout_of(item, answer)
-    return answer.display if layout is None else _Said(layout, answer.display)
+def _answer(item: ItemResult, answer: Answer | Rejected) -> Iterator[str | _Said]:
+    layout, condition = layout_of(item, answer), condition_of(answer)
+    if layout is None:
+        yield answer.display
+    elif condition is None:
+        yield _Said(layout, answer.display)
+    else:
+        # The words stand outside the mathematics, so that a line may end between them.
+        yield _Said(layout, to_text(layout))
+        yield ", for "
+        yield _Said(condition, to_text(condition))
 
 
 def is_equal(item: ItemResult) -> bool:
@@ -92,10 +106,16 @@ def is_equal(item: ItemResult) -> bool:
 
 
 def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
-    """A value as people write it, or None where only its text says it (what was to be shown)."""
+    """A value as people write it, without its condition.
+
+    None where only its text says it (what was to be shown).
+    """
     value: Any = answer.value
     if isinstance(answer, Answer) and answer.layout is not None:
-        return answer.layout
+        layout = answer.layout
+        if answer.condition_layout is not None and isinstance(layout, Phrase):
+            return layout.items[0]
+        return layout
     match item.kind:
         case "value" if isinstance(item.item, Value):
             return display(value, angle=answer.angle, percentage=item.item.percentage)
@@ -105,6 +125,11 @@ def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
             return display_vector(*value)
         case _:
             return None
+
+
+def condition_of(answer: Answer | Rejected) -> Layout | None:
+    """For which letters an answer holds, as people write it; None where it is for all."""
+    return answer.condition_layout if isinstance(answer, Answer) else None
 
 
 def _text(title: str | None, lines: list[_Line]) -> str:

@@ -19,7 +19,7 @@ from restitution.explain.html import said, table_rows
 from restitution.explain.principles import about
 from restitution.explain.refuting import instances
 from restitution.explain.steps import Explanation, Row, Step
-from restitution.export.answers import is_equal, layout_of
+from restitution.export.answers import condition_of, is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
 from restitution.export.tree import Tree, tree, trees
@@ -246,8 +246,15 @@ def _answers(part: PartSolution, names: _Names) -> list[Object]:
 
 
 def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
-    layout = layout_of(item, answer)
-    return answer.display if layout is None else tree(to_mathml(layout))
+    layout, condition = layout_of(item, answer), condition_of(answer)
+    if layout is None:
+        return answer.display
+    value = tree(to_mathml(layout))
+    if condition is None:
+        return value
+    # The words stand outside the mathematics, so that a line may end between them.
+    said = ["span", {"class": "condition"}, " for ", tree(to_mathml(condition))]
+    return ["span", {}, value, ",", said]
 
 
 def _step(step: Step) -> Object:

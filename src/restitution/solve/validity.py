@@ -88,7 +88,7 @@ def with_condition(answer: Answer, plain: Layout, limits: Sequence[Limitation]) 
     """An answer with the condition under which it holds."""
     if not limits:
         return answer
-    condition = Phrase(tuple(each.layout for each in limits), ", ")
+    condition = _listed([each.layout for each in limits])
     layout = Phrase((plain, Phrase((Words("for"), condition))), ", ")
     return replace(
         answer,
@@ -97,6 +97,15 @@ def with_condition(answer: Answer, plain: Layout, limits: Sequence[Limitation]) 
         condition=tuple(each.text for each in limits),
         condition_layout=condition,
     )
+
+
+def _listed(conditions: Sequence[Layout]) -> Layout:
+    """Conditions that all have to hold: ``u > v, k ≥ 1 and m ≤ M``."""
+    *others, last = conditions
+    if not others:
+        return last
+    split = any(isinstance(each, Phrase) for each in conditions)
+    return Phrase((Phrase(tuple(others), ", "), last), ", and " if split else " and ")
 
 
 def presupposed(outcome: Outcome) -> tuple[Formula, ...]:

@@ -83,9 +83,10 @@ const SENTENCES = new Set(["range", "extremum"]);
 // What is said aloud of a reply.
 export function spoken({ answer }) {
   const items = answer.parts.flatMap(({ items: each }) => each);
-  const said = items.map(({ text, kind, answers, holds, error }) => {
+  const said = items.map(({ text, kind, answers, holds, proof, error }) => {
     if (error) return `${text}: no answer, ${error.message}`;
     if (holds !== null) return `${text}: ${holds ? "shown" : "not true"}`;
+    if (kind === "show" && proof === "undecided") return `${text}: not decided`;
     const sign = SENTENCES.has(kind) ? ":" : " =";
     return `${text}${sign} ${[...new Set(answers.map(({ display }) => display))].join(" or ")}`;
   });
