@@ -97,7 +97,8 @@ def _answer(item: ItemResult, answer: Answer | Rejected) -> Iterator[str | _Said
         # The words stand outside the mathematics, so that a line may end between them.
         yield _Said(layout, to_text(layout))
         yield ", for "
-        yield _Said(condition, to_text(condition))
+        for each in condition:
+            yield each if isinstance(each, str) else _Said(each, to_text(each))
 
 
 def is_equal(item: ItemResult) -> bool:
@@ -127,9 +128,24 @@ def layout_of(item: ItemResult, answer: Answer | Rejected) -> Layout | None:
             return None
 
 
-def condition_of(answer: Answer | Rejected) -> Layout | None:
-    """For which letters an answer holds, as people write it; None where it is for all."""
-    return answer.condition_layout if isinstance(answer, Answer) else None
+def condition_of(answer: Answer | Rejected) -> tuple[str | Layout, ...] | None:
+    """For which letters an answer holds: relations with the words between them.
+
+    None where it holds for all.
+    """
+    if isinstance(answer, Rejected) or answer.condition_layout is None:
+        return None
+    return tuple(_apart(answer.condition_layout))
+
+
+def _apart(layout: Layout) -> Iterator[str | Layout]:
+    if not isinstance(layout, Phrase):
+        yield layout
+        return
+    for number, each in enumerate(layout.items):
+        if number:
+            yield layout.separator
+        yield from _apart(each)
 
 
 def _text(title: str | None, lines: list[_Line]) -> str:

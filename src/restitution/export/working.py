@@ -253,8 +253,8 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
     if condition is None:
         return value
     # The words stand outside the mathematics, so that a line may end between them.
-    said = ["span", {"class": "condition"}, " for ", tree(to_mathml(condition))]
-    return ["span", {}, value, ",", said]
+    said = (each if isinstance(each, str) else tree(to_mathml(each)) for each in condition)
+    return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *said]]
 
 
 def _step(step: Step) -> Object:
