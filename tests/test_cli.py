@@ -85,6 +85,62 @@ def test_a_refuted_show_is_an_answer():
     assert json.loads(out)["parts"][0]["items"][0]["holds"] is False
 
 
+UNDECIDED = (
+    "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow sin(alpha) < alpha\n"
+)
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "latex", "html"])
+@pytest.mark.parametrize("answers_only", [True, False])
+def test_an_undecided_show_is_answered_with_a_warning(form, answers_only):
+    options = ["--answers-only"] * answers_only
+    status, out, err = run("solve", "-", "-f", form, *options, stdin=UNDECIDED.encode())
+    assert status == 0
+    assert "warning: sin(alpha) < alpha: this is not decided" in err
+    assert "not decided" in out
+    assert "A1*" not in out
+    assert "hown" not in out
+
+
+def test_an_undecided_show_in_json():
+    status, out, err = run("solve", "-", "-f", "json", stdin=UNDECIDED.encode())
+    content = json.loads(out)
+    (item,) = content["parts"][0]["items"]
+    assert (status, err) == (0, "")
+    assert (item["holds"], item["proof"]) == (None, "undecided")
+    assert "not decided" in content["warnings"][0]
+
+
+CONDITIONAL = (
+    "wall W: along i\nsphere P: mass 1, velocity a i - 4j\nP hits W\n"
+    "given speed(P) = 5\nfind e\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("form", "said"),
+    [
+        ("text", "e = √(25 − a²)/4, for −5 ≤ a ≤ −3 or 3 ≤ a ≤ 5"),
+        ("markdown", r"$\frac{\sqrt{25 - a^{2}}}{4}$, for $-5 \leq a \leq -3$ or $3 \leq a"),
+        ("latex", r"$\frac{\sqrt{25 - a^{2}}}{4}$, for $-5 \leq a \leq -3$ or $3 \leq a"),
+        ("html", "</math>, for <math>"),
+    ],
+)
+def test_an_answer_with_its_condition(form, said):
+    """The words are outside the mathematics: lines end between them, and readers hear them."""
+    _, out, _ = run("solve", "-", "-f", form, "--answers-only", stdin=CONDITIONAL.encode())
+    assert said in out
+    _, out, _ = run("solve", "-", "-f", form, stdin=CONDITIONAL.encode())
+    assert "This holds for" in out
+
+
+def test_numbers_that_refute_are_written_as_people_do():
+    text = UNDECIDED.replace("sin(alpha) < alpha", "speed(P) = u")
+    _, out, _ = run("solve", "-", "--answers-only", stdin=text.encode())
+    assert re.search("not true, for instance with α = [0-9]+°, e = ", out)
+    assert "alpha" not in out
+
+
 def test_one_bad_file_does_not_stop_the_rest(folder):
     status, out, err = run(
         "solve", "bad.impact", "gone.impact", "good.impact", "--answers-only", cwd=folder

@@ -15,6 +15,8 @@ from restitution.export import contract
 
 KINDS = {"value", "vector", "point", "direction", "range", "extremum", "show"}
 ERRORS = {"syntax", "missing", "contradiction", "impossible", "unsupported", "time limit"}
+PROOFS = {None, "algebra", "decision", "intervals", "witness", "undecided"}
+BOUNDS = ("range", "maximum", "minimum")
 CALLED = {"sqrt", "sin", "cos", "tan", "atan", "asin", "acos", "Abs", "pi", "oo", "Interval",
           "Union", "FiniteSet", "Lopen", "Ropen", "open", "EmptySet", "E", "Min", "Max",
           "cot", "sec", "csc",
@@ -73,6 +75,15 @@ def check_decimal(answer, kind):
         assert any(read_back(text).free_symbols for text in texts), exact
 
 
+def check_condition(condition):
+    """Relations, or chains of them, between texts that SymPy reads; several joined by "or"."""
+    for each in condition:
+        for chain in each.split(" or "):
+            sides = re.split(" (?:<=?|>=?|=|!=) ", chain)
+            assert len(sides) > 1
+            assert all(isinstance(read_back(side), sympy.Expr) for side in sides)
+
+
 @pytest.mark.parametrize("name", examples.names())
 def test_object_of_every_example(name):
     content = content_of(examples.text(name), file=name)
@@ -85,16 +96,26 @@ def test_object_of_every_example(name):
         assert list(part) == ["part", "items"]
         for item in part["items"]:
             assert list(item) == [
-                "line", "text", "kind", "answers", "holds", "counterexample", "rejected", "error"
+                "line", "text", "kind", "answers", "holds", "proof", "trials", "counterexample",
+                "rejected", "error",
             ]  # fmt: skip
             assert item["kind"] in KINDS
             assert "".join(item["text"].split()) in "".join(lines[item["line"] - 1 :]).replace(
                 " ", ""
             )
             check_error(item["error"])
-            assert (item["holds"] is None) == (item["kind"] != "show" or bool(item["error"]))
+            assert (item["holds"] is None) == (
+                item["kind"] != "show" or bool(item["error"]) or item["proof"] == "undecided"
+            )
+            assert item["proof"] in PROOFS
+            if item["kind"] == "show" and not item["text"].startswith(BOUNDS):
+                assert (item["proof"] is None) == bool(item["error"])
+            assert item["trials"] >= 0
             for answer in item["answers"]:
-                assert list(answer) == ["solution", "exact", "decimal", "display", "where"]
+                assert list(answer) == [
+                    "solution", "exact", "decimal", "display", "where", "condition"
+                ]  # fmt: skip
+                check_condition(answer["condition"])
                 assert answer["solution"] >= 1
                 assert answer["display"]
                 check_exact(answer["exact"], item["kind"])
@@ -151,6 +172,89 @@ def test_refuted_show_is_answered():
     assert item["holds"] is False
     assert item["counterexample"]
     assert contract.all_answered(content)
+
+
+NORMAL = "wall W: along i\nsphere P: mass 1, velocity -u j\nP hits W\n"
+ALONG = "velocity a i - 4j\nP hits W\n"
+TWO = """\
+sphere P: mass m, velocity u i
+sphere Q: mass k m, velocity -u i
+P hits Q: along i, e = 1/2
+given speed(P) = v
+"""
+OPPOSED = """\
+sphere A: mass m, velocity u i
+sphere B: mass M, at rest
+A hits B: along i
+given velocity(A) = a i, velocity(B) = b i
+find e
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "exact", "condition", "display"),
+    [
+        (
+            NORMAL + "given impulse = 50\nfind e\n",
+            "(50 - u)/u",
+            ["25 <= u <= 50"],
+            "(50 − u)/u, for 25 ≤ u ≤ 50",
+        ),
+        (
+            "wall W: along i\nsphere P: " + ALONG + "given speed(P) = 5\nfind e\n",
+            "sqrt(25 - a**2)/4",
+            ["-5 <= a <= -3 or 3 <= a <= 5"],
+            "√(25 − a²)/4, for −5 ≤ a ≤ −3 or 3 ≤ a ≤ 5",
+        ),
+        (
+            OPPOSED,
+            "(-a + b)/u",
+            ["-a + b >= 0", "-a + u > 0", "a - b + u >= 0"],
+            "(b − a)/u, for b − a ≥ 0, u − a > 0 and a − b + u ≥ 0",
+        ),
+        (NORMAL + "given impulse = u\nfind e\n", "0", [], "0"),
+    ],
+)
+def test_condition_of_an_answer(text, exact, condition, display):
+    (item,) = content_of(text)["parts"][0]["items"]
+    (answer,) = item["answers"]
+    assert answer["exact"] == exact
+    assert answer["condition"] == condition
+    assert answer["display"] == display
+    check_condition(answer["condition"])
+
+
+def test_each_solution_has_its_own_value_and_condition():
+    k, speed = content_of(TWO + "find k, speed(P)\n")["parts"][0]["items"]
+    assert [answer["condition"] for answer in k["answers"]] == [["v/2 < u"], ["v < u"]]
+    assert [answer["solution"] for answer in speed["answers"]] == [1, 2]
+    assert [answer["exact"] for answer in speed["answers"]] == ["v", "v"]
+    assert [answer["condition"] for answer in speed["answers"]] == [["v/2 < u"], ["v < u"]]
+
+
+def test_undecided_show_is_answered():
+    content = content_of(NORMAL.replace("-u j", "u at alpha to W") + "show sin(alpha) < alpha\n")
+    (item,) = content["parts"][0]["items"]
+    assert (item["holds"], item["proof"], item["counterexample"]) == (None, "undecided", None)
+    assert item["trials"] > 0
+    assert item["error"] is None
+    assert any("not decided" in warning for warning in content["warnings"])
+    assert contract.all_answered(content)
+
+
+@pytest.mark.parametrize(
+    ("claim", "holds", "proof"),
+    [
+        ("speed(P)^2 = u^2 (cos^2(alpha) + e^2 sin^2(alpha))", True, "algebra"),
+        ("speed(P) <= u", True, "decision"),
+        ("speed(P) < 51", False, "witness"),
+    ],
+)
+def test_what_a_verdict_rests_on(claim, holds, proof):
+    text = NORMAL.replace("-u j", "u at alpha to W")
+    (item,) = content_of(text + f"show {claim}\n")["parts"][0]["items"]
+    assert (item["holds"], item["proof"]) == (holds, proof)
+    assert (item["counterexample"] is not None) == (not holds)
 
 
 def test_unreadable():

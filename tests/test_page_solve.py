@@ -256,6 +256,26 @@ def test_numbers_that_refute_are_mathematics(open_):
     assert "alpha" not in answers(page)
 
 
+def test_what_is_not_decided_is_said(open_):
+    page = open_(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow sin(alpha) < alpha\n"
+    )
+    assert "?Notdecided" in answers(page)
+    assert "hown" not in page.locator("#answers").inner_text()
+    assert "sin(alpha) < alpha: not decided" in page.locator("body").text_content()
+    accessible(page)
+
+
+def test_an_answer_with_its_condition(open_):
+    page = open_(
+        "wall W: along i\nsphere P: velocity a i - 4j\nP hits W\ngiven speed(P) = 5\nfind e\n"
+    )
+    assert ",for−5≤a≤−3or3≤a≤5" in answers(page)
+    assert page.locator("#answers .condition math").count() == 2
+    assert "for −5 ≤ a ≤ −3 or 3 ≤ a ≤ 5" in page.locator("body").text_content()
+    accessible(page)
+
+
 def test_what_is_missing_is_said(open_):
     page = open_("wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind impulse\n")
     assert "Noanswer:" in answers(page)
