@@ -63,7 +63,7 @@ _SOLVE = """Solve questions and write down the working.
 
 A file that cannot be read does not stop the others. Exit status: 0; 1 if an
 item has no answer; 2 if a file could not be read. A "show" that is refuted
-is answered.
+is answered; so is one that is not decided, with a warning.
 """
 
 _DRAW = """Draw the impacts of a question to scale.
