@@ -112,8 +112,7 @@ def test_an_undecided_show_in_json():
 
 
 CONDITIONAL = (
-    "wall W: along i\nsphere P: mass 1, velocity a i - 4j\nP hits W\n"
-    "given speed(P) = 5\nfind e\n"
+    "wall W: along i\nsphere P: mass 1, velocity a i - 4j\nP hits W\ngiven speed(P) = 5\nfind e\n"
 )
 
 

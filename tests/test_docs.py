@@ -10,8 +10,8 @@ from textwrap import dedent
 import pytest
 
 import restitution
-from restitution.expression import limits
 from restitution.export.answers import answers
+from restitution.expression import limits
 from restitution.expression.tree import QUANTITIES
 
 ROOT = Path(__file__).parents[1]

@@ -370,7 +370,9 @@ def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     return False
 
 
-UNDECIDED = "It fails at none of the values of the letters that were tried, but that proves nothing."
+UNDECIDED = (
+    "It fails at none of the values of the letters that were tried, but that proves nothing."
+)
 
 # --- shows ---------------------------------------------------------------------------------------
 
