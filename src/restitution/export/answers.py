@@ -21,7 +21,10 @@ Format = Literal["text", "markdown", "latex", "html"]
 
 UNDECIDED = "not decided, as neither a proof nor a counter-example is known"
 
-_STYLE = "body { font-family: serif; max-width: 45em; margin: 2em auto; padding: 0 1em }"
+_STYLE = """\
+body { font-family: serif; line-height: 1.5; max-width: 45em; margin: 2em auto; padding: 0 1em }
+li { margin: .5em 0 }
+"""
 
 
 @dataclass(frozen=True)
