@@ -23,11 +23,12 @@ class Fact:
     relation: Relation
 
 
-def named(setting: Setting, error: ContradictionError) -> ContradictionError:
+def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     """The error with the facts that clash, in the statement's own words and by their lines.
 
-    The error itself where the story is impossible without any of them, or where there are too many
-    facts to leave each of them out in turn.
+    The error itself where the story is impossible without any of them, where one of them alone has
+    a physical reason to be impossible, or where there are too many facts to leave each of them out
+    in turn.
     """
     facts = [Fact(given, each) for given, _ in setting.facts for each in given.relations]
     if not facts or len(facts) > MOST_FACTS or _possible(setting, []) is not True:
@@ -37,6 +38,9 @@ def named(setting: Setting, error: ContradictionError) -> ContradictionError:
         rest = [each for each in core if each is not fact]
         if _possible(setting, rest) is False:
             core = rest
+    physical = isinstance(error, ImpossibleError)
+    if physical and len(core) == 1:
+        return error
     words = [_words(setting.problem, each) for each in core]
     place = core[-1].given.place
     line = None if place is None else place.line
@@ -45,7 +49,7 @@ def named(setting: Setting, error: ContradictionError) -> ContradictionError:
     else:
         text = f"the facts clash: {', '.join(words[:-1])} and {words[-1]} cannot all be"
         text = text.replace("cannot all", "cannot both") if len(words) == 2 else text
-    return ContradictionError(text, line)
+    return ContradictionError(f"{text}: {error.message}" if physical else text, line)
 
 
 def _words(problem: Problem, fact: Fact) -> str:

@@ -81,6 +81,7 @@ def find_range(
     if isinstance(tree, Letter) and tree.name not in base.lets:
         values, region = _range_of_letter(desk, tree.name, in_terms_of, base)
         angle = base.roles[tree.name].kind == "angle"
+        proof = "algebra"  # the facts alone fix it
         if region is not None:
             limits, proof = range_limitations(region.outcome, region, values), region.proof
     else:

@@ -266,4 +266,7 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
 
 def _compared(step: Show, line: int | None, found: ItemResult, ok: bool) -> ItemResult:
     """A claim beside what was found: where it is false, the truth is its answer."""
-    return ItemResult(step, line, step.text, "show", () if ok else found.answers, holds=ok)
+    if found.proof == "undecided":
+        return ItemResult(step, line, step.text, "show", proof="undecided")
+    true = () if ok else found.answers
+    return ItemResult(step, line, step.text, "show", true, holds=ok, proof=found.proof)

@@ -90,7 +90,7 @@ class ItemResult:
         """
         first: dict[Any, Answer] = {}
         for answer in self.answers:
-            first.setdefault(answer.exact, answer)
+            first.setdefault((answer.exact, answer.condition), answer)
         return tuple(first.values())
 
     @property

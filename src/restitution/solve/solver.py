@@ -164,7 +164,7 @@ class _Worker:
     # By the identity of the trials that they are made from, which settings may share.
     branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
     limits: dict[int, tuple[Limitation, ...]] = field(default_factory=dict)
-    clashes: dict[Any, ContradictionError] = field(default_factory=dict)
+    clashes: dict[Any, RestitutionError] = field(default_factory=dict)
 
     @property
     def problem(self) -> Problem:
@@ -257,11 +257,11 @@ class _Worker:
             branches = self.branches[key]
             if isinstance(branches, RestitutionError):
                 raise branches
-        except ContradictionError as error:
+        except (ContradictionError, ImpossibleError) as error:
             raise self._clash(setting, error) from error
         return outcome, branches
 
-    def _clash(self, setting: Setting, error: ContradictionError) -> ContradictionError:
+    def _clash(self, setting: Setting, error: RestitutionError) -> RestitutionError:
         """The facts that clash; sought once for the same facts."""
         key = (error.message, tuple(id(given) for given, _ in setting.facts))
         if key not in self.clashes:
