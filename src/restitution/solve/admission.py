@@ -25,7 +25,7 @@ from restitution.oracle import (
     negation,
     relations,
 )
-from restitution.oracle.roles import Role
+from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.numbers import UndefinedError
 
@@ -127,6 +127,12 @@ def demands_of(
         for value in values.values()
         for radicand in _radicands(value)
     ]
+    hidden += [
+        Demand(Relation(below, "!="), "it would not be real", "equation")
+        for value in values.values()
+        for below in [sp.fraction(sp.together(value))[1]]
+        if below.free_symbols
+    ]
     plain: list[Demand] = []
     coefficients: list[Demand] = []
     for name, value in values.items():
@@ -138,9 +144,15 @@ def demands_of(
                 reason = f"{phrases.get(name, name)} would be negative"
                 hidden.append(Demand(Relation(value, ">"), reason, "sign"))
             continue
+        if role.kind == "restitution":
+            coefficients.append(
+                Demand(joined(_within(value, None, COEFFICIENT)), COEFFICIENT_RULE, "coefficient")
+            )
+            if role == COEFFICIENT:
+                continue
         formula = joined(_within(value, angles.get(name), role))
         reason, kind = _outside(name, role)
-        (coefficients if kind == "coefficient" else plain).append(Demand(formula, reason, kind))
+        plain.append(Demand(formula, reason, kind))
     # An impossible coefficient is blamed only where nothing else is wrong.
     return [*hidden, *plain, *coefficients]
 
@@ -172,7 +184,7 @@ def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -
 def _outside(name: str, role: Role) -> tuple[str, str]:
     """Why a letter may not have a value outside its range."""
     if role.kind == "restitution":
-        return COEFFICIENT_RULE, "coefficient"
+        return "a given inequality does not hold", "fact"
     if role.kind == "angle":
         ends = [
             f"{float(x) * 180 / float(sp.pi):.4g}°" for x in (role.low, role.high) if x is not None

@@ -477,7 +477,9 @@ def out_of_range(name: str, value: Any, role: Role | None) -> tuple[str, str] | 
     if not below and not above:
         return None
     if role.kind == "restitution":
-        return "a coefficient of restitution lies in [0, 1]", "coefficient"
+        if -TINY <= value <= 1 + TINY:
+            return "a given inequality does not hold", "fact"
+        return COEFFICIENT_RULE, "coefficient"
     if role.kind == "angle":
         ends = [f"{float(x) * 180 / 3.141592653589793:.4g}°" for x in (low, high) if x is not None]
         return f"the angle must lie between {' and '.join(ends)}", "range"
