@@ -29,7 +29,7 @@ from restitution.solve import forms
 from restitution.solve.admission import Demand, demands_for
 from restitution.solve.part import Outcome, Trial
 from restitution.solve.polynomials import factors
-from restitution.solve.regions import Region, to_set
+from restitution.solve.regions import Region, inside_of, to_set
 from restitution.solve.solution import Answer
 
 MOST_LETTERS = 4
@@ -190,7 +190,14 @@ def _region(
         return None
     if not pieces or region.proof == "undecided":
         return None
-    return to_set(pieces)
+    if len(pieces) > 1:
+        # Values that the statement itself excludes need not be told apart.
+        pieces = [
+            piece
+            for piece in pieces
+            if base.with_facts([inside_of(region.symbol, [piece])]).possible.answer != "refuted"
+        ]
+    return to_set(pieces) if pieces else None
 
 
 def _bounds(base: Oracle, name: str, values: sp.Set) -> Limitation:
