@@ -435,8 +435,9 @@ def test_processes_are_killed_replaced_and_freed(monkeypatch, tmp_path):
                 await work.run(patient, 60, limit=0.3)
             with pytest.raises(LostError):
                 await work.run(deadly, limit=20)
-            with pytest.raises(LostError, match="nobody has foreseen this"):
+            with pytest.raises(LostError, match="a fault of the program") as lost:
                 await work.run(failing, limit=20)
+            assert "nobody has foreseen this" in lost.value.details
             tired = await work.run(tiring, limit=20)
             fresh = await work.run(whose, limit=20)
             assert fresh.content != tired.content
