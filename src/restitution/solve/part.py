@@ -46,6 +46,7 @@ from restitution.solve.admission import (
 )
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition, Equation
+from restitution.solve.contacts import ends_at_a_point, rests_on
 from restitution.solve.facts import givens, requirements
 from restitution.solve.letters import (
     narrowed_by,
@@ -63,6 +64,7 @@ from restitution.solve.numbers import (
     sample,
     sign_at,
 )
+from restitution.solve.stages import solve_in_stages
 from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
@@ -89,6 +91,7 @@ class Letters:
     ground: Oracle | None = None
     assumed: list[Formula] = field(default_factory=list)
     undecided: list[sp.Expr] = field(default_factory=list)
+    sought: frozenset[str] | None = None  # letters on which places of contact are not to rest
 
     def letter(self, name: str) -> Value:
         if name in self.angles:
@@ -115,6 +118,12 @@ class Letters:
     def certain(self) -> bool:
         """Whether all signs that a telling rests on are proved."""
         return not self.undecided and not self.assumed
+
+    def seeks_contact(self, number: int, values: Iterable[sp.Expr]) -> bool:
+        """Whether the place of an event is an unknown of its own; once found, it is known."""
+        if f"_c_{number}x" in self.values:
+            return True
+        return self.sought is not None and rests_on(values, self.sought)
 
     def sign(self, x: sp.Expr, given: Sequence[Condition | AnyOf] = ()) -> int | None:
         """The sign of an expression where conditions hold; None where it depends on the letters.
@@ -216,6 +225,13 @@ class Setting:
     def unknown(self) -> frozenset[str]:
         """The letters that are solved for wherever the equations hold them."""
         return self.extra_unknown | self.asked | self.carried
+
+    @property
+    def sought(self) -> frozenset[str] | None:
+        """The letters on which no place of contact is to rest; None where none is sought."""
+        if not ends_at_a_point(self.problem, self.part):
+            return None
+        return self.unknown or frozenset(self.roles) - self.protected - self.spared
 
     # --- telling ---------------------------------------------------------------------------
 
@@ -733,7 +749,7 @@ def work_out(setting: Setting) -> Outcome:
     decisions: list[Decision] = []
     failed: ImpossibleError | None = None
     for values, angles in _letter_branches(setting):
-        letters_ = Letters(setting.roles, values, angles)
+        letters_ = Letters(setting.roles, values, angles, sought=setting.sought)
         try:
             story = setting.tell(letters_)
         except ImpossibleError as error:
@@ -746,7 +762,7 @@ def work_out(setting: Setting) -> Outcome:
             if isinstance(each, Equation)
         ]
         deciding |= {s.name for each in equations for s in each.free_symbols}
-        for found in _solve_equations(setting, letters_, equations, decisions):
+        for found in _solve_equations(setting, letters_, equations, decisions, story.conditions):
             # Letters replaced by what the facts between letters say are back-substituted.
             combined = _combine(values, angles, found)
             trials.append(setting.try_out(combined, letters_))
@@ -993,6 +1009,7 @@ def _solve_equations(
     letters_: Letters,
     equations: Sequence[sp.Expr],
     decisions: list[Decision],
+    conditions: Sequence[Condition | AnyOf] = (),
 ) -> list[Found]:
     """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
     values = [each for each in equations if each != 0]
@@ -1002,7 +1019,7 @@ def _solve_equations(
         unknowns = _ranked(setting, letters_, values, chosen)
         angles = frozenset(s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle")
         acute = frozenset(s for s in angles if _acute(setting.roles[s.name]))
-        found = solve_system(values, unknowns, angles, acute, known)
+        found = solve_in_stages(values, unknowns, angles, acute, known, conditions)
         leftover = [each for one in found for each in one.leftover]
         if not leftover:
             return found

@@ -13,6 +13,7 @@ from restitution.errors import ImpossibleError
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, line_and_column
 from restitution.problem import Arrival, Impact, Wall
+from restitution.solve import contacts
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.neat import neat
 from restitution.vector import Vector
@@ -227,8 +228,15 @@ def _time_to_circle(
     if story.still(velocity):
         raise ImpossibleError(f"{name} is at rest and does not reach {wall.name}")
     left = story.latest(name, number - 1)
+    where: Vector | None = None
     if story.field.is_zero(excess) or (left is not None and wall.name in left.bodies):
         flight = -2 * ov / vv
+    elif contacts.is_sought(story, number, vv, ov, excess):
+        contact = contacts.with_circle(
+            story, number, name, wall.name, out, reach, inside != 1, velocity
+        )
+        flight, where = contact.flight, centre + contact.centres
+        story.arriving[number, name] = velocity = contact.velocity
     else:
         under = story.rational(ov * ov - vv * excess)
         story.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
@@ -236,7 +244,8 @@ def _time_to_circle(
         flight = (-ov - depth) / vv if inside == 1 else (-ov + depth) / vv
     flight = story.rational(flight)
     _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
-    where = known[0] + velocity * flight
+    if where is None:
+        where = known[0] + velocity * flight
     if story.field.exact:
         where = story.neat(where)
     _nothing_first(story, name, wall, known[0], velocity, flight, number)
@@ -263,13 +272,14 @@ def meeting(
         return None, None
     if one is None or other is None:
         return _meeting_half_known(story, number, step, one, other), None
-    start = later(story, one[1], other[1])
     v1, v2 = (story.velocity(name, number - 1) for name in (step.first, step.second))
+    start = later(story, one[1], other[1])
     p1, p2 = one[0] + v1 * (start - one[1]), other[0] + v2 * (start - other[1])
     gap = p2 - p1
     if story.field.exact:
         gap = story.neat(gap)
     r = story.radius(step.first)
+    at_contact: tuple[Vector, Vector] | None = None  # where that is not worked out by the path
     ww = approach.dot(approach)
     if story.still(approach):
         raise ImpossibleError(
@@ -300,6 +310,16 @@ def meeting(
             step.place,
         )
         c = None
+    elif (
+        step.offset is None
+        and story.still(v2)
+        and contacts.is_sought(story, number, *approach, *one[0])
+    ):
+        start, p2 = one[1], other[0]
+        contact = contacts.with_sphere(story, number, step, one[0], v1, p2)
+        flight, c = contact.flight, contact.centres
+        story.arriving[number, step.first] = v1 = contact.velocity
+        at_contact = p2 - c, p2
     else:
         ga = gap.dot(approach)
         under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
@@ -328,6 +348,8 @@ def meeting(
     time = start + flight
     for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
         where = known[0] + v * (time - known[1])
+        if at_contact is not None:
+            where = at_contact[name == step.second]
         partners = (step.first, step.second)
         _nothing_first(story, name, None, known[0], v, time - known[1], number, partners)
         story.tracks[name].places.append((number, story.neat(where), time))

@@ -51,7 +51,7 @@ from restitution.problem import (
     trees,
     trees_of_step,
 )
-from restitution.solve import bodies, places, quantities
+from restitution.solve import bodies, contacts, places, quantities
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.neat import neat
 from restitution.vector import Vector
@@ -138,6 +138,8 @@ class Story:
         self.conditions: list[Condition | AnyOf] = []
         self.happenings: list[Happening] = []
         self.fault: ImpossibleError | None = None  # proved, and worse than a clash of facts
+        # Velocities just before events to whose places, being sought, they lead.
+        self.arriving: dict[tuple[int, str], Vector] = {}
         self.implied = False  # places are counted from the first impact, as the text gives none
         self.lets = lets
         self._open_lets: list[str] = []
@@ -585,6 +587,7 @@ class Story:
             c = self._normals[wall.name]
         else:
             c = -self.wall_direction(Name(wall.name)).turned_left()
+        u = self.arriving.get((number, name), u)
         closing = self.rational(u.dot(c))
         what = f"{name} is moving away from {wall.name}, or along it"
         self._approach((name, wall.name), u, c, closing, unknown, what)
@@ -600,7 +603,7 @@ class Story:
         return Happening(
             number,
             step,
-            {name: u},
+            {name: self.velocity(name, number - 1)},
             {name: v},
             centres=c,
             closing=closing,
@@ -618,6 +621,9 @@ class Story:
         e = self._coefficient(number, step)
         approach = u1 - u2
         time, geometric = places.meeting(self, number, step, approach)
+        sought = self.arriving.get((number, first))
+        if sought is not None:
+            approach = sought
         unknown = False
         if step.along is not None:
             c = self.direction(step.along, number - 1)
@@ -654,6 +660,8 @@ class Story:
                     "Newton's experimental law",
                 )
             )
+        elif sought is not None:
+            v1, v2, push = contacts.velocities_after(self, number, step, sought, c, e)
         else:
             # Inverse masses matter up to a factor: m2 and m1 serve, and keep fractions out.
             on_2 = law.impulse(u1, u2, m2, m1, c, e)
