@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
@@ -94,6 +94,8 @@ class _Named:
         return self.roles.get(name, POSITIVE).symbol(name)
 
     def hidden(self, key: str, phrase: str, sign: Sign) -> sp.Expr:
+        if key.startswith(("c_", "w_")) and f"_{key}" in self.branch.values:
+            return tidy(sp.sympify(self.branch.values[f"_{key}"], strict=True))
         role = POSITIVE if sign == "positive" else REAL
         if key in self.names:
             return role.symbol(self.names[key])
@@ -114,6 +116,10 @@ class _Named:
         # What the answers do not depend on may be anything.
         self.sample[name] = known if known is not None else FIELD.context.mpf("1.37")
         return symbol
+
+    def seeks_contact(self, number: int, values: Iterable[sp.Expr]) -> bool:
+        """Whether the place of an event was found as an unknown of its own."""
+        return f"_c_{number}x" in self.branch.values
 
     def _name(self, key: str) -> str:
         if key.startswith(("m_", "t_")):

@@ -32,11 +32,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contact:
-    """How a sphere comes to a place of contact that is sought."""
+    """How a sphere comes to a place of contact that is sought, or was."""
 
-    centres: Vector  # from the sphere to what it strikes
-    velocity: Vector  # just before
+    centres: Vector  # from the sphere to what it strikes, or from the centre of a round wall
     flight: Scalar
+    velocity: Vector | None  # just before, by the way it takes; None where the place is known
 
 
 def ends_at_a_point(problem: Problem, part: Part) -> bool:
@@ -125,8 +125,10 @@ def _arriving(
 ) -> Contact:
     pace = story.unknowns.hidden(f"w_{number}", f"the time that {name} takes", "positive")
     story.equations.append(Equation(way.cross(velocity), missed))
+    if not pace.is_Symbol:
+        return Contact(c, 1 / pace, None)
     story.equations.append(Equation(pace * way.dot(way) - way.dot(velocity), missed))
-    return Contact(c, way * pace, 1 / pace)
+    return Contact(c, 1 / pace, way * pace)
 
 
 def velocities_after(

@@ -64,7 +64,7 @@ from restitution.solve.numbers import (
     sample,
     sign_at,
 )
-from restitution.solve.stages import solve_in_stages
+from restitution.solve.stages import fixed_besides, solve_in_stages
 from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
@@ -1019,6 +1019,14 @@ def _solve_equations(
         unknowns = _ranked(setting, letters_, values, chosen)
         angles = frozenset(s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle")
         acute = frozenset(s for s in angles if _acute(setting.roles[s.name]))
+        letter = None
+        present = fixed_besides(values, unknowns)
+        if present:
+            letter = _to_fix(setting, present, chosen)
+            decisions.append(Decision(present, chosen, letter))
+        if letter is not None:
+            chosen = chosen | {letter}
+            continue
         found = solve_in_stages(values, unknowns, angles, acute, known, conditions)
         leftover = [each for one in found for each in one.leftover]
         if not leftover:

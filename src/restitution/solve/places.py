@@ -236,7 +236,8 @@ def _time_to_circle(
             story, number, name, wall.name, out, reach, inside != 1, velocity
         )
         flight, where = contact.flight, centre + contact.centres
-        story.arriving[number, name] = velocity = contact.velocity
+        if contact.velocity is not None:
+            story.arriving[number, name] = velocity = contact.velocity
     else:
         under = story.rational(ov * ov - vv * excess)
         story.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
@@ -318,7 +319,8 @@ def meeting(
         start, p2 = one[1], other[0]
         contact = contacts.with_sphere(story, number, step, one[0], v1, p2)
         flight, c = contact.flight, contact.centres
-        story.arriving[number, step.first] = v1 = contact.velocity
+        if contact.velocity is not None:
+            story.arriving[number, step.first] = v1 = contact.velocity
         at_contact = p2 - c, p2
     else:
         ga = gap.dot(approach)

@@ -21,6 +21,8 @@ from restitution.solve.neat import neat, numerator
 
 # Equations that are solved together in one stage, at most.
 _LARGEST = 4
+# The sign of an expression in letters with more operations than these is hardly plain.
+_PLAIN = 60
 # What is nearer to zero than this has no sign here.
 _SMALL = sp.Float("1e-20", 30)
 
@@ -163,8 +165,41 @@ def _possible(one: Found, block: Sequence[sp.Symbol], system: _System) -> bool:
 
 def _is_negative(value: sp.Expr) -> bool:
     if value.free_symbols:
-        if len(value.free_symbols) > 3:
-            return False
-        return bool(neat(value).is_negative)
+        return bool(sp.count_ops(value) < _PLAIN and neat(value).is_negative)
     number = sp.N(value, 30)
     return bool(number.is_real and number < -_SMALL)
+
+
+def fixed_besides(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> frozenset[str]:
+    """Letters of which one is fixed too, as there are more equations than they have unknowns.
+
+    Only where places of contact are unknown is that told by the shape of the equations: by which
+    unknowns stand in which. Empty where none is, or where no letter would serve.
+    """
+    if not any(symbol.name.startswith("_c_") for symbol in unknowns):
+        return frozenset()
+    current = [each for each in map(_without_signs, equations) if each != 0]
+    free = set(unknowns)
+    every = {symbol for each in current for symbol in each.free_symbols}
+    most = _matched(current, free)
+    if most == len([each for each in current if each.free_symbols]):
+        return frozenset()
+    return frozenset(x.name for x in every - free if _matched(current, free | {x}) > most)
+
+
+def _matched(equations: Sequence[sp.Expr], free: set[sp.Symbol]) -> int:
+    """How many equations can have an unknown each to themselves."""
+    owner: dict[sp.Symbol, int] = {}
+
+    def placed(n: int, seen: set[sp.Symbol]) -> bool:
+        for x in sorted(equations[n].free_symbols & free, key=lambda s: s.name):
+            if x not in seen:
+                seen.add(x)
+                if x not in owner or placed(owner[x], seen):
+                    owner[x] = n
+                    return True
+        return False
+
+    return sum(placed(n, set()) for n in range(len(equations)))
