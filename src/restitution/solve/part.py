@@ -64,7 +64,7 @@ from restitution.solve.numbers import (
     sample,
     sign_at,
 )
-from restitution.solve.stages import fixed_besides, solve_in_stages
+from restitution.solve.stages import by_nested_roots, fixed_besides, solve_in_stages
 from restitution.solve.story import Sign, Story, lets_of
 
 SAMPLES_WANTED = 4
@@ -303,7 +303,8 @@ class Setting:
 
     def try_out(self, found: Found, letters_: Letters) -> Trial:
         """Whether a solution is admissible for some values of the data."""
-        if any(sp.count_ops(each) > UNWIELDY for each in found.values.values()):
+        long = any(sp.count_ops(each) > UNWIELDY for each in found.values.values())
+        if long or by_nested_roots(found.values):
             return self._tried(found, letters_)
         told = Letters(self.roles, found.values, found.angles)
         try:

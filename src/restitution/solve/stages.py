@@ -88,6 +88,12 @@ def _staged(
     results: list[Found] = []
     for one in found:
         put = _replacing(one, block)
+        if any(has_roots(each) for each in one.values.values()) and rest:
+            # Roots of roots grow by being worked out: they are put in when all is solved.
+            further = _later(one, block, put, rest, left, system)
+            if further is not None:
+                results += further
+                continue
         narrowed = _System(
             system.angles,
             system.acute,
@@ -103,6 +109,44 @@ def _staged(
                 )
             )
     return results
+
+
+def _later(
+    one: Found,
+    block: Sequence[sp.Symbol],
+    put: Mapping[sp.Expr, sp.Expr],
+    rest: list[sp.Expr],
+    left: Sequence[sp.Symbol],
+    system: _System,
+) -> list[Found] | None:
+    """The other stages with these unknowns as letters, whose values are put in at the end.
+
+    None where that fails: where what divides is zero for these values.
+    """
+    results = []
+    for further in _staged(rest, left, system):
+        values = {name: _put(each, put) for name, each in further.values.items()}
+        pairs = {name: (_put(c, put), _put(s, put)) for name, (c, s) in further.angles.items()}
+        leftover = tuple(_put(each, put) for each in further.leftover)
+        if any(each.has(sp.zoo, sp.nan, sp.oo) for each in values.values()):
+            return None
+        results.append(Found({**one.values, **values}, {**one.angles, **pairs}, leftover))
+    return results
+
+
+def has_roots(x: sp.Expr) -> bool:
+    """Whether square roots stand in an expression."""
+    return any(each.exp.is_Rational and not each.exp.is_Integer for each in x.atoms(sp.Pow))
+
+
+def by_nested_roots(values: Mapping[str, sp.Expr]) -> bool:
+    """Whether places of contact were found as roots of roots, too unwieldy to be told again."""
+    return any(name.startswith("_c_") for name in values) and any(
+        has_roots(each.base)
+        for value in values.values()
+        for each in value.atoms(sp.Pow)
+        if each.exp.is_Rational and not each.exp.is_Integer
+    )
 
 
 def _solved(
