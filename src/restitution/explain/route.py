@@ -11,6 +11,7 @@ from restitution.components import Model, model, protected_letters, rejected_val
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
+from restitution.explain.backwards import is_told_backwards, steps_backwards
 from restitution.explain.events import spoken, table_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.geometry import to_be_found
@@ -99,6 +100,10 @@ def _part(
             if item.error is not None
         ]
         return PartExplanation(part.part.label, asked, tuple(steps), answers), dropped
+    if is_told_backwards(part):
+        return PartExplanation(
+            part.part.label, asked, steps_backwards(part, answers), answers
+        ), dropped
     made = workings(solution, part, carried)
     for work in made:
         dropped += [line for line in work.dropped if line not in dropped]
