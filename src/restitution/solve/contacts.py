@@ -96,7 +96,13 @@ def with_sphere(
 
 
 def with_circle(
-    story: Story, number: int, name: str, wall: str, out: Vector, reach: Scalar, inside: bool,
+    story: Story,
+    number: int,
+    name: str,
+    wall: str,
+    out: Vector,
+    reach: Scalar,
+    inside: bool,
     velocity: Vector,
 ) -> Contact:
     """How a sphere ``out`` of the centre of a circular wall comes to it."""

@@ -90,9 +90,9 @@ def _staged(
         put = _replacing(one, block)
         if any(has_roots(each) for each in one.values.values()) and rest:
             # Roots of roots grow by being worked out: they are put in when all is solved.
-            further = _later(one, block, put, rest, left, system)
-            if further is not None:
-                results += further
+            put_in_later = _later(one, block, put, rest, left, system)
+            if put_in_later is not None:
+                results += put_in_later
                 continue
         narrowed = _System(
             system.angles,
@@ -130,6 +130,8 @@ def _later(
         leftover = tuple(_put(each, put) for each in further.leftover)
         if any(each.has(sp.zoo, sp.nan, sp.oo) for each in values.values()):
             return None
+        if any(x.name in values and _is_negative(values[x.name]) for x in system.acute):
+            continue  # as a negative tangent of an acute angle is left out where it is a number
         results.append(Found({**one.values, **values}, {**one.angles, **pairs}, leftover))
     return results
 
@@ -153,9 +155,7 @@ def _solved(
     equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System
 ) -> list[Found]:
     own = frozenset(unknowns)
-    return solve_system(
-        equations, unknowns, system.angles & own, system.acute & own, system.roles
-    )
+    return solve_system(equations, unknowns, system.angles & own, system.acute & own, system.roles)
 
 
 def _smallest(inside: Sequence[frozenset[sp.Symbol]]) -> tuple[int, ...] | None:
@@ -214,9 +214,7 @@ def _is_negative(value: sp.Expr) -> bool:
     return bool(number.is_real and number < -_SMALL)
 
 
-def fixed_besides(
-    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
-) -> frozenset[str]:
+def fixed_besides(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> frozenset[str]:
     """Letters of which one is fixed too, as there are more equations than they have unknowns.
 
     Only where places of contact are unknown is that told by the shape of the equations: by which
