@@ -88,6 +88,8 @@ from restitution.solve.solution import (
     RejectedBranch,
     Solution,
 )
+from restitution.solve.stages import by_nested_roots
+from restitution.solve.story import Story
 from restitution.solve.validity import Limitation, limitations, with_condition
 from restitution.solve.verify import verify_principles, verify_value
 from restitution.vector import Vector
@@ -147,6 +149,14 @@ UNFORESEEN = (
 
 
 UNWIELDY = 120
+
+
+def _untold(unknowns: object) -> Story:
+    """Where places are roots of roots, the story is told in numbers alone."""
+    raise UnsupportedError(
+        "the places in this story are roots of roots: only letters that are sought, and no "
+        "velocities, times or places, are given exactly"
+    )
 
 
 def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
@@ -282,6 +292,7 @@ class _Worker:
 
     def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
+        tell = _untold if by_nested_roots(trial.found.values, "_c_") else setting.tell
         numbers = setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
         solved = tuple(name for name in trial.found.values if not name.startswith("_"))
@@ -292,7 +303,7 @@ class _Worker:
             told,
             trial.samples[0],
             numbers,
-            setting.tell,
+            tell,
             partial(setting.examine, solved=solved),
         )
 

@@ -141,11 +141,15 @@ def has_roots(x: sp.Expr) -> bool:
     return any(each.exp.is_Rational and not each.exp.is_Integer for each in x.atoms(sp.Pow))
 
 
-def by_nested_roots(values: Mapping[str, sp.Expr]) -> bool:
-    """Whether places of contact were found as roots of roots, too unwieldy to be told again."""
+def by_nested_roots(values: Mapping[str, sp.Expr], start: str = "") -> bool:
+    """Whether places of contact were found, and of the values some hold roots of roots.
+
+    Of those whose names begin with ``start``. They are too unwieldy to be told again.
+    """
     return any(name.startswith("_c_") for name in values) and any(
         has_roots(each.base)
-        for value in values.values()
+        for name, value in values.items()
+        if name.startswith(start)
         for each in value.atoms(sp.Pow)
         if each.exp.is_Rational and not each.exp.is_Integer
     )
