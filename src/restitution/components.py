@@ -24,10 +24,21 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
+from restitution.oracle import (
+    All,
+    BeyondError,
+    Formula,
+    Oracle,
+    Point,
+    Relation,
+    Some,
+    Verdict,
+    compared,
+)
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import FIELD, UndefinedError, at
+from restitution.solve.numbers import FIELD, UndefinedError, at, number_of
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -35,6 +46,69 @@ from restitution.vector import Vector
 # Letters for unknown components, in the order in which textbooks take them.
 _COMPONENTS = ("v", "w", "x", "y", "p", "q", "s", "z", "f", "g", "h", "b", "c", "d", "l", "n")
 _BEFORE = ("a", "b", "c", "d", "p", "q", "f", "g", "x", "y")
+
+
+UNDECIDED = Verdict("undecided", "undecided")
+REFUTED = Verdict("refuted", "witness")
+_ARCS = (sp.atan, sp.asin, sp.acos, sp.atan2)
+# Below this a number of a hundred digits may well be 0: then it is for the oracle to say.
+_NOTHING = 1e-20
+_PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
+
+
+def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
+    """The sign of an expression wherever some facts hold; None if that is open."""
+    if x.is_positive:
+        return 1
+    if x.is_negative:
+        return -1
+    if x.is_zero:
+        return 0
+    try:
+        return oracle.sign(x)
+    except BeyondError:
+        return None
+
+
+def _less_than_a_turn(angle: sp.Expr, oracle: Oracle) -> bool:
+    """Whether a sum of angles is certain to be between −360° and 360°."""
+    low = high = sp.Integer(0)
+    for term in sp.Add.make_args(sp.expand(angle)):
+        coefficient, atom = term.as_coeff_Mul()
+        if isinstance(atom, sp.atan | sp.asin):
+            ends = (-sp.pi / 2, sp.pi / 2)
+        elif isinstance(atom, sp.acos):
+            ends = (sp.Integer(0), sp.pi)
+        elif isinstance(atom, sp.atan2):
+            ends = (-sp.pi, sp.pi)
+        elif atom.is_Symbol:
+            role = oracle.roles.get(atom.name)
+            if role is None or role.low is None or role.high is None:
+                return False
+            ends = (role.low, role.high)
+        elif not term.free_symbols:
+            ends = (atom, atom)
+        else:
+            return False
+        if not coefficient.is_Rational:
+            return False
+        if proved_sign(oracle, atom) == 1:
+            ends = (sp.Max(ends[0], 0), ends[1])
+        elif proved_sign(oracle, atom) == -1:
+            ends = (ends[0], sp.Min(ends[1], 0))
+        products = [coefficient * each for each in ends]
+        low, high = low + min(products), high + max(products)
+    return bool(-2 * sp.pi < low) and bool(high < 2 * sp.pi)
+
+
+def _renamed(formula: Formula, put: Mapping[sp.Symbol, sp.Symbol]) -> Formula:
+    match formula:
+        case Relation(value, operator):
+            return Relation(value.xreplace(put), operator)
+        case All(parts):
+            return All(tuple(_renamed(each, put) for each in parts))
+        case Some(parts):
+            return Some(tuple(_renamed(each, put) for each in parts))
 
 
 @dataclass(frozen=True)
@@ -89,6 +163,7 @@ class _Named:
     taken: set[str]
     names: dict[str, str] = field(default_factory=dict)
     phrases: dict[str, str] = field(default_factory=dict)
+    hidden_roles: dict[str, Role] = field(default_factory=dict)
 
     def letter(self, name: str) -> sp.Expr:
         return self.roles.get(name, POSITIVE).symbol(name)
@@ -103,6 +178,7 @@ class _Named:
         self.names[key] = name
         self.taken.add(name)
         self.phrases[name] = phrase
+        self.hidden_roles[name] = role
         symbol = role.symbol(name)
         value = self.branch.values.get(f"_{key}")
         known = self.sample.get(f"_{key}")
@@ -164,6 +240,125 @@ class Model:
     final: dict[sp.Symbol, sp.Expr]
     sample: dict[str, Any]
     _across: dict[tuple[int, str], sp.Expr] = field(default_factory=dict)
+    _made: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(default_factory=dict, repr=False)
+    _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
+    _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
+
+    # --- what is proved -----------------------------------------------------------------------
+
+    @property
+    def ground(self) -> Oracle:
+        """What every letter may be by its role alone, whatever is given and asked."""
+        return self._oracles[0]
+
+    @property
+    def oracle(self) -> Oracle:
+        """What the letters may be wherever this solution is one."""
+        return self._oracles[1]
+
+    @property
+    def _oracles(self) -> tuple[Oracle, Oracle]:
+        """Made again when the telling has come to a hidden unknown that is new."""
+        names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
+        if names not in self._made:
+            ground = Oracle({**self.unknowns.roles, **self.unknowns.hidden_roles})
+            known = self.branch.oracle
+            self._made[names] = ground, ground if known is None else self._renamed(known)
+        return self._made[names]
+
+    @property
+    def inside(self) -> Oracle:
+        """What every letter may be by its role, but for the ends of its range."""
+        ground = self.ground
+        if id(ground) not in self._inside:
+            roles = {
+                name: replace(role, closed=(False, False)) for name, role in ground.roles.items()
+            }
+            self._inside[id(ground)] = Oracle(roles)
+        return self._inside[id(ground)]
+
+    def _renamed(self, known: Oracle) -> Oracle:
+        put = self._presented(known)
+        if not put:
+            return known
+        names = {old.name: new.name for old, new in put.items()}
+        roles = {names.get(name, name): role for name, role in known.roles.items()}
+        return Oracle(roles, tuple(_renamed(each, put) for each in known.facts))
+
+    def _presented(self, known: Oracle) -> dict[sp.Symbol, sp.Symbol]:
+        """Hidden unknowns by the names that people see."""
+        return {
+            role.symbol(name): role.symbol(self.unknowns.names[name[1:]])
+            for name, role in known.roles.items()
+            if name.startswith("_") and name[1:] in self.unknowns.names
+        }
+
+    def in_data(self, x: Any) -> sp.Expr:
+        """An expression with the final value of every unknown put in."""
+        x = sp.sympify(x, strict=True)
+        for _ in range(6):
+            inside = {s: self.final[s] for s in x.free_symbols if s in self.final}
+            if not inside:
+                break
+            x = x.xreplace(inside)
+        return self.presentable(x)
+
+    def decide(self, left: Any, sign: str, right: Any) -> Verdict:
+        """Whether ``left sign right`` holds for all letters that the solution admits."""
+        gap = self.in_data(left) - self.in_data(right)
+        if (gap, sign) not in self._verdicts:
+            self._verdicts[gap, sign] = self._decide(gap, sign)
+        return self._verdicts[gap, sign]
+
+    def _decide(self, gap: sp.Expr, sign: str) -> Verdict:
+        operator = _PLAIN_SIGNS.get(sign, sign)
+        try:
+            if operator == "=" and gap.has(*_ARCS):
+                return self._no_angle(gap)
+            return self.oracle.decide(compared(gap, operator, sp.Integer(0)))
+        except BeyondError:
+            return UNDECIDED
+
+    def _no_angle(self, angle: sp.Expr) -> Verdict:
+        """Whether an angle is 0: its sine vanishes, its cosine is positive, and it is no turn."""
+        with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
+            if abs(self.number(angle)) > 1:
+                return REFUTED
+        sine, cosine = (sp.expand_trig(f(angle)) for f in (sp.sin, sp.cos))
+        upright = self.oracle.decide(All((Relation(sine, "="), Relation(cosine, ">"))))
+        return upright if not upright or _less_than_a_turn(angle, self.oracle) else UNDECIDED
+
+    def proved_sign(self, x: Any) -> int | None:
+        """The sign of an expression for all letters that the solution admits; None if open."""
+        return proved_sign(self.oracle, self.in_data(x))
+
+    def witnesses(self, *parts: Any) -> list[Mapping[str, Any]]:
+        """The sample, with another for every part of which the sign is not the same for all.
+
+        So whoever looks at the sign of a part at all of them sees it only where it is proved.
+        """
+        points: list[Mapping[str, Any]] = [self.sample]
+        for part in parts:
+            x = self.in_data(part)
+            if self.proved_sign(x) is not None:
+                continue
+            sign = self.sign(x)
+            claim = Relation(sign * x, ">") if sign else Relation(x, "=")
+            with contextlib.suppress(
+                BeyondError, UndefinedError, KeyError, ArithmeticError, TypeError
+            ):
+                witness = self.oracle.decide(claim).witness
+                if witness is not None:
+                    points.append(self._completed(witness))
+        return points
+
+    def _completed(self, witness: Point) -> dict[str, Any]:
+        """A point with the numbers of all that follows from the letters there."""
+        there = {**self.sample, **{name: number_of(value) for name, value in witness.items()}}
+        values = {symbol.name: at(self.in_data(symbol), there) for symbol in self.final}
+        return {**there, **values}
+
+    # --- the parts of the story ---------------------------------------------------------------
 
     def happening(self, number: int) -> Happening:
         return self.story.happenings[number - 1]
@@ -232,7 +427,9 @@ class Model:
             value = self.number(x)
         except (UndefinedError, KeyError, ArithmeticError):
             return 0
-        return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
+        if abs(value) < _NOTHING and self.decide(x, "=", 0).answer != "refuted":
+            return 0
+        return 1 if value >= 0 else -1
 
     def presentable(self, x: sp.Expr) -> sp.Expr:
         """An expression of the solution with the names of hidden unknowns that people see."""
@@ -246,7 +443,7 @@ class Model:
         return x.xreplace(put) if put else x
 
     def identically_zero(self, x: sp.Expr) -> bool:
-        """Whether an expression vanishes whatever its letters are (tried at a few points)."""
+        """Whether an expression is proved to vanish whatever its letters and unknowns are."""
         rng = random.Random(41)
         names = sorted({s.name for s in x.free_symbols} & set(self.sample))
         for _ in range(2):
@@ -254,11 +451,14 @@ class Model:
                 name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names
             }
             try:
-                if abs(at(x, point)) > 1e-20:
+                if abs(at(x, point)) > _NOTHING:
                     return False
             except (UndefinedError, KeyError, ArithmeticError):
                 return False
-        return True
+        try:
+            return self.ground.vanishes(x)
+        except BeyondError:
+            return False
 
     def owner(self, body: str, stage: int) -> Frame | None:
         """The frame of the latest impact of a body up to a stage."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from fractions import Fraction
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from restitution.components import proved_sign
 from restitution.errors import RestitutionError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.asked import found_before, prepare, sub_result
@@ -20,6 +20,7 @@ from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
+from restitution.oracle import BeyondError, compared
 from restitution.oracle.roles import Role
 from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Relation, Show
 from restitution.render import layout as lay
@@ -27,14 +28,14 @@ from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.numbers import UndefinedError, at, sample
+from restitution.solve.numbers import UndefinedError, at
 from restitution.solve.solution import Answer, ItemResult
 
 if TYPE_CHECKING:
     from restitution.explain.working import Working
 
-_DRAWS = 60
 _STEP = 1e-12
+_PLAIN = {"≤": "<=", "≥": ">=", "≠": "!="}
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 _FLIPPED = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
 
@@ -52,53 +53,27 @@ class Bound:
     bare: bool = False  # written at once without the factors that are positive anyway
 
 
-# --- random admissible points -------------------------------------------------------------------
-
-
-def draws(work: Working, names: Sequence[str], count: int = _DRAWS) -> Iterator[dict[str, Any]]:
-    """Random values of letters, by their roles alone, and of all that follows from them."""
-    rng = random.Random(23)
-    roles: Mapping[str, Role] = work.model.unknowns.roles
-    for _ in range(count):
-        yield sample(names, roles, rng)
-
-
-def _letters(x: Any) -> list[str]:
-    return sorted(s.name for s in sp.sympify(x, strict=True).free_symbols)
+# --- what is proved -----------------------------------------------------------------------------
 
 
 def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
-    """Whether a condition excludes some admissible values of its letters."""
-    names = _letters(value)
-    for point in draws(work, names):
-        try:
-            found = at(value, point)
-        except (UndefinedError, KeyError, ArithmeticError):
-            return True
-        good = {
-            ">": found > 0,
-            "≥": found >= -1e-30,
-            "≠": abs(found) > 1e-30,
-            "<": found < 0,
-            "≤": found <= 1e-30,
-        }[asks]
-        if not good:
-            return True
-    return False
+    """Whether a condition is not proved for all that its letters may be by their roles alone."""
+    claim = compared(value, _PLAIN.get(asks, asks), sp.Integer(0))
+    try:
+        return not work.model.ground.decide(claim)
+    except BeyondError:
+        return True
 
 
 def _constant_sign(work: Working, value: sp.Expr) -> int:
-    """+1 or −1 if an expression has one sign for all admissible letters, else 0."""
-    signs = set()
-    for point in draws(work, _letters(value), 40):
-        try:
-            found = at(value, point)
-        except (UndefinedError, KeyError, ArithmeticError):
-            return 0
-        signs.add(0 if abs(found) < 1e-30 else 1 if found > 0 else -1)
-        if len(signs) > 1:
-            return 0
-    return signs.pop() if len(signs) == 1 else 0
+    """+1 or −1 if an expression is proved to have one sign for all that letters may be, else 0."""
+    return proved_sign(work.model.ground, work.model.in_data(value)) or 0
+
+
+def _inner_sign(work: Working, value: sp.Expr) -> int:
+    """The same but at the ends of the letters' ranges, where it may be 0: a slope."""
+    value = work.model.in_data(value)
+    return proved_sign(work.model.ground, value) or proved_sign(work.model.inside, value) or 0
 
 
 # --- conditions ---------------------------------------------------------------------------------
@@ -334,10 +309,10 @@ def _from_story(work: Working) -> list[Bound]:
         value = sp.sympify(need.value, strict=True)
         sign = _SIGNS[need.relation]
         if sign == "≠":
-            # The sense of approach is told by the story: it is that of the sample.
-            sign = ">"
-            if work.model.sign(value) < 0:
-                value = -value
+            # The story tells the sense of approach, where there is but one.
+            sense = work.model.proved_sign(value)
+            if sense:
+                sign, value = ">", sense * value
         words: Words = (f"This must hold, as otherwise {need.reason}:",)
         found.append(Bound(words, value, sign, sp.Integer(0), value, sign, bare=True))
     return found
@@ -493,8 +468,9 @@ def _solved(
 
 
 def _by_sign(work: Working, factor: sp.Expr, sign: str) -> str | None:
-    constant = _constant_sign(work, factor) if factor.free_symbols else int(sp.sign(factor))
-    if constant == 0:
+    # What is not 0 where the conditions hold may be divided by.
+    constant = _constant_sign(work, factor) or work.model.proved_sign(factor)
+    if not constant:
         return None
     return sign if constant > 0 else _FLIPPED[sign]
 
@@ -594,7 +570,7 @@ def _ends(
         role = work.model.unknowns.roles.get(symbol.name)
         if role is None or role.low is None or symbol in kept:
             continue
-        slope = _constant_sign(work, sp.diff(value, symbol))
+        slope = _inner_sign(work, sp.diff(value, symbol))
         if slope == 0:
             continue
         if _turns_back(work, tree, value, symbol):
@@ -819,7 +795,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         own = function.xreplace(back)
         angle = isinstance(own, sp.Add) and own.has(sp.atan)  # 180° − arctan …
         lines.append(Row((name, look(function.xreplace(put), angle=angle)), ("=",), (own, own)))
-    if root is None or _constant_sign(work, tidy(own_slope)):
+    if root is None or _inner_sign(work, tidy(own_slope)):
         _at_an_end(work, item, words, [*lines, row], x, own_slope, (name, function.xreplace(back)))
         return
     factor, place = root
@@ -912,7 +888,7 @@ def _at_an_end(
 
     Where it does both, its values at the two ends are compared.
     """
-    constant = _constant_sign(work, tidy(slope))
+    constant = _inner_sign(work, tidy(slope))
     words: list[str | Layout] = []
     if not constant:
         work.write("result", rows, words=intro)

@@ -104,9 +104,8 @@ def plain(work: Working, value: Any) -> Any:
     if isinstance(value, Vector):
         return (work.put(value.x), work.put(value.y))
     if isinstance(value, Angle):
-        return forms.angle(
-            Angle(work.put(value.x), work.put(value.y), value.measure), [work.model.sample]
-        )
+        own = Angle(work.put(value.x), work.put(value.y), value.measure)
+        return forms.angle(own, work.model.witnesses(own.x, own.y))
     return work.put(value)
 
 

@@ -109,8 +109,9 @@ class Working:
         return x
 
     def resolved(self, x: sp.Expr) -> sp.Expr:
-        """Sizes |x| without bars, by the sign at the sample."""
-        return signed(x, [self.model.sample]) if x.has(sp.Abs) else x
+        """Sizes |x| without bars where the sign of x is proved."""
+        sizes = [each.args[0] for each in x.atoms(sp.Abs)]
+        return signed(x, self.model.witnesses(*sizes)) if sizes else x
 
     def open(self, x: Any) -> frozenset[sp.Symbol]:
         """The unknowns in an expression that are not known yet."""

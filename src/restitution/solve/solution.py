@@ -10,7 +10,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.oracle import Proof
+from restitution.oracle import Oracle, Proof
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.render.layout import Layout
@@ -125,7 +125,8 @@ class Branch:
     them to a telling of the story; ``sample`` gives every letter and hidden unknown a number that
     satisfies all facts (the letters left free at a representative value); ``numbers`` is the
     story told with these, in high precision. ``objection`` says why other numbers are
-    impossible, as (reason, kind), or None where they would do as well.
+    impossible, as (reason, kind), or None where they would do as well. ``oracle`` decides what
+    holds for all letters that the solution admits; None where these are not known as formulas.
     """
 
     number: int
@@ -138,6 +139,7 @@ class Branch:
     objection: Callable[[Mapping[str, Any]], tuple[str, str] | None] = field(
         compare=False, repr=False
     )
+    oracle: Oracle | None = field(default=None, compare=False, repr=False)
 
     @cached_property
     def story(self) -> Story:

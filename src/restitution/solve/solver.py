@@ -305,6 +305,7 @@ class _Worker:
             numbers,
             tell,
             partial(setting.examine, solved=solved),
+            None if trial.admission is None else trial.admission.oracle,
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
@@ -328,7 +329,7 @@ class _Worker:
             if not all(made_of(h.step) <= implied for h in wrong):
                 continue  # a letter that is data: the facts about it clash
             negative = any(each.e < 0 for each in wrong)
-            (through if negative else kept).append(replace(trial, samples=(values,)))
+            (through if negative else kept).append(replace(trial, samples=(values,), admission=None))
         return kept or through
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
