@@ -20,9 +20,10 @@ from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
-from restitution.oracle import BeyondError, compared
+from restitution.oracle import BeyondError, Formula, Relation, compared
 from restitution.oracle.roles import Role
-from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Relation, Show
+from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Show
+from restitution.problem import Relation as Given
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
@@ -58,11 +59,22 @@ class Bound:
 
 def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
     """Whether a condition is not proved for all that its letters may be by their roles alone."""
-    claim = compared(value, _PLAIN.get(asks, asks), sp.Integer(0))
+    claims = [*_real(value), compared(value, _PLAIN.get(asks, asks), sp.Integer(0))]
     try:
-        return not work.model.ground.decide(claim)
+        return not all(work.model.ground.decide(each) for each in claims)
     except BeyondError:
         return True
+
+
+def _real(value: sp.Expr) -> list[Formula]:
+    """What makes an expression a real number: what is under its roots, and between −1 and 1."""
+    found: list[Formula] = []
+    for node in sp.preorder_traversal(value):
+        if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q % 2 == 0:
+            found.append(Relation(node.base, ">" if node.exp.is_negative else ">="))
+        elif isinstance(node, sp.asin | sp.acos):
+            found += [Relation(1 - node.args[0], ">="), Relation(1 + node.args[0], ">=")]
+    return found
 
 
 def _constant_sign(work: Working, value: sp.Expr) -> int:
@@ -83,8 +95,9 @@ def _bounds(work: Working) -> list[Bound]:
     """Everything in the story and the facts that excludes something."""
     found: list[Bound] = []
     found += _from_facts(work)
-    found += _on_the_walls(work)
-    found += _from_story(work)
+    on_walls, ended = _on_the_walls(work)
+    found += on_walls
+    found += _from_story(work, ended)
     found += _from_solved(work)
     return found
 
@@ -101,7 +114,7 @@ def _from_facts(work: Working) -> list[Bound]:
     return found
 
 
-def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
+def _of_relation(work: Working, relation: Given, now: int) -> list[Bound]:
     story = work.model.story
     found: list[Bound] = []
     if isinstance(relation, Meets):
@@ -255,10 +268,14 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
     return Bound(words, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation])
 
 
-def _on_the_walls(work: Working) -> list[Bound]:
-    """A wall with ends is struck between them: where that is, and where the ends are."""
+def _on_the_walls(work: Working) -> tuple[list[Bound], set[str]]:
+    """A wall with ends is struck between them: where that is, and where the ends are.
+
+    With the names of the walls of which that is told so.
+    """
     story = work.model.story
     found: list[Bound] = []
+    told: set[str] = set()
     for event in story.happenings:
         step = event.step
         wall = story.walls.get(step.second) if isinstance(step, Impact) else None
@@ -274,7 +291,10 @@ def _on_the_walls(work: Working) -> list[Bound]:
         if way.x == 0 or way.y == 0:
             name = "x" if way.y == 0 else "y"
             low, high, place = (getattr(each, name) for each in (one, other, known[0]))
-            if work.model.sign(high - low) < 0:
+            order = work.model.proved_sign(high - low)
+            if not order:
+                continue
+            if order < 0:
                 low, high = high, low
             letter: Layout = lay.Letter(name)
             where: Words = (" where ", letter, " = ")
@@ -293,14 +313,14 @@ def _on_the_walls(work: Working) -> list[Bound]:
             *ends,
             ":",
         )
+        told.add(wall.name)
         found.append(Bound(words, place, ">", low, sp.sympify(place - low, strict=True), ">"))
         found.append(Bound(words, place, "<", high, sp.sympify(place - high, strict=True), "<"))
-    return found
+    return found, told
 
 
-def _from_story(work: Working) -> list[Bound]:
+def _from_story(work: Working, ended: AbstractSet[str]) -> list[Bound]:
     found = []
-    ended = {w.name for w in work.model.story.walls.values() if w.end is not None}
     for need in work.model.story.conditions:
         if isinstance(need, AnyOf) or need.kind in ("coefficient", "sign"):
             continue
@@ -353,8 +373,8 @@ def _from_solved(work: Working) -> list[Bound]:
                     "≥" if role.closed[0] else ">",
                 )
             )
-        elif role.kind == "angle" and isinstance(value, sp.atan):
-            tangent = tidy(value.args[0])
+        elif role.kind == "angle" and _arctangent(value) is not None:
+            tangent = tidy(_arctangent(value))
             power = 2 if tangent.is_Pow and tangent.exp == sp.S.Half else 1
             name = sp.tan(symbol) ** power
             words = (look(name), " has to be positive:")
@@ -363,6 +383,12 @@ def _from_solved(work: Working) -> list[Bound]:
             words = (look(symbol), " has to be positive:")
             found.append(Bound(words, symbol, ">", sp.Integer(0), symbol, ">"))
     return found
+
+
+def _arctangent(angle: sp.Expr) -> sp.Expr | None:
+    """x of arctan x or −arctan(−x)."""
+    sign, rest = angle.as_coeff_Mul()
+    return sign * rest.args[0] if isinstance(rest, sp.atan) and abs(sign) == 1 else None
 
 
 def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
@@ -463,8 +489,24 @@ def _solved(
             if turned is not None:
                 bound = tidy(-b / a)
                 return [Row((look(x), look(bound)), (turned,), (x, bound))]
+        apart = _apart(simple, x) if simple.is_polynomial(x) else None
+        if apart is not None:
+            left, right, swapped = apart
+            way = _FLIPPED[sign] if swapped else sign
+            return [Row((look(left), look(right)), (way,), (left, right))]
     tidied = sp.factor(simple)
     return [Row((look(tidied), lay.Number("0")), (sign,), (tidied, sp.Integer(0)))]
+
+
+def _apart(simple: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr, bool] | None:
+    """``a xⁿ`` and ``b`` for a xⁿ − b, or turned round for b − a xⁿ; None for what has more."""
+    terms = sp.Poly(simple, x).terms()
+    if len(terms) != 2 or terms[1][0] != (0,):
+        return None
+    ((power,), a), (_, b) = terms
+    left, right = tidy(sp.factor(a) * x**power), tidy(sp.factor(-b))
+    turned = bool(right.could_extract_minus_sign())
+    return (tidy(-left), tidy(-right), True) if turned else (left, right, False)
 
 
 def _by_sign(work: Working, factor: sp.Expr, sign: str) -> str | None:

@@ -1,14 +1,15 @@
-"""Every line of a worked solution is checked by numbers before it is printed."""
+"""Every line of a worked solution is checked before it is printed: by numbers, then by proof."""
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 
+from restitution.components import Model
 from restitution.explain.steps import Row
 from restitution.solve.numbers import UndefinedError, at
 
@@ -22,24 +23,40 @@ def holds(row: Row, sample: Mapping[str, Any]) -> bool:
     Operands without a value (rounded ones, words) are not asked. An operand that has no value
     at the sample makes the line fail.
     """
-    known = [(value, index) for index, value in enumerate(row.values) if value is not None]
     try:
-        for (left, i), (right, k) in pairwise(known):
-            if any(sign not in ("=", *_ORDERED, "≠") for sign in row.signs[i:k]):
-                continue
-            sign = next((s for s in row.signs[i:k] if s != "="), "=")
-            if not _related(left, sign, right, sample):
-                return False
+        return all(_related(*each, sample) for each in related(row))
     except (UndefinedError, KeyError, TypeError, ValueError, ArithmeticError):
         return False
-    return True
+
+
+def refuted(row: Row, model: Model) -> bool:
+    """Whether a line, true at the sample, fails for other letters that the solution admits."""
+    return any(
+        model.decide(left, sign, right).answer == "refuted"
+        for one, sign, other in related(row)
+        for left, right in _parts(one, other)
+        if sp.sympify(left, strict=True) != sp.sympify(right, strict=True)
+    )
+
+
+def related(row: Row) -> Iterator[tuple[Any, str, Any]]:
+    """The operands of a line that have values, in pairs, with the sign between them."""
+    known = [(value, index) for index, value in enumerate(row.values) if value is not None]
+    for (left, i), (right, k) in pairwise(known):
+        if all(sign in ("=", *_ORDERED, "≠") for sign in row.signs[i:k]):
+            yield left, next((s for s in row.signs[i:k] if s != "="), "="), right
+
+
+def _parts(one: Any, other: Any) -> list[tuple[Any, Any]]:
+    if isinstance(one, tuple):
+        return list(zip(one, other, strict=True))
+    return [(one, other)]
 
 
 def _related(left: Any, sign: str, right: Any, sample: Mapping[str, Any]) -> bool:
     if isinstance(left, tuple) != isinstance(right, tuple):
         return False
-    pairs = zip(left, right, strict=True) if isinstance(left, tuple) else [(left, right)]
-    for one, other in pairs:
+    for one, other in _parts(left, right):
         a, b = at(sp.sympify(one, strict=True), sample), at(sp.sympify(other, strict=True), sample)
         close = abs(a - b) <= _TOLERANCE * (1 + abs(a) + abs(b))
         if sign == "=" and not close:

@@ -110,9 +110,10 @@ def _split(
         wall = work.model.story.walls.get(frame.wall or "")
         to_wall = wall is not None and wall.centre is None
         opposite, adjacent = (first, second) if to_wall else (second, first)
-        degrees = sp.N(sp.atan2(abs(opposite), abs(adjacent)) * 180 / sp.pi, 20)
-        nearest = round(float(degrees) / 15) * 15
-        if abs(degrees - nearest) < 1e-12:
+        degrees = float(sp.N(sp.atan2(abs(opposite), abs(adjacent)) * 180 / sp.pi, 20))
+        nearest = round(degrees / 15) * 15
+        share = sp.cos(nearest * sp.pi / 180) ** 2
+        if abs(degrees - nearest) < 1 and work.model.decide(adjacent**2, "=", share):
             angle = lay.Degrees(Number(str(nearest)))
             functions = ("sin", "cos") if to_wall else ("cos", "sin")
             laid, other = (lay.product(look(size), lay.function(each, angle)) for each in functions)

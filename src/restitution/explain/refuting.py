@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -12,15 +13,13 @@ from restitution.explain.quantities import _is_angle, evaluated, plain, quantiti
 from restitution.explain.steps import Words
 from restitution.expression import read_expression
 from restitution.expression.tree import Expression, Name, Quantity
+from restitution.oracle import BeyondError, compared
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 
 if TYPE_CHECKING:
     from restitution.explain.working import Working
-
-_FAILS = {"=": sp.Ne, "<": sp.Ge, "<=": sp.Gt, ">": sp.Le, ">=": sp.Lt}
-
 
 def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) -> Words:
     """A sentence or two; ``given`` are values of letters for which the claim fails."""
@@ -81,7 +80,7 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
         found = [each.layout for each in answer(value, angle=angle)]
         if relation.figures is not None:
             # Its exact form stands in the line above.
-            found = [_rounded(value, evaluated(work, right, now)) or found[-1]]
+            found = [_rounded(work, value, evaluated(work, right, now)) or found[-1]]
         said = found[0] if len(found) == 1 else lay.equation(*found)
         return (*_the(left, first), " is not ", last, ": it is ", said, ".")
     used = sorted((_symbols(work, left, now) | _symbols(work, right, now)) & set(given))
@@ -106,17 +105,16 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
     return (f"It is not true{general} that ", _claim(relation), *lead, *listed(sides), ".")
 
 
-def _rounded(value: Any, claimed: Any) -> Layout | None:
+def _rounded(work: Working, value: Any, claimed: Any) -> Layout | None:
     """A value in numbers, times the letters of what is claimed; None if it holds others."""
     letters = list(sp.sympify(claimed, strict=True).free_symbols)
     if set(value.free_symbols) != set(letters):
         return None
     unit = claimed / claimed.xreplace(dict.fromkeys(letters, sp.Integer(1)))
-    one, other = (
-        sp.N((value / unit).xreplace(dict.fromkeys(letters, sp.Integer(n))), 20) for n in (1, 2)
-    )
-    if abs(one - other) > abs(one) * sp.Float("1e-12"):
+    one = (value / unit).xreplace(dict.fromkeys(letters, sp.Integer(1)))
+    if not work.model.decide(value, "=", one * unit):
         return None
+    one = sp.N(one, 20)
     return answer(sp.Rational(str(one)) * unit)[-1].layout
 
 
@@ -125,12 +123,13 @@ def _failing(
 ) -> tuple[Expression, str, Expression]:
     """The first pair of a chain for which the claim fails; the only one of most."""
     pairs = list(zip(relation.operands, relation.operators, relation.operands[1:], strict=False))
-    for left, op, right in pairs:
+    for left, op, right in pairs if len(pairs) > 1 else ():
         a, b = (_at(evaluated(work, tree, now), given) for tree in (left, right))
         if isinstance(a, tuple) or isinstance(b, tuple):
             continue
-        if _FAILS[op](sp.N(a, 20), sp.N(b, 20)) == sp.true:
-            return left, op, right
+        with contextlib.suppress(BeyondError):
+            if work.model.ground.decide(compared(a, op, b)).answer == "refuted":
+                return left, op, right
     return pairs[0]
 
 

@@ -18,7 +18,7 @@ import sympy as sp
 from restitution.components import Component, Frame, Law, Model
 from restitution.errors import UnsupportedError
 from restitution.exact import tidy, tidy_angle
-from restitution.explain.checking import holds
+from restitution.explain.checking import holds, refuted
 from restitution.explain.order import blocks, needed
 from restitution.explain.phrases import (
     ORDINALS,
@@ -155,7 +155,7 @@ class Working:
         uses: Mapping[str, Origin] | None = None,
         event: int | None = None,
     ) -> None:
-        """Adds a step; lines that the values contradict are left out and noted."""
+        """Adds a step; lines that are not true for all letters are left out and noted."""
         checked = []
         rows = tuple(rows)
         for row in rows:
@@ -164,7 +164,7 @@ class Working:
                 continue  # true, but no one would write it
             if len(row.operands) > 1 and len(set(row.operands)) == 1:
                 continue  # 0 = 0
-            if holds(row, self.model.sample):
+            if holds(row, self.model.sample) and not refuted(row, self.model):
                 checked.append(row)
             else:
                 self.dropped.append(_plain(row))
@@ -576,7 +576,7 @@ class Working:
     def numerator(
         self, residual: Any, x: sp.Symbol | None = None, others: Sequence[sp.Expr] = ()
     ) -> sp.Expr:
-        """What has to vanish: the factors of the numerator that are zero at the sample.
+        """What has to vanish: the factors of the numerator that are zero.
 
         With other roots for ``x``, those that are zero there are kept as well.
         """
@@ -694,7 +694,7 @@ class Working:
             found = at(here, {**self.model.sample, x.name: number})
         except (UndefinedError, KeyError, ArithmeticError):
             return False
-        return bool(abs(found) < 1e-15)
+        return abs(found) < 1e-15 and bool(self.model.decide(here.xreplace({x: value}), "=", 0))
 
     def _refused(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
         """Values that satisfy the equation and were rejected."""
