@@ -314,10 +314,14 @@ class Model:
         operator = _PLAIN_SIGNS.get(sign, sign)
         try:
             if operator == "=" and gap.has(*_ARCS):
-                return self._no_angle(gap)
-            return self.oracle.decide(compared(gap, operator, sp.Integer(0)))
+                verdict = self._no_angle(gap)
+            else:
+                verdict = self.oracle.decide(compared(gap, operator, sp.Integer(0)))
         except BeyondError:
             return UNDECIDED
+        # Where it is not known what the solution admits, other letters refute nothing.
+        open_ = self.branch.oracle is None and bool(gap.free_symbols)
+        return UNDECIDED if open_ and not verdict else verdict
 
     def _no_angle(self, angle: sp.Expr) -> Verdict:
         """Whether an angle is 0: its sine vanishes, its cosine is positive, and it is no turn."""
@@ -333,22 +337,20 @@ class Model:
         return proved_sign(self.oracle, self.in_data(x))
 
     def witnesses(self, *parts: Any) -> list[Mapping[str, Any]]:
-        """The sample, with another for every part of which the sign is not the same for all.
+        """The sample, with another for every part of which the sign may be the opposite.
 
-        So whoever looks at the sign of a part at all of them sees it only where it is proved.
+        So whoever looks at the signs of the parts at all of them sees those that are proved; a
+        part may vanish at an end of what is admitted.
         """
         points: list[Mapping[str, Any]] = [self.sample]
         for part in parts:
             x = self.in_data(part)
-            if self.proved_sign(x) is not None:
-                continue
             sign = self.sign(x)
-            claim = Relation(sign * x, ">") if sign else Relation(x, "=")
-            with contextlib.suppress(
-                BeyondError, UndefinedError, KeyError, ArithmeticError, TypeError
-            ):
-                witness = self.oracle.decide(claim).witness
-                if witness is not None:
+            if x.is_positive or x.is_negative or not x.free_symbols:
+                continue
+            witness = self.decide(sign * x if sign else x, ">=" if sign else "=", 0).witness
+            if witness is not None:
+                with contextlib.suppress(UndefinedError, KeyError, ArithmeticError, TypeError):
                     points.append(self._completed(witness))
         return points
 

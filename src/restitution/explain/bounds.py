@@ -67,11 +67,14 @@ def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
 
 
 def _real(value: sp.Expr) -> list[Formula]:
-    """What makes an expression a real number: what is under its roots, and between −1 and 1."""
+    """What makes an expression a real number: of what is under roots, and of divisors."""
     found: list[Formula] = []
     for node in sp.preorder_traversal(value):
-        if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q % 2 == 0:
-            found.append(Relation(node.base, ">" if node.exp.is_negative else ">="))
+        if isinstance(node, sp.Pow) and node.free_symbols:
+            if node.exp.is_Rational and node.exp.q % 2 == 0:
+                found.append(Relation(node.base, ">" if node.exp.is_negative else ">="))
+            elif node.exp.is_negative:
+                found.append(Relation(node.base, "!="))
         elif isinstance(node, sp.asin | sp.acos):
             found += [Relation(1 - node.args[0], ">="), Relation(1 + node.args[0], ">=")]
     return found
@@ -322,18 +325,24 @@ def _on_the_walls(work: Working) -> tuple[list[Bound], set[str]]:
 def _from_story(work: Working, ended: AbstractSet[str]) -> list[Bound]:
     found = []
     for need in work.model.story.conditions:
-        if isinstance(need, AnyOf) or need.kind in ("coefficient", "sign"):
+        if isinstance(need, AnyOf) or need.kind == "sign":
             continue
         if any(need.reason.endswith(f"passes the end of {name}") for name in ended):
             continue  # told by where the wall is struck
         value = sp.sympify(need.value, strict=True)
         sign = _SIGNS[need.relation]
+        if need.kind == "coefficient":
+            if value.is_Symbol or (1 - value).is_Symbol:
+                continue  # told by what the letter may be
+            words: Words = ("A coefficient of restitution lies between 0 and 1:",)
+            found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+            continue
         if sign == "≠":
             # The story tells the sense of approach, where there is but one.
             sense = work.model.proved_sign(value)
             if sense:
                 sign, value = ">", sense * value
-        words: Words = (f"This must hold, as otherwise {need.reason}:",)
+        words = (f"This must hold, as otherwise {need.reason}:",)
         found.append(Bound(words, value, sign, sp.Integer(0), value, sign, bare=True))
     return found
 
@@ -567,7 +576,7 @@ def _range_working(
         ):
             continue
         said = _upwards(*_reduced(work, value, bound.asks))
-        if said not in told and _ever_fails(work, value, bound.asks):
+        if said[0].free_symbols and said not in told and _ever_fails(work, value, bound.asks):
             told.append(said)
             _told(work, bound, x)
     if x is None or found:
