@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from restitution.components import Model
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
-from restitution.explain.phrases import answer, chain, look, sum_of_products
+from restitution.explain.phrases import answer, chain, listed, look, sum_of_products
 from restitution.explain.quantities import (
     WHOLE,
     Asked,
@@ -34,6 +35,8 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
+from restitution.oracle import BeyondError, Formula, Oracle
+from restitution.oracle import Relation as Claim
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -138,7 +141,64 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
     elif isinstance(item, Show):
         _show(work, item, result, now)
     if answer_ is not None and answer_.condition_layout is not None:
-        work.write("note", words=("This holds for ", answer_.condition_layout, " only."))
+        only = (answer_.condition_layout, " only.")
+        reason = _coefficients_that_bind(work)
+        if reason:
+            work.write("note", words=("As ", *reason, ", this holds for ", *only))
+        else:
+            work.write("note", words=("This holds for ", *only))
+
+
+def _coefficients_that_bind(work: Working) -> Words:
+    """``e ≤ 1``: the bounds of coefficients that were found, if a solution's condition is theirs.
+
+    Empty where it rests on anything else, or on a coefficient that is not yet known.
+    """
+    model = work.model
+    if model.branch.oracle is None:
+        return ()
+    bounds: dict[tuple[sp.Symbol, bool], Formula] = {}
+    for symbol, value in model.final.items():
+        role = model.unknowns.roles.get(symbol.name)
+        if role is None or role.kind != "restitution" or (role.low, role.high) != (0, 1):
+            continue
+        for upper, gap in ((False, value), (True, 1 - value)):
+            claim = Claim(gap, ">=" if role.closed[upper] else ">")
+            if not _follows(model.ground, claim):
+                bounds[symbol, upper] = claim
+    for each in list(bounds):
+        fewer = {key: claim for key, claim in bounds.items() if key != each}
+        if all(_follows(model.ground.with_facts(fewer.values()), x) for x in model.oracle.facts):
+            bounds = fewer
+    known = all(symbol in work.known for symbol, _ in bounds)
+    enough = model.ground.with_facts(bounds.values())
+    if not bounds or not known or not all(_follows(enough, each) for each in model.oracle.facts):
+        return ()
+    return listed(
+        [(_coefficient_range(model, s, bounds),) for s in dict.fromkeys(s for s, _ in bounds)]
+    )
+
+
+def _follows(oracle: Oracle, claim: Formula) -> bool:
+    try:
+        return bool(oracle.decide(claim))
+    except BeyondError:
+        return False
+
+
+def _coefficient_range(
+    model: Model, symbol: sp.Symbol, bounds: Collection[tuple[sp.Symbol, bool]]
+) -> Layout:
+    """``0 ≤ e``, ``e ≤ 1`` or both at once."""
+    at_low, at_high = (
+        "≤" if closed else "<" for closed in model.unknowns.roles[symbol.name].closed
+    )
+    name, low, high = look(symbol), lay.Number("0"), lay.Number("1")
+    if (symbol, True) not in bounds:
+        return lay.Relation((name, low), ("≥" if at_low == "≤" else ">",))
+    if (symbol, False) not in bounds:
+        return lay.Relation((name, high), (at_high,))
+    return lay.Relation((low, name, high), (at_low, at_high))
 
 
 # --- values --------------------------------------------------------------------------------------

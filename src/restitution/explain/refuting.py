@@ -21,6 +21,7 @@ from restitution.render.layout import Layout
 if TYPE_CHECKING:
     from restitution.explain.working import Working
 
+
 def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) -> Words:
     """A sentence or two; ``given`` are values of letters for which the claim fails."""
     relation: Relation = item.relation

@@ -329,7 +329,9 @@ class _Worker:
             if not all(made_of(h.step) <= implied for h in wrong):
                 continue  # a letter that is data: the facts about it clash
             negative = any(each.e < 0 for each in wrong)
-            (through if negative else kept).append(replace(trial, samples=(values,), admission=None))
+            (through if negative else kept).append(
+                replace(trial, samples=(values,), admission=None)
+            )
         return kept or through
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
