@@ -339,12 +339,13 @@ class Model:
     def witnesses(self, *parts: Any) -> list[Mapping[str, Any]]:
         """The sample, with another for every part of which the sign may be the opposite.
 
-        So whoever looks at the signs of the parts at all of them sees those that are proved; a
-        part may vanish at an end of what is admitted.
+        So whoever looks at the signs of the parts, and of the sizes in them, at all of these sees
+        those that are proved; a part may vanish at an end of what is admitted.
         """
         points: list[Mapping[str, Any]] = [self.sample]
-        for part in parts:
-            x = self.in_data(part)
+        whole = [self.in_data(part) for part in parts]
+        sizes = {each.args[0] for x in whole for each in x.atoms(sp.Abs)}
+        for x in (*whole, *sorted(sizes, key=sp.default_sort_key)):
             sign = self.sign(x)
             if x.is_positive or x.is_negative or not x.free_symbols:
                 continue

@@ -395,7 +395,7 @@ def _from_solved(work: Working) -> list[Bound]:
 
 
 def _arctangent(angle: sp.Expr) -> sp.Expr | None:
-    """x of arctan x or −arctan(−x)."""
+    """X of arctan x or −arctan(−x)."""
     sign, rest = angle.as_coeff_Mul()
     return sign * rest.args[0] if isinstance(rest, sp.atan) and abs(sign) == 1 else None
 

@@ -459,7 +459,7 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     frame = _frame_along(work, tree, now)
     if sharp and frame is not None:
         u, v = frame
-        u, v = (tidy(-x) if work.sign(x) < 0 else x for x in (u, v))
+        u, v = (work.size(x) for x in (u, v))
         if u == 0:
             return Derived((final,), value)
         tangent = tidy(v / u)
@@ -485,7 +485,7 @@ def _tangent_to(work: Working, name: Layout, axis: Vector, v: Vector) -> Row:
     along, across = (v.x, v.y) if axis.y == 0 else (v.y, v.x)
     way = axis.x if axis.y == 0 else axis.y
     along = tidy(-along) if work.sign(way) < 0 else along
-    across = tidy(-across) if work.sign(across) < 0 else across
+    across = work.size(across)
     tangent = tidy(across / along)
     return chain(
         side(tangent, lay.function("tan", Brackets(name))),
@@ -683,7 +683,7 @@ def _parts(work: Working, number: int, body: str) -> tuple[sp.Expr, sp.Expr, sp.
     """Components along before, across (made positive), and along after."""
     un, ut = (work.put(x) for x in work.model.before(number, body))
     v = work.put(work.model.after(number, body))
-    return un, tidy(-ut) if work.sign(ut) < 0 else ut, v
+    return un, work.size(ut), v
 
 
 def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Words, Layout]:

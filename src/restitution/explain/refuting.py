@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from restitution.exact import same, tidy, tidy_angle
 from restitution.explain.phrases import answer, listed, look
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
 from restitution.explain.steps import Words
 from restitution.expression import read_expression
+from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Name, Quantity
 from restitution.oracle import BeyondError, compared
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
@@ -96,10 +98,13 @@ def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: i
     sides: list[Words] = []
     for tree in (left, right):
         if quantities_in(work, tree, now) or _symbols(work, tree, now):
-            there = _at(evaluated(work, tree, now), given)
+            there = _value_at(work, tree, now, given)
+            if not isinstance(there, tuple) and there.has(sp.nan, sp.zoo, sp.AccumBounds):
+                continue
             shown = [each.layout for each in answer(there, angle=angle)]
             sides.append((lay.equation(lay.from_tree(tree), *shown),))
-    if not any(quantities_in(work, tree, now) for tree in (left, right)) and values:
+    about = any(quantities_in(work, tree, now) for tree in (left, right)) and sides
+    if not about and values:
         instance = (": it fails, for instance, with ", *listed(values), ".")
         return ("It is not true in general that ", _claim(relation), *instance)
     general = " in general" if values else ""
@@ -132,6 +137,25 @@ def _failing(
             if work.model.ground.decide(compared(a, op, b)).answer == "refuted":
                 return left, op, right
     return pairs[0]
+
+
+def _value_at(work: Working, tree: Expression, now: int, given: Mapping[str, str]) -> Any:
+    """What a tree is worth with the numbers of the counter-example."""
+    value = work.value(tree, now)
+    general = _at(evaluated(work, tree, now), given)
+    if isinstance(value, Angle):
+        x, y = (_at(work.model.in_data(work.put(part)), given) for part in (value.x, value.y))
+        # What the counter-example does not name is a scale.
+        scale = {s: sp.Integer(1) for s in x.free_symbols | y.free_symbols if s.is_positive}
+        x, y = (_real(part.xreplace(scale)) for part in (x, y))
+        if x.is_number and y.is_number and (x, y) != (0, 0):
+            there = tidy_angle(sp.atan2(y, x))  # in the quadrant that is its own there
+            return general if same(general, there) else there
+    return general
+
+
+def _real(x: sp.Expr) -> sp.Expr:
+    return tidy(sp.sqrtdenest(sp.radsimp(sp.expand(x)))) if x.is_number else x
 
 
 def _at(value: Any, given: Mapping[str, str]) -> Any:

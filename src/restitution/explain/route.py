@@ -158,9 +158,7 @@ def _models(solution: Solution, part: PartSolution) -> list[Model]:
 def _without_bars(told: Model) -> Model:
     """Sizes |x| in the values without bars, by the signs that they have in the story."""
     values = {
-        symbol: tidy(signed(value, told.witnesses(*(each.args[0] for each in value.atoms(sp.Abs)))))
-        if value.has(sp.Abs)
-        else value
+        symbol: tidy(signed(value, told.witnesses(value))) if value.has(sp.Abs) else value
         for symbol, value in told.final.items()
     }
     return replace(told, final=values)

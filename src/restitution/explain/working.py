@@ -110,8 +110,7 @@ class Working:
 
     def resolved(self, x: sp.Expr) -> sp.Expr:
         """Sizes |x| without bars where the sign of x is proved."""
-        sizes = [each.args[0] for each in x.atoms(sp.Abs)]
-        return signed(x, self.model.witnesses(*sizes)) if sizes else x
+        return signed(x, self.model.witnesses(x)) if x.has(sp.Abs) else x
 
     def open(self, x: Any) -> frozenset[sp.Symbol]:
         """The unknowns in an expression that are not known yet."""
@@ -138,6 +137,10 @@ class Working:
             else:
                 found[symbol.name] = "method"
         return found
+
+    def size(self, x: Any) -> sp.Expr:
+        """|x|, without bars where the sign of x is proved."""
+        return tidy(self.resolved(sp.Abs(sp.sympify(x, strict=True))))
 
     def sign(self, x: Any) -> int:
         return self.model.sign(self._known(sp.sympify(x, strict=True)))
