@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
-from restitution.exact import tidy, tidy_angle
+from restitution.exact import is_zero, tidy, tidy_angle
 from restitution.expression.evaluate import Symbolic
 from restitution.expression.tree import (
     Letter,
@@ -34,6 +34,7 @@ from restitution.oracle import (
     Some,
     Verdict,
     compared,
+    holds_at,
 )
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
@@ -48,11 +49,13 @@ _COMPONENTS = ("v", "w", "x", "y", "p", "q", "s", "z", "f", "g", "h", "b", "c", 
 _BEFORE = ("a", "b", "c", "d", "p", "q", "f", "g", "x", "y")
 
 
+PROVED = Verdict("proved", "algebra")
 UNDECIDED = Verdict("undecided", "undecided")
 REFUTED = Verdict("refuted", "witness")
 _ARCS = (sp.atan, sp.asin, sp.acos, sp.atan2)
 # Below this a number of a hundred digits may well be 0: then it is for the oracle to say.
 _NOTHING = 1e-20
+_POINTS = 12
 _PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
 
 
@@ -312,6 +315,8 @@ class Model:
 
     def _decide(self, gap: sp.Expr, sign: str) -> Verdict:
         operator = _PLAIN_SIGNS.get(sign, sign)
+        if operator == "=" and not gap.free_symbols:
+            return PROVED if is_zero(gap) else REFUTED
         try:
             if operator == "=" and gap.has(*_ARCS):
                 verdict = self._no_angle(gap)
@@ -322,6 +327,20 @@ class Model:
         # Where it is not known what the solution admits, other letters refute nothing.
         open_ = self.branch.oracle is None and bool(gap.free_symbols)
         return UNDECIDED if open_ and not verdict else verdict
+
+    def differ(self, left: Any, right: Any) -> bool:
+        """Whether two expressions differ for certain at some of what the solution admits."""
+        gap = self.in_data(left) - self.in_data(right)
+        if not gap.free_symbols:
+            return not is_zero(gap)
+        if self.branch.oracle is None:
+            return False
+        names = frozenset(symbol.name for symbol in gap.free_symbols)
+        try:
+            points = self.oracle.points(names, _POINTS)
+            return any(holds_at(Relation(gap, "="), point) is False for point in points)
+        except BeyondError:
+            return False
 
     def _no_angle(self, angle: sp.Expr) -> Verdict:
         """Whether an angle is 0: its sine vanishes, its cosine is positive, and it is no turn."""

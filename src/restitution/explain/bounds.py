@@ -20,10 +20,10 @@ from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
-from restitution.oracle import BeyondError, Formula, Relation, compared
+from restitution.oracle import BeyondError, Formula, compared
+from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import Role
-from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Show
-from restitution.problem import Relation as Given
+from restitution.problem import Aligned, Compare, Extremum, Impact, Meets, Range, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
@@ -57,13 +57,21 @@ class Bound:
 # --- what is proved -----------------------------------------------------------------------------
 
 
-def _ever_fails(work: Working, value: sp.Expr, asks: str) -> bool:
-    """Whether a condition is not proved for all that its letters may be by their roles alone."""
-    claims = [*_real(value), compared(value, _PLAIN.get(asks, asks), sp.Integer(0))]
+def _ever_fails(work: Working, value: sp.Expr, asks: str, told: Sequence[Formula] = ()) -> bool:
+    """Whether a condition is not proved for all that its letters may be.
+
+    That is what their roles say, and the conditions told before.
+    """
+    oracle = work.model.ground.with_facts(told) if told else work.model.ground
     try:
-        return not all(work.model.ground.decide(each) for each in claims)
+        return not all(oracle.decide(each) for each in _claims(value, asks))
     except BeyondError:
         return True
+
+
+def _claims(value: sp.Expr, asks: str) -> list[Formula]:
+    """A condition, and that it has a value."""
+    return [*_real(value), compared(value, _PLAIN.get(asks, asks), sp.Integer(0))]
 
 
 def _real(value: sp.Expr) -> list[Formula]:
@@ -72,17 +80,28 @@ def _real(value: sp.Expr) -> list[Formula]:
     for node in sp.preorder_traversal(value):
         if isinstance(node, sp.Pow) and node.free_symbols:
             if node.exp.is_Rational and node.exp.q % 2 == 0:
-                found.append(Relation(node.base, ">" if node.exp.is_negative else ">="))
+                found.append(Claim(node.base, ">" if node.exp.is_negative else ">="))
             elif node.exp.is_negative:
-                found.append(Relation(node.base, "!="))
+                found.append(Claim(node.base, "!="))
         elif isinstance(node, sp.asin | sp.acos):
-            found += [Relation(1 - node.args[0], ">="), Relation(1 + node.args[0], ">=")]
+            found += [Claim(1 - node.args[0], ">="), Claim(1 + node.args[0], ">=")]
     return found
 
 
 def _constant_sign(work: Working, value: sp.Expr) -> int:
     """+1 or −1 if an expression is proved to have one sign for all that letters may be, else 0."""
     return proved_sign(work.model.ground, work.model.in_data(value)) or 0
+
+
+def _weak_sign(work: Working, value: sp.Expr) -> int:
+    """+1 or −1 if an expression is proved never to have the other sign, else 0."""
+    for sign in (1, -1):
+        try:
+            if work.model.ground.decide(Claim(sign * value, ">=")):
+                return sign
+        except BeyondError:
+            break
+    return 0
 
 
 def _inner_sign(work: Working, value: sp.Expr) -> int:
@@ -117,7 +136,7 @@ def _from_facts(work: Working) -> list[Bound]:
     return found
 
 
-def _of_relation(work: Working, relation: Given, now: int) -> list[Bound]:
+def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
     story = work.model.story
     found: list[Bound] = []
     if isinstance(relation, Meets):
@@ -405,12 +424,11 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     work.reach(work.open(bound.value))
     left = _final_side(work, bound.left)
     right = _final_side(work, bound.right)
-    among = bound.words[-1] if bound.words else ""
-    several = isinstance(among, str) and " of these hold" in among
+    several = _one_of_several(bound)
     checked = () if several else (left.value, right.value)
     rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), "M1")]
     value = work.put(bound.value)
-    simple, sign = _reduced(work, value, bound.asks)
+    simple, sign = _reduced(work, value, bound.asks, x)
     if bound.bare and simple.free_symbols:
         rows = [Row((look(sp.factor(simple)), right.layout), (sign,), (simple, right.value), "M1")]
     if simple.free_symbols and several:
@@ -431,6 +449,12 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     work.write("fact", rows, words=bound.words, uses=work.uses(bound.value))
 
 
+def _one_of_several(bound: Bound) -> bool:
+    """Whether only one of the bounds with these words need hold."""
+    among = bound.words[-1] if bound.words else ""
+    return isinstance(among, str) and "either of these hold" in among
+
+
 def _final_side(work: Working, given: Any) -> Side:
     if isinstance(given, Side):
         if given.value is None or not work.open(given.value):
@@ -439,10 +463,13 @@ def _final_side(work: Working, given: Any) -> Side:
     return side(work.put(given))
 
 
-def _reduced(work: Working, value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
-    """An inequality without the factors that are positive anyway."""
+def _reduced(
+    work: Working, value: sp.Expr, sign: str, x: sp.Symbol | None = None
+) -> tuple[sp.Expr, str]:
+    """An inequality without the factors that are positive anyway; one that is x itself is kept."""
     value = sp.factor(sp.together(value))
     kept = sp.Integer(1)
+    divisors = sp.Integer(1)
     for factor, power in value.as_powers_dict().items():
         if not factor.free_symbols:
             if factor.is_negative and int(power) % 2:
@@ -451,13 +478,19 @@ def _reduced(work: Working, value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
         if power.is_Integer and int(power) % 2 == 0:
             continue
         constant = _constant_sign(work, factor)
+        if constant == 0 and power.is_negative:
+            # What is divided by is not 0.
+            constant = _weak_sign(work, factor)
+            divisors *= factor if constant else 1
         if constant == 0:
             kept *= factor
         elif constant < 0 and (not power.is_Integer or int(power) % 2):
             sign = _FLIPPED[sign]
+    if not kept.free_symbols and x is not None and divisors.has(x):
+        return divisors, ">" if sign in ">≥" else "<"
     kept = sp.expand(kept) if kept.is_Mul or kept.is_Pow else kept
     squared = _squares_compared(work, kept)
-    return (kept, sign) if squared is None else _reduced(work, squared, sign)
+    return (kept, sign) if squared is None else _reduced(work, squared, sign, x)
 
 
 def _squares_compared(work: Working, value: sp.Expr) -> sp.Expr | None:
@@ -564,6 +597,7 @@ def _range_working(
         for asked in quantities_in(work, tree, now):
             sub_result(work, asked)
     told: list[tuple[sp.Expr, str]] = []
+    facts: list[Formula] = []
     for bound in _bounds(work):
         value = _final(work, bound.value)
         if (
@@ -575,10 +609,14 @@ def _range_working(
             )
         ):
             continue
-        said = _upwards(*_reduced(work, value, bound.asks))
-        if said[0].free_symbols and said not in told and _ever_fails(work, value, bound.asks):
+        said = _upwards(*_reduced(work, value, bound.asks, x))
+        if not said[0].free_symbols or said in told:
+            continue
+        if _ever_fails(work, value, bound.asks, () if _one_of_several(bound) else facts):
             told.append(said)
             _told(work, bound, x)
+            if not _one_of_several(bound):
+                facts += _claims(value, bound.asks)
     if x is None or found:
         _ends(work, tree, now, answer_.free_symbols, alone=not told)
 

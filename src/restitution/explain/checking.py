@@ -32,7 +32,9 @@ def holds(row: Row, sample: Mapping[str, Any]) -> bool:
 def refuted(row: Row, model: Model) -> bool:
     """Whether a line, true at the sample, fails for other letters that the solution admits."""
     return any(
-        model.decide(left, sign, right).answer == "refuted"
+        model.differ(left, right)
+        if sign == "="
+        else model.decide(left, sign, right).answer == "refuted"
         for one, sign, other in related(row)
         for left, right in _parts(one, other)
         if sp.sympify(left, strict=True) != sp.sympify(right, strict=True)

@@ -697,7 +697,9 @@ class Working:
             found = at(here, {**self.model.sample, x.name: number})
         except (UndefinedError, KeyError, ArithmeticError):
             return False
-        return abs(found) < 1e-15 and bool(self.model.decide(here.xreplace({x: value}), "=", 0))
+        if abs(found) > 1e-15:
+            return False
+        return self.model.decide(here.xreplace({x: value}), "=", 0).answer != "refuted"
 
     def _refused(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
         """Values that satisfy the equation and were rejected."""
