@@ -107,9 +107,10 @@ def test_every_answer_is_in_the_working(path: Path) -> None:
                 assert "".join(item.error.message.split()) in seen
             elif item.kind in ("value", "vector", "point", "extremum"):
                 for answer in item.answers:
-                    last = answer.display.split(" when ")[0].split(" approached")[0]
-                    last = last.rpartition("=")[2]
-                    assert "".join(last.split()) in seen, (item.text, answer.display)
+                    plain, *condition = answer.display.split(", for ")
+                    last = plain.split(" when ")[0].split(" approached")[0].rpartition("=")[2]
+                    for each in (last, *condition):
+                        assert "".join(each.split()) in seen, (item.text, answer.display)
 
 
 @pytest.mark.parametrize("path", EXAMPLES[::3], ids=lambda path: path.stem)

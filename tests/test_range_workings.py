@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -182,3 +184,66 @@ def test_a_condition_says_which_coefficient_it_comes_from(facts: str, condition:
     text = "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
     working = " ".join(str(explain(restitution.solve(parse(text + facts)))).split())
     assert f"{condition}this holds for k ≥ 1 only." in working
+
+
+IMPACT = "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
+
+
+@pytest.mark.parametrize(
+    ("fact", "claims"),
+    [
+        (
+            "given velocity(A) = -u/10 i\nfind range of k",
+            {"k > 1": True, "k >= 11/9": True, "k < 50": False, "k > 11/9": False},
+        ),
+        (
+            "given speed(B) = 3/4 u\nfind range of k",
+            {"k < 2": True, "k <= 5/3": True, "k < 5/3": False, "e >= 0": True},
+        ),
+        (
+            "given energy_lost = 1/2 energy(0)\nunknown e\nfind range of k",
+            {"k >= 1": True, "k > 1": False, "k < 50": False},
+        ),
+    ],
+)
+def test_claims_beside_a_range_agree_with_it(fact: str, claims: dict[str, bool]) -> None:
+    shows = "".join(f"\nshow {claim}" for claim in claims)
+    solution = restitution.solve(parse(IMPACT + fact + shows))
+    assert {claim: solution[claim].holds for claim in claims} == claims
+    working = " ".join(str(explain(solution)).split())
+    for claim, holds in claims.items():
+        shown = claim.replace(">=", "≥").replace("<=", "≤")
+        false = f"It is not true in general that {shown}:"
+        assert (f"{shown} (as required)" in working) is holds
+        assert (false in working) is not holds
+
+
+OBLIQUE = """\
+sphere P: mass m, velocity u at alpha
+sphere Q: mass {}, at rest
+P hits Q: along i, e = e"""
+CUSHION = """\
+wall W: along i
+sphere P: velocity u at (-alpha)
+P hits W: e = e"""
+
+
+@pytest.mark.parametrize(
+    ("setting", "claim"),
+    [
+        (CUSHION, "deflection(P) > 90°"),
+        (OBLIQUE.format("k m"), "deflection(P) < 60°"),
+        (OBLIQUE.format("3 m"), "angle(velocity(P), velocity(Q)) < 100°"),
+    ],
+)
+def test_an_angle_beside_a_counterexample_is_that_of_its_letters(setting: str, claim: str) -> None:
+    solution = restitution.solve(parse(f"{setting}\nshow {claim}"))
+    item = solution[claim]
+    assert item.holds is False
+    working = " ".join(str(explain(solution)).split())
+    degrees = float(re.findall(r"([\d.]+)°\.", working)[-1])
+    asked, sign, bound = re.fullmatch(r"(.*) ([<>]) (\d+)°", claim).groups()
+    assert degrees >= float(bound) if sign == "<" else degrees <= float(bound)
+    put = "".join(f"\ngiven {name} = {text}" for name, text in item.counterexample.items())
+    exact = restitution.solve(parse(f"{setting}{put}\nfind {asked}"))[asked]
+    assert math.degrees(exact.decimal) == pytest.approx(degrees, rel=5e-3)
