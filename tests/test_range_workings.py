@@ -91,7 +91,8 @@ def conditions(work: Working, texts: tuple[str, ...]) -> list[Formula]:
     for text in texts:
         sign = next(each for each in ("<=", ">=", "<", ">") if each in text)
         sides = [
-            evaluate(read_expression(each), work.model.unknowns.letter) for each in text.split(sign)
+            work.model.in_data(evaluate(read_expression(each), work.model.unknowns.letter))
+            for each in text.split(sign)
         ]
         found.append(compared(sides[0], sign, sides[1]))
     return found

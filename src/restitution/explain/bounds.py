@@ -14,6 +14,7 @@ from restitution.components import proved_sign
 from restitution.errors import RestitutionError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.asked import found_before, prepare, sub_result
+from restitution.explain.checking import related
 from restitution.explain.phrases import answer, chain, listed, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import Row, Side, Words, side
@@ -615,10 +616,19 @@ def _range_working(
         if _ever_fails(work, value, bound.asks, () if _one_of_several(bound) else facts):
             told.append(said)
             _told(work, bound, x)
-            if not _one_of_several(bound):
-                facts += _claims(value, bound.asks)
+            facts += _printed(work)
     if x is None or found:
         _ends(work, tree, now, answer_.free_symbols, alone=not told)
+
+
+def _printed(work: Working) -> list[Formula]:
+    """The inequalities of the step just written, in the data alone."""
+    return [
+        compared(work.model.in_data(left), _PLAIN.get(sign, sign), work.model.in_data(right))
+        for row in work.steps[-1].rows
+        for left, sign, right in related(row)
+        if sign != "=" and not isinstance(left, tuple)
+    ]
 
 
 def _upwards(value: sp.Expr, sign: str) -> tuple[sp.Expr, str]:
@@ -757,19 +767,21 @@ def _is_limit(
 
 
 def _turns_back(work: Working, tree: Expression, value: sp.Expr, symbol: sp.Symbol) -> bool:
-    """Whether a speed, written without bars, changes sign as a letter runs through its range."""
+    """Whether a speed |x| has an x of either sign as a letter runs through its range."""
     role = work.model.unknowns.roles.get(symbol.name)
     if role is None or not isinstance(tree, Quantity) or tree.kind != "speed":
         return False
-    for place in (role.low, sp.oo if role.high is None else role.high):
-        if place is None:
-            continue
-        try:
-            there = _beside(work, place)
-            if at(value, {**work.model.sample, symbol.name: there}) < 0:
-                return True
-        except (UndefinedError, KeyError, ArithmeticError, TypeError):
-            continue
+    ends = [x for x in (role.low, sp.oo if role.high is None else role.high) if x is not None]
+    for size in sorted(value.atoms(sp.Abs), key=sp.default_sort_key):
+        signs = set()
+        for place in ends:
+            there = {**work.model.sample, symbol.name: _beside(work, place)}
+            try:
+                signs.add(at(size.args[0], there) > 0)
+            except (UndefinedError, KeyError, ArithmeticError, TypeError):
+                continue
+        if len(signs) == 2:
+            return True
     return False
 
 

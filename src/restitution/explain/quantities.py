@@ -171,7 +171,7 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
     made: Layout | None = None
     kind = tree.kind
     if kind == "speed" and body is not None:
-        made = _speed(*components(work, body, stage_of(work, tree, now, body)))
+        made = _speed(work, *components(work, body, stage_of(work, tree, now, body)))
     elif kind == "energy":
         stage = stage_of(work, tree, now, body)
         names = [body] if body is not None else list(work.model.story.spheres)
@@ -188,10 +188,12 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
     return Side(made if made is not None else look(value), value)
 
 
-def _speed(a: sp.Expr, b: sp.Expr) -> Layout:
+def _speed(work: Working, a: sp.Expr, b: sp.Expr) -> Layout:
     if a == 0 or b == 0:
         rest = b if a == 0 else a
         laid = look(rest)
+        if work.size(rest).has(sp.Abs):
+            return Brackets(laid, "||")
         sign, size = lay.split_sign(laid)
         return size if sign == "-" else laid
     return lay.Root(lay.total([square(a), square(b)]))
