@@ -56,6 +56,7 @@ _ARCS = (sp.atan, sp.asin, sp.acos, sp.atan2)
 # Below this a number of a hundred digits may well be 0: then it is for the oracle to say.
 _NOTHING = 1e-20
 _POINTS = 12
+_LONG = 80
 _PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
 
 
@@ -316,6 +317,10 @@ class Model:
     def _decide(self, gap: sp.Expr, sign: str) -> Verdict:
         operator = _PLAIN_SIGNS.get(sign, sign)
         if operator == "=" and not gap.free_symbols:
+            if self._is_not_zero(gap):
+                return REFUTED
+            if sp.count_ops(gap) > _LONG:
+                return UNDECIDED
             return PROVED if is_zero(gap) else REFUTED
         try:
             if operator == "=" and gap.has(*_ARCS):
@@ -328,11 +333,18 @@ class Model:
         open_ = self.branch.oracle is None and bool(gap.free_symbols)
         return UNDECIDED if open_ and not verdict else verdict
 
+    def _is_not_zero(self, constant: sp.Expr) -> bool:
+        """Whether a constant is seen not to vanish, in numbers of a hundred digits."""
+        try:
+            return bool(abs(self.number(constant)) > _NOTHING)
+        except (UndefinedError, ArithmeticError):
+            return False
+
     def differ(self, left: Any, right: Any) -> bool:
         """Whether two expressions differ for certain at some of what the solution admits."""
         gap = self.in_data(left) - self.in_data(right)
         if not gap.free_symbols:
-            return not is_zero(gap)
+            return self._is_not_zero(gap)
         if self.branch.oracle is None:
             return False
         names = frozenset(symbol.name for symbol in gap.free_symbols)

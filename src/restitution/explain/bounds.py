@@ -425,7 +425,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     work.reach(work.open(bound.value))
     left = _final_side(work, bound.left)
     right = _final_side(work, bound.right)
-    several = _one_of_several(bound)
+    several = _among_several(bound)
     checked = () if several else (left.value, right.value)
     rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), "M1")]
     value = work.put(bound.value)
@@ -433,9 +433,10 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     if bound.bare and simple.free_symbols:
         rows = [Row((look(sp.factor(simple)), right.layout), (sign,), (simple, right.value), "M1")]
     if simple.free_symbols and several:
-        # Only one of them need hold, so none can be checked by itself.
+        # Where only one of them need hold, none can be checked by itself.
+        alone = not _one_of_several(bound)
         rows = [
-            Row(each.operands, each.signs, (None,) * len(each.operands), "M1 A1")
+            Row(each.operands, each.signs, each.values if alone else (None, None), "M1 A1")
             for each in _solved(work, simple, sign, x, rows[0])
         ]
     elif simple.free_symbols:
@@ -448,6 +449,12 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
         last = rows[-1]
         rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
     work.write("fact", rows, words=bound.words, uses=work.uses(bound.value))
+
+
+def _among_several(bound: Bound) -> bool:
+    """Whether a bound stands in a list of several."""
+    among = bound.words[-1] if bound.words else ""
+    return isinstance(among, str) and " of these hold" in among
 
 
 def _one_of_several(bound: Bound) -> bool:
