@@ -17,7 +17,8 @@ import sympy as sp
 from restitution.oracle.roles import Role
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.neat import neat, numerator
+from restitution.solve.neat import neat
+from restitution.solve.polynomials import numerator
 
 # Equations that are solved together in one stage, at most.
 _LARGEST = 4
