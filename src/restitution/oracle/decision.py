@@ -259,8 +259,8 @@ def covers(
     solver = z3.Tactic("nlqsat", ctx=question.context).solver()
     solver.set("timeout", MILLISECONDS)
     solver.add(every)
-    answer = solver.check()
-    return "yes" if answer == z3.sat else "no" if answer == z3.unsat else "unknown"
+    answer, _ = checked(solver)
+    return {"sat": "yes", "unsat": "no"}.get(answer, "unknown")  # type: ignore[return-value]
 
 
 def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[str]) -> Reply:
@@ -272,17 +272,30 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
     for each in question.definitions(used, used):
         solver.add(each)
     solver.add(question.statement(tree))
-    answer = solver.check()
-    if answer == z3.unsat:
+    answer, reason = checked(solver)
+    if answer == "unsat":
         return Reply("no")
-    if answer != z3.sat:
-        return Reply("unknown", None, solver.reason_unknown())
+    if answer != "sat":
+        return Reply("unknown", None, reason)
     model = solver.model()
     values = {
         name: _exact(model.eval(number, model_completion=True))
         for name, number in question.numbers.items()
     }
     return Reply("yes", values)
+
+
+def checked(solver: Any) -> tuple[str, str]:
+    """What a solver of Z3 answers (sat, unsat or unknown), and why it does not know."""
+    answer = str(solver.check())
+    return answer, solver.reason_unknown() if answer == "unknown" else ""
+
+
+def limit_memory(megabytes: int) -> None:
+    """Bound the memory of Z3 in this process, which is for whoever runs the process to say."""
+    import z3
+
+    z3.set_param("memory_max_size", megabytes)
 
 
 class _Question:

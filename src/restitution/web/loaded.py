@@ -14,7 +14,11 @@ import restitution.web.work  # noqa: F401
 from restitution import examples
 from restitution.export.working import shown
 from restitution.language import parse
+from restitution.oracle.decision import limit_memory
 from restitution.solve import solve
+
+# Megabytes: a question that takes more is undecided, long before the process has to end.
+limit_memory(1024)
 
 # Walls, spheres, and letters: between them they use nearly everything.
 for _name in ("corner", "two-spheres-with-vectors", "wall-in-letters"):
