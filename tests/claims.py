@@ -399,11 +399,19 @@ def disagreement(asked: Asked, item: Any, outcome: str, seed: int = 1) -> str | 
     return None
 
 
+def _holds(condition: str, letters: Mapping[str, Any]) -> bool:
+    """Whether one of the cases of a condition holds; where a root is not real, it does not."""
+    try:
+        return any(physics.true_of(each, letters) for each in condition.split(" or "))
+    except physics.ImpossibleWorldError:
+        return False
+
+
 def answered(item: Any, letters: Mapping[str, Any]) -> list[Any]:
     """The values of those answers whose conditions hold."""
     values = []
     for answer in item.answers:
-        if all(physics.true_of(each, letters) for each in answer.condition):
+        if all(_holds(each, letters) for each in answer.condition):
             texts = (answer.exact,) if isinstance(answer.exact, str) else answer.exact
             try:
                 values.append(tuple(number_of(text, letters) for text in texts))

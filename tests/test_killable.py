@@ -93,8 +93,9 @@ def test_who_asks_before_all_is_loaded_does_not_wait_for_a_rehearsal():
 def test_why_loading_failed_is_said_though_the_process_has_ended():
     worker = Worker(serve, failing)
     worker._process.join()
-    with worker, pytest.raises(LostError, match="nothing to load"):
+    with worker, pytest.raises(LostError, match="a fault of the program") as lost:
         worker.ask("anything")
+    assert "nothing to load" in lost.value.details
 
 
 def test_a_process_that_ends_is_lost_and_the_next_request_has_another():

@@ -82,5 +82,6 @@ def test_what_takes_too_long_says_so_and_harms_nobody():
     told = dict(report.answers)
     items = [item for part in told["slow"]["answer"]["parts"] for item in part["items"]]
     assert len(items) == 6
-    assert {item["error"]["kind"] for item in items} == {"time limit"}
+    # What is too hard is seen by a count of steps, or else the time is over: it is said either way.
+    assert {item["error"]["kind"] for item in items} <= {"time limit", "unsupported"}
     assert told["corner"]["answer"] == answer("corner")

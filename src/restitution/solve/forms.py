@@ -56,7 +56,9 @@ def plain(value: Any, samples: Samples) -> Any:
         return Vector(plain(value.x, samples), plain(value.y, samples))
     if isinstance(value, Angle):
         return angle(value, samples)
-    return tidy(signed(sp.sympify(value, strict=True), samples))
+    plainer = tidy(signed(sp.sympify(value, strict=True), samples))
+    # With fewer bars there is more to be taken together.
+    return exact.tidy(plainer) if plainer.has(sp.Abs) else plainer
 
 
 def bound(x: sp.Expr) -> sp.Expr:
