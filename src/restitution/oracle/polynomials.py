@@ -13,7 +13,7 @@ of it beside it as relations and bounds:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -667,8 +667,3 @@ def _above(x: sp.Expr) -> Fraction:
 
 def _q(x: Fraction) -> Any:
     return QQ(x.numerator, x.denominator)
-
-
-def sum_of_squares(polynomials: Sequence[PolyElement]) -> PolyElement:
-    """Zero exactly where all of them are."""
-    return sum((each**2 for each in polynomials[1:]), polynomials[0] ** 2)

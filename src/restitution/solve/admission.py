@@ -8,7 +8,7 @@ points are tried in compiled form.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -62,7 +62,6 @@ class Admission:
     demands: tuple[Demand, ...]
     equations: tuple[sp.Expr, ...]
     assumed: tuple[Formula, ...] = ()
-    _reasons: dict[Formula, bool] = field(default_factory=dict, repr=False)
 
     @cached_property
     def oracle(self) -> Oracle:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -197,52 +197,6 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
         if x.is_number:
             break
     return found
-
-
-_ROUGH: dict[type, Callable[[float], float]] = {sp.sin: math.sin, sp.cos: math.cos}
-_TRIED = 8
-
-
-def changes_sign(x: sp.Expr) -> bool:
-    """Whether floats show that a continuous expression is of either sign for real letters.
-
-    Letters keep the signs that they have as symbols. False where nothing was found.
-    """
-    rng = random.Random(3)
-    letters = sorted(x.free_symbols, key=lambda s: s.name)
-    signs = set()
-    for _ in range(_TRIED):
-        put = {s: math.exp(rng.gauss(0, 1.5)) for s in letters}
-        put |= {s: -v for s, v in put.items() if not s.is_nonnegative and rng.random() < 0.5}
-        try:
-            value, size = _rough(x, put)
-        except (ArithmeticError, KeyError, ValueError):
-            return False
-        if abs(value) > 1e-9 * size:
-            signs.add(value > 0)
-        if len(signs) == 2:
-            return True
-    return False
-
-
-def _rough(x: sp.Basic, values: Mapping[sp.Basic, float]) -> tuple[float, float]:
-    """A value in floats, and the size of what was added up; KeyError if it may have jumps."""
-    if x.is_Symbol:
-        return values[x], abs(values[x])
-    if x.is_Rational:
-        value = x.p / x.q
-        return value, abs(value)
-    if x.is_Add:
-        parts = [_rough(each, values) for each in x.args]
-        return math.fsum(v for v, _ in parts), math.fsum(s for _, s in parts)
-    if x.is_Mul:
-        parts = [_rough(each, values) for each in x.args]
-        return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
-    if x.is_Pow and x.exp.is_Rational and x.exp > 0:
-        value, size = _rough(x.base, values)
-        return math.pow(value, x.exp.p / x.exp.q), math.pow(size, x.exp.p / x.exp.q)
-    value, size = _rough(x.args[0], values) if x.args else (0.0, 0.0)
-    return _ROUGH[type(x)](value), 1.0
 
 
 def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:
