@@ -41,9 +41,9 @@ async def crowd(
     """
     report = Report()
     draw = random.Random(17)
-    # Let go of idle connections before the server does (after 5 s): else, on a busy machine, a
-    # question may be sent into one that is just being closed.
-    limits = httpx.Limits(max_connections=None, keepalive_expiry=1)
+    # A connection for each question: one that is kept may be let go by the server, after 5 s, just
+    # as the next question goes into it, which on a busy machine does happen.
+    limits = httpx.Limits(max_connections=None, max_keepalive_connections=0)
     async with httpx.AsyncClient(base_url=address, timeout=120, limits=limits) as client:
         probing = asyncio.create_task(_probe(client, report))
         students = []
