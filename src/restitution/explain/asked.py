@@ -133,14 +133,15 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
     elif isinstance(item, Range) and answer_ is not None:
         from restitution.explain.bounds import explain_range
 
-        explain_range(work, item.expression, answer_, now)
+        explain_range(work, item.expression, mine, now)
     elif isinstance(item, Extremum) and answer_ is not None:
         from restitution.explain.bounds import explain_extremum
 
         explain_extremum(work, item, answer_, now)
     elif isinstance(item, Show):
         _show(work, item, result, now)
-    if answer_ is not None and answer_.condition_layout is not None:
+    by_case = isinstance(item, Range) and len(mine) > 1  # each stands with its condition
+    if answer_ is not None and answer_.condition_layout is not None and not by_case:
         only = (answer_.condition_layout, " only.")
         reason = _coefficients_that_bind(work)
         if reason:

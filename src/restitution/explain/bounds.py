@@ -570,17 +570,27 @@ def _by_sign(work: Working, factor: sp.Expr, sign: str) -> str | None:
 # --- ranges -------------------------------------------------------------------------------------
 
 
-def explain_range(work: Working, tree: Expression, answer_: Answer, now: int) -> None:
-    """The conditions that bound a letter or a quantity, then its range."""
-    laid = lay.display_set(answer_.value, lay.from_tree(tree), angle=answer_.angle)
+def explain_range(work: Working, tree: Expression, answers: Sequence[Answer], now: int) -> None:
+    """The conditions that bound a letter or a quantity, then its range.
+
+    A range whose form depends on the data has an answer for each form, with its condition.
+    """
+    name = lay.from_tree(tree)
     before = len(work.steps)
-    _range_working(work, tree, now, answer_.value)
+    values = [each.value for each in answers]
+    _range_working(work, tree, now, frozenset().union(*(each.free_symbols for each in values)))
     words = "So the range is"
     if isinstance(tree, Letter) and len(work.steps) == before:
         role = work.model.unknowns.roles.get(tree.name)
-        if role is not None and _whole(role, answer_.value):
+        if role is not None and all(_whole(role, each) for each in values):
             words = "All that is given can be so for every value, and the range is"
-    work.write("result", [Row((laid,), (), (None,), "A1")], words=(words,))
+    rows = []
+    for each in answers:
+        laid: lay.Layout = lay.display_set(each.value, name, angle=each.angle)
+        if len(answers) > 1 and each.condition_layout is not None:
+            laid = lay.Phrase((laid, lay.Phrase((lay.Words("for"), each.condition_layout))), ", ")
+        rows.append(Row((laid,), (), (None,), "A1"))
+    work.write("result", rows, words=(words,))
 
 
 def _whole(role: Role, values: Any) -> bool:
@@ -596,7 +606,7 @@ def explain_conditions(work: Working, tree: Expression, now: int) -> None:
 
 
 def _range_working(
-    work: Working, tree: Expression, now: int, answer_: sp.Set = sp.S.EmptySet
+    work: Working, tree: Expression, now: int, kept: AbstractSet[sp.Basic] = frozenset()
 ) -> None:
     x = work.model.unknowns.letter(tree.name) if isinstance(tree, Letter) else None
     found = x is not None and x in work.model.final
@@ -625,7 +635,7 @@ def _range_working(
             _told(work, bound, x)
             facts += _printed(work)
     if x is None or found:
-        _ends(work, tree, now, answer_.free_symbols, alone=not told)
+        _ends(work, tree, now, kept, alone=not told)
 
 
 def _printed(work: Working) -> list[Formula]:

@@ -82,7 +82,7 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
         yield UNDECIDED
     for number, answer in enumerate(item.distinct):
         if number:
-            yield "  or  "
+            yield "; " if item.kind == "range" else "  or  "  # forms of one range, not choices
         yield from _answer(item, answer)
     for root in item.rejected:
         yield "  (rejected: "

@@ -15,7 +15,8 @@ The object::
 ``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
 letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
 ``e_1``; a list of two such texts for a vector, a point or a direction. ``condition`` lists
-relations between such texts, under which alone the answer holds. ``proof`` says what a claim rests
+relations between such texts, under which alone the answer holds; a range whose form depends on the
+data has an answer for each form, with its condition. ``proof`` says what a claim rests
 on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is ``undecided``, and ``holds``
 null, where nothing is proved; else null. ``trials`` counts the points at which it was tried. An
 error is null or

@@ -128,7 +128,7 @@ def _best(
     if not value.has(symbol):
         raise UnsupportedError(f"the quantity does not depend on {name}")
     points = turning(value, symbol, roles)
-    points += region.points
+    points += region.critical
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
     candidates = []
     for point in dict.fromkeys(points):

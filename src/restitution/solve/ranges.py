@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -22,6 +23,7 @@ from restitution.expression.tree import Expression, Letter, has_quantity, letter
 from restitution.oracle import (
     All,
     BeyondError,
+    Formula,
     Oracle,
     Point,
     Proof,
@@ -35,6 +37,7 @@ from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
 from restitution.solve import forms
+from restitution.solve.cases import Case, cases
 from restitution.solve.letters import is_angle, roles
 from restitution.solve.numbers import (
     FIELD,
@@ -62,9 +65,18 @@ from restitution.solve.regions import (
     zeros,
 )
 from restitution.solve.solution import Answer, ItemResult
-from restitution.solve.validity import Limitation, range_limitations, with_condition
+from restitution.solve.validity import (
+    Limitation,
+    bounds_of,
+    range_limitations,
+    with_condition,
+)
 
 # --- ranges of letters and of quantities -------------------------------------------------------
+
+
+# Values of what is asked, with what they ask of the other letters.
+Form = tuple[sp.Set, tuple[Limitation, ...]]
 
 
 def find_range(
@@ -76,23 +88,22 @@ def find_range(
     meant = _meant(desk, item, in_terms_of)
     tree = meant.expression
     base = desk.settle(in_terms_of, meant)
-    limits: tuple[Limitation, ...] = ()
-    proof: Proof = "undecided"
+    pieces: list[Form]
     if isinstance(tree, Letter) and tree.name not in base.lets:
-        values, region = _range_of_letter(desk, tree.name, in_terms_of, base)
+        pieces, proof = _range_of_letter(desk, tree.name, in_terms_of, base)
         angle = base.roles[tree.name].kind == "angle"
-        proof = "algebra"  # the facts alone fix it
-        if region is not None:
-            limits, proof = range_limitations(region.outcome, region, values), region.proof
     else:
-        values, angle, proof = _range_of_quantity(desk, meant, now, in_terms_of)
-    if values is sp.S.EmptySet:
-        raise ContradictionError(f"no value of {item.text.removeprefix('range of ')} is possible")
-    layout = display_set(values, from_tree(item.expression), angle=angle)
-    told = exact.sympy_text(values)
-    answer = Answer(1, values, told, None, to_text(layout), angle=angle, layout=layout)
-    answer = with_condition(answer, layout, limits)
-    return ItemResult(item, line, item.text, "range", (answer,), proof=proof)
+        pieces, angle, proof = _range_of_quantity(desk, meant, now, in_terms_of)
+    answers = []
+    for values, limits in pieces:
+        if values is sp.S.EmptySet:
+            name = item.text.removeprefix("range of ")
+            raise ContradictionError(f"no value of {name} is possible")
+        layout = display_set(values, from_tree(item.expression), angle=angle)
+        told = exact.sympy_text(values)
+        answer = Answer(1, values, told, None, to_text(layout), angle=angle, layout=layout)
+        answers.append(with_condition(answer, layout, limits))
+    return ItemResult(item, line, item.text, "range", tuple(answers), proof=proof)
 
 
 def require_told(problem: Problem, tree: Expression) -> None:
@@ -132,38 +143,65 @@ def _range_of_ratio(desk: Desk, item: Range) -> tuple[sp.Set, Proof] | None:
         if not slope.is_positive:
             continue  # rising with this letter, whatever the others are
         try:
-            values, region = _range_of_letter(
+            pieces, proof = _range_of_letter(
                 desk, name, None, desk.settle(None, item, letters(tree))
             )
         except RestitutionError:
             continue
-        if not isinstance(values, sp.Interval):
+        values = pieces[0][0]
+        if len(pieces) > 1 or not isinstance(values, sp.Interval):
             continue
         ends = [limit(value, symbol, end, end == sp.oo) for end in (values.start, values.end)]
         if any(end is None or (end.free_symbols & value.free_symbols) for end in ends):
             continue
         image = sp.Interval(ends[0], ends[1], values.left_open, values.right_open)
         # It rises with this letter, so what is proved of that is proved of the ratio.
-        return image, "algebra" if region is None else region.proof
+        return image, proof
     return None
 
 
 def _range_of_letter(
     desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, setting: Setting
-) -> tuple[sp.Set, Region | None]:
+) -> tuple[list[Form], Proof]:
+    """The values of a letter, each set of them with what it asks of the other letters."""
     try:
         outcome = desk.outcome(setting)
         free = _free(outcome, in_terms_of) - {name}
         region = Region(outcome, name, tuple(sorted(free)))
-        values = to_set(region.pieces())
+        values, several = _forms(region)
     except ContradictionError:
         values = _fixed_values(desk, name, setting)
         if values is sp.S.EmptySet:
             raise
-        return values, None
+        return [(values, ())], "algebra"
+    if several:
+        return _by_case(several, region.roles)
     if values is sp.S.EmptySet:
-        return _fixed_values(desk, name, setting), None
-    return values, region
+        return [(_fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
+    return [(values, range_limitations(outcome, region, values))], region.proof
+
+
+def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:
+    """The values in each case with what it asks of the data, and what they all rest on."""
+    found: list[Form] = [
+        (to_set(c.pieces), (bounds_of(c.letter, c.values, roles),)) for c in several
+    ]
+    proofs: list[Proof] = [each.proof for each in several]
+    return found, next((proof for proof in proofs if proof != "algebra"), proofs[0])
+
+
+def _forms(region: Region | _Image) -> tuple[sp.Set, list[Case]]:
+    """The values in one form; in several, where one is not proved or not to be had."""
+    try:
+        values = to_set(region.pieces())
+    except UnsupportedError:
+        several = cases(region)
+        if several:
+            return sp.S.EmptySet, several
+        raise
+    if region.proof != "undecided" or values is sp.S.EmptySet:
+        return values, []
+    return values, cases(region)
 
 
 def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
@@ -195,14 +233,14 @@ def _free(outcome: Outcome, in_terms_of: tuple[str, ...] | None) -> set[str]:
 
 def _range_of_quantity(
     desk: Desk, item: Range, now: int, in_terms_of: tuple[str, ...] | None
-) -> tuple[sp.Set, bool, Proof]:
+) -> tuple[list[Form], bool, Proof]:
     tree = item.expression
     setting = desk.settle(in_terms_of, item)
     named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
     if len(named) > 1 and not letters(tree) & set(setting.lets):
         found = _range_of_ratio(desk, item)
         if found is not None:
-            return found[0], False, found[1]
+            return [(found[0], ())], False, found[1]
     walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(tree, angles, walls)
@@ -215,7 +253,7 @@ def _range_of_quantity(
     free = ((_free(first, in_terms_of) | named) & present) - (fixed - named)
     free = free or _restricted(outcome) & present
     if not free:
-        return sp.FiniteSet(*[value for _, value in values]), angle, "algebra"
+        return [(sp.FiniteSet(*[value for _, value in values]), ())], angle, "algebra"
     if any(name.startswith("_") for name in present):
         hidden = min(name for name in present if name.startswith("_"))
         raise MissingError(f"the range needs {outcome.letters.phrases.get(hidden, hidden)}")
@@ -250,7 +288,7 @@ def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, s
 
 def _image(
     outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str], angle: bool
-) -> tuple[sp.Set, Proof]:
+) -> tuple[list[Form], Proof]:
     """The values of expressions as letters vary freely within what is allowed."""
     sets: list[sp.Set] = []
     proofs: list[Proof] = []
@@ -262,9 +300,14 @@ def _image(
             proofs.append("algebra")
             continue
         image = _Image(own, value, used, angle)
-        sets.append(to_set(image.pieces()))
+        one, several = _forms(image)
+        if several and len(values) == 1:
+            return _by_case(several, image.roles)
+        if several:
+            raise UnsupportedError("the form of the range depends on the values of the data")
+        sets.append(one)
         proofs.append(image.proof)
-    return sp.Union(*sets), "undecided" if "undecided" in proofs else proofs[0]
+    return [(sp.Union(*sets), ())], "undecided" if "undecided" in proofs else proofs[0]
 
 
 @dataclass(frozen=True)
@@ -291,15 +334,21 @@ class _Image:
         self.candidates = list(_candidates(outcome, value, free, self.region))
         self.angle = angle
         self.proof: Proof = "undecided"
+        self.role, self.roles = REAL, self.region.roles
+        self.data, self.given = self.region.data, self.region.given
+        self.formula = self.region.formula
+        running = {self.roles[name].symbol(name) for name in free}
+        ends = (candidate.value for candidate in self.candidates)
+        self.critical = [end for end in ends if not end.free_symbols & running]
 
     def pieces(self) -> list[Piece]:
         """The interval. Raises ContradictionError where nothing is possible."""
-        shapes = self._shapes()
+        shapes = self.shapes
         if not shapes:
             raise ContradictionError("no values satisfy all that is told")
         for _ in range(ROUNDS):
             pieces = reconcile(shapes)
-            verdict = self._proved(pieces)
+            verdict = self.proved(pieces)
             self.proof = verdict.proof if verdict else "undecided"
             if verdict.answer != "refuted" or verdict.witness is None:
                 break
@@ -309,7 +358,9 @@ class _Image:
             shapes.append(shape)
         return reconcile(shapes)
 
-    def _shapes(self) -> list[tuple[list[Piece], Sample]]:
+    @cached_property
+    def shapes(self) -> list[tuple[list[Piece], Sample]]:
+        """The interval for some values of the data."""
         data = self.region.data()
         rng = random.Random(23)
         shapes: list[tuple[list[Piece], Sample]] = []
@@ -327,6 +378,11 @@ class _Image:
         shape = self._shape(self.region._drawn(possible.witness), possible.witness)
         return [] if shape is None else [shape]
 
+    def pieces_at(self, drawn: Sample) -> list[Piece]:
+        """The interval for these values of the data, or none."""
+        shape = self._shape(drawn, {})
+        return [] if shape is None else shape[0]
+
     def _shape(self, drawn: Sample, point: Point) -> tuple[list[Piece], Sample] | None:
         """The interval for some values of the data; ``point`` has values that do occur."""
         inside = _seen(self.region, self.value, self.free, drawn, point)
@@ -342,8 +398,8 @@ class _Image:
             ends.append(End(best.value, _is_reached(self.region, best, drawn)))
         return [(ends[0], ends[1])], drawn
 
-    def _proved(self, pieces: Sequence[Piece]) -> Verdict:
-        """Whether just these values occur, whatever the data are."""
+    def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
+        """Whether just these values occur, whatever the data are; ``more`` are facts of them."""
         formula = self.region.formula
         if formula is None:
             return Verdict("undecided", "undecided")
@@ -357,10 +413,10 @@ class _Image:
             if letters_of(each) and not letters_of(each) & set(self.free)
         )
         try:
-            outer = Oracle(roles, (formula,)).decide(inside_of(self.value, pieces))
+            outer = Oracle(roles, (*more, formula)).decide(inside_of(self.value, pieces))
             if not outer:
                 return outer
-            inner = Oracle(roles, (*of_data, inside_of(symbol, pieces))).decide_some(
+            inner = Oracle(roles, (*more, *of_data, inside_of(symbol, pieces))).decide_some(
                 joined((formula, Relation(self.value - symbol, "="))), frozenset(self.free)
             )
         except BeyondError:

@@ -95,7 +95,7 @@ class Region:
         self._kept_atoms = self._atoms()
         matter = {s.name for each in self._kept_atoms for s in each.free_symbols}
         self.free = tuple(name for name in self.free if name in matter)
-        self.points = self._critical()
+        self.critical = self._critical()
 
     # --- where truth can change --------------------------------------------------------------
 
@@ -136,7 +136,7 @@ class Region:
                     found.append(symbol - bound)
         unique: list[sp.Expr] = []
         for each in found:
-            for part in _signs(each):
+            for part in deciding(each):
                 for factor in _essential(part):
                     if factor not in unique:
                         unique.append(factor)
@@ -324,17 +324,17 @@ class Region:
         They are sought at a few values of the data, and then proved for all; values of the data
         for which they are others are taken in, and the form is sought again.
         """
-        shapes = self._shapes()
+        shapes = self.shapes
         if not shapes:
             return []
         for _ in range(ROUNDS):
             pieces = reconcile(shapes)
-            verdict = self._proved(pieces)
+            verdict = self.proved(pieces)
             self.proof = verdict.proof if verdict else "undecided"
             if verdict.answer != "refuted" or verdict.witness is None:
                 break
             drawn = self._drawn(verdict.witness)
-            shape = self._pieces_for(drawn)
+            shape = self.pieces_at(drawn)
             if any(shape == known for known, _ in shapes) and any(drawn == d for _, d in shapes):
                 break
             if shape:
@@ -346,7 +346,8 @@ class Region:
             self.proof = "undecided"
         return reconcile(shapes)
 
-    def _shapes(self) -> list[tuple[list[Piece], Sample]]:
+    @cached_property
+    def shapes(self) -> list[tuple[list[Piece], Sample]]:
         """The allowed values for some values of the data."""
         shapes: list[tuple[list[Piece], Sample]] = []
         data = self.data()
@@ -355,27 +356,27 @@ class Region:
             drawn = sample(data, self.roles, rng)
             if self.base is not None and not self._in_base(drawn):
                 continue
-            found = self._pieces_for(drawn)
+            found = self.pieces_at(drawn)
             if found:
                 shapes.append((found, drawn))
             if len(shapes) == DRAWS:
                 return shapes
         if shapes or not data or self.formula is None:
             return shapes
-        possible = Oracle(self.roles, (*self._given, self.formula)).possible
+        possible = Oracle(self.roles, (*self.given, self.formula)).possible
         if possible.witness is not None:
             drawn = self._drawn(possible.witness)
-            found = self._pieces_for(drawn)
+            found = self.pieces_at(drawn)
             return [(found, drawn)] if found else []
         return []
 
     @property
-    def _given(self) -> tuple[Formula, ...]:
+    def given(self) -> tuple[Formula, ...]:
         return () if self.base is None else self.base.facts
 
     @cached_property
     def _base(self) -> Admission:
-        given = [each for each in self._given if self.letter not in letters_of(each)]
+        given = [each for each in self.given if self.letter not in letters_of(each)]
         demands = tuple(Demand(each, "", "fact") for each in given)
         return Admission(self.roles, demands, ())
 
@@ -390,30 +391,35 @@ class Region:
         drawn = sample(self.data(), self.roles, random.Random(19))
         return drawn | {name: number_of(value) for name, value in witness.items() if name in drawn}
 
-    def _proved(self, pieces: Sequence[Piece]) -> Verdict:
-        """Whether just these values are allowed: nothing outside, and everything inside."""
+    def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
+        """Whether just these values are allowed: nothing outside, and everything inside.
+
+        ``more`` are facts about the data, for which alone this is asked.
+        """
         if self.formula is None:
             return Verdict("undecided", "undecided")
         inside = inside_of(self.symbol, pieces)
+        given = (*self.given, *more)
         try:
-            outer = Oracle(self.roles, (*self._given, self.formula)).decide(inside)
+            outer = Oracle(self.roles, (*given, self.formula)).decide(inside)
             if outer.answer != "proved":
                 return outer
             if self.free:
-                inner = Oracle(self.roles, (*self._given, inside)).decide_some(
+                inner = Oracle(self.roles, (*given, inside)).decide_some(
                     self.formula, frozenset(self.free)
                 )
             else:
-                inner = Oracle(self.roles, (*self._given, inside)).decide(self.formula)
+                inner = Oracle(self.roles, (*given, inside)).decide(self.formula)
         except BeyondError:
             return Verdict("undecided", "undecided")
         if inner.answer != "proved":
             return inner
         return inner if outer.proof == "algebra" else outer
 
-    def _pieces_for(self, drawn: Sample) -> list[Piece]:
+    def pieces_at(self, drawn: Sample) -> list[Piece]:
+        """The allowed values for these values of the data."""
         numbered: list[tuple[Any, sp.Expr]] = []
-        for point in self.points:
+        for point in self.critical:
             try:
                 value = at(point, drawn)
             except (UndefinedError, KeyError):
@@ -518,7 +524,7 @@ def zeros(
     return found
 
 
-def _signs(x: sp.Expr) -> list[sp.Expr]:
+def deciding(x: sp.Expr) -> list[sp.Expr]:
     """An expression's numerator and denominator, and what stands under its roots and bars."""
     top, bottom = sp.together(x).as_numer_denom()
     parts = [top, bottom]
@@ -655,7 +661,10 @@ def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: An
 def _end_at(end: End, drawn: Sample) -> Any:
     if end.value in (sp.oo, -sp.oo):
         return INFINITE if end.value == sp.oo else -INFINITE
-    return at(end.value, drawn)
+    try:
+        return at(end.value, drawn)
+    except UndefinedError:
+        raise UnsupportedError("the form of the range depends on the values of the data") from None
 
 
 def to_set(pieces: Sequence[Piece]) -> sp.Set:

@@ -7,7 +7,7 @@ of one letter, with ends in the others.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -27,13 +27,13 @@ from restitution.render.layout import Layout, Phrase, Words, from_set, from_symp
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.admission import Demand, demands_for
+from restitution.solve.cases import KINDS
 from restitution.solve.part import Outcome, Trial
 from restitution.solve.polynomials import factors
 from restitution.solve.regions import Region, inside_of, to_set
 from restitution.solve.solution import Answer
 
 MOST_LETTERS = 4
-_KINDS = ("positive", "real", "angle", "restitution")
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
 
 
@@ -153,13 +153,13 @@ def _limits(
         return
     names = sorted(
         {name for each in demands for name in letters_of(each.formula)},
-        key=lambda name: (_KINDS.index(_role(base, name).kind), -_share(name, demands), name),
+        key=lambda name: (KINDS.index(_role(base, name).kind), -_share(name, demands), name),
     )
     for name in names if len(names) <= MOST_LETTERS else []:
         region = _region(outcome, trial, base, demands, name)
         if region is None:
             continue
-        yield _bounds(base, name, region)
+        yield bounds_of(name, region, base.roles)
         # For which of the other letters there are such values at all.
         gap = _gap(region) if isinstance(region, sp.Interval) else None
         if gap is not None and not base.decide(gap.formula):
@@ -200,8 +200,9 @@ def _region(
     return to_set(pieces) if pieces else None
 
 
-def _bounds(base: Oracle, name: str, values: sp.Set) -> Limitation:
-    role = _role(base, name)
+def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitation:
+    """That the values of a letter are these, without what holds of it anyway."""
+    role = roles[name]
     symbol = role.symbol(name)
     if isinstance(values, sp.Interval):
         # An end that holds of the letter anyway need not be said.
