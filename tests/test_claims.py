@@ -60,12 +60,14 @@ def test_hardly_one_is_undecided() -> None:
 
 
 @pytest.mark.nightly
+@pytest.mark.timeout(3600)
 @pytest.mark.parametrize("group", groups(CLAIMS))
 def test_no_verdict_of_all_is_wrong(group: str) -> None:
     no_verdict_is_wrong(groups(CLAIMS)[group])
 
 
 @pytest.mark.nightly
+@pytest.mark.timeout(7200)
 def test_hardly_one_of_all_is_undecided() -> None:
     hardly_one_is_undecided(CLAIMS)
 

@@ -20,7 +20,7 @@ from restitution.explain.quantities import derive, evaluated, put_in, quantities
 from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import by_tangent
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Degrees, Expression, Letter, Quantity, has_quantity
+from restitution.expression.tree import Degrees, Expression, Letter, Name, Quantity, has_quantity
 from restitution.oracle import BeyondError, Formula, compared
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import Role
@@ -1071,9 +1071,14 @@ def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> 
 
 def explain_meets(work: Working, relation: Meets, now: int) -> None:
     """``show A and B collide again``: their components along the line compared."""
-    need, *more = solve_facts.requirements(relation, work.model.story, now)
-    by_places = more and relation.second.name in work.model.story.spheres
-    if not isinstance(need, Condition) or by_places:
+    story = work.model.story
+    needs = solve_facts.requirements(relation, story, now)
+    need, *more = needs
+    wall = story.walls.get(relation.second.name)
+    if wall is not None and wall.start is not None and wall.end is not None:
+        _show_passing(work, relation, needs, now)
+        return
+    if not isinstance(need, Condition) or more:
         return
     bound = _meeting(work, relation, need, now)
     left, right = _final_side(work, bound.left), _final_side(work, bound.right)
@@ -1093,9 +1098,68 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
             Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), "M1 A1")
         )
     work.write("result", rows, words=bound.words)
+    _write_meeting(work, relation)
+
+
+def _show_passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> None:
+    """Whether a sphere comes to a wall with ends: its way, and where it crosses the wall's line."""
+    story = work.model.story
+    one, other = relation.first.name, relation.second.name
+    wall = story.walls[other]
+    assert wall.start is not None
+    assert wall.end is not None
+    known = story.place(one, now)
+    first = needs[0].options[0] if isinstance(needs[0], AnyOf) else needs[0]
+    towards = sp.sympify(first.value, strict=True)
+    v = story.velocity(one, now)
+    work.reach(work.open(tuple(v)))
+    if not relation.happens and work.model.decide(towards, ">=", 0):
+        velocity = Quantity("velocity", (Name(one),))
+        laid = lay.equation(lay.from_tree(velocity), look(evaluated(work, velocity, now)))
+        words: Words = (f"{one} does not move towards {other}, as ", laid, ".")
+        work.write("result", words=words, mark="M1 A1")
+    elif known is not None:
+        start, end = (
+            story.read_vector(each, "the end of a wall") for each in (wall.start, wall.end)
+        )
+        normal = story.wall_direction(relation.second).turned_left()
+        point = work.put(known[0] + v * (normal.dot(start - known[0]) / normal.dot(v)))
+        start, end = work.put(start), work.put(end)
+        crossing, *ends = (lay.Coordinates((look(p.x), look(p.y))) for p in (point, start, end))
+        where: Words = (f"{one} comes to the line of {other} at the point ", crossing, ".")
+        work.write("result", words=where, mark="M1")
+        row = _between_ends(work, relation, point, start, end)
+        if row is not None:
+            extent: Words = (f"{other} goes from ", ends[0], " to ", ends[1], ", and:")
+            work.write("result", [row], words=extent)
+    _write_meeting(work, relation)
+
+
+def _between_ends(work: Working, relation: Meets, point: Any, start: Any, end: Any) -> Row | None:
+    """The coordinate of a point on the line of a wall against those of its ends."""
+    way = end - start
+    name = "y" if way.x == 0 else "x"
+    low, high, place = (getattr(each, name) for each in (start, end, point))
+    order = work.model.proved_sign(high - low)
+    if not order:
+        return None
+    if order < 0:
+        low, high = high, low
+    if relation.happens:
+        values = (sp.sympify(each, strict=True) for each in (low, place, high))
+        low, place, high = values
+        return Row((look(low), look(place), look(high)), ("<", "<"), (low, place, high), "A1")
+    for sign, border in (("≤", low), ("≥", high)):
+        if work.model.decide(place, sign, border):
+            strict = {"≤": "<", "≥": ">"}[sign]
+            sign = strict if work.model.decide(place, strict, border) else sign
+            return Row((look(place), look(border)), (sign,), (place, border), "A1")
+    return None
+
+
+def _write_meeting(work: Working, relation: Meets) -> None:
     happens = (relation.again and " again") or ""
-    verb = "collide" if relation.second.name in work.model.story.spheres else "hit"
-    if verb == "collide":
+    if relation.second.name in work.model.story.spheres:
         text = f"So {relation.first.name} and {relation.second.name} "
         text += f"collide{happens}" if relation.happens else f"do not collide{happens}"
     else:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.explain.steps import Row
+from restitution.oracle import Relation, holds_at
 from restitution.solve.numbers import UndefinedError, at
 
 _TOLERANCE = 1e-18
@@ -67,8 +68,16 @@ def _related(left: Any, sign: str, right: Any, sample: Mapping[str, Any]) -> boo
             return False
         if sign in _ORDERED:
             if close:
-                if sign in "<>":
+                if sign in "<>" and not _in_order(one, sign, other):
                     return False
             elif not _ORDERED[sign](a, b):
                 return False
     return True
+
+
+def _in_order(one: Any, sign: str, other: Any) -> bool:
+    """Whether two constants too near for the digits of a sample stand in this order."""
+    gap = sp.sympify(other, strict=True) - sp.sympify(one, strict=True)
+    if gap.free_symbols:
+        return False
+    return holds_at(Relation(gap if sign == "<" else -gap, ">"), {}) is True

@@ -33,7 +33,7 @@ def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) ->
         case Compare():
             return _compared(work, relation, given, now)
         case Meets():
-            return _meeting(work, relation, now)
+            return _meeting(work, relation, given, now)
         case AtRest(body):
             speed = _velocity(work, body.name, now)
             return (f"{body.name} is not at rest: ", speed, ".")
@@ -215,35 +215,31 @@ def _velocity(work: Working, body: str, now: int) -> Layout:
     return lay.equation(lay.from_tree(tree), look(evaluated(work, tree, now)))
 
 
-def _meeting(work: Working, relation: Meets, now: int) -> Words:
+def _meeting(work: Working, relation: Meets, given: Mapping[str, str], now: int) -> Words:
     """``B and C do not collide again, as …``: how they move."""
     one, other = relation.first.name, relation.second.name
     again = " again" if relation.again else ""
     moving = [name for name in (one, other) if name in work.model.story.spheres]
-    verb = "collide" if len(moving) == 2 else "hit"
-    ends = "" if len(moving) == 2 else f" {other}"
+    several = len(moving) == 2
+    verb = "collide" if several else "hit"
+    ends = "" if several else f" {other}"
     who = " and ".join(moving)
-    always = all(_monomial(part) for name in moving for part in _components(work, name, now))
-    if not always:
-        which = "need not" if relation.happens else "may"
-    elif relation.happens:
-        which = "do not" if len(moving) == 2 else "does not"
-    else:
-        which = "do" if len(moving) == 2 else "does"
     speeds = [(_velocity(work, name, now),) for name in moving]
+    values = instances(given)
+    if values:
+        claim = f"{who} {'will' if relation.happens else 'will not'} {verb}{ends}{again}"
+        do = "do" if several else "does"
+        does = f"{'they' if several else 'it'} {do}{' not' if relation.happens else ''}"
+        listing = listed([(each,) for each in values])
+        return (
+            f"It is not true in general that {claim}, as ",
+            *listed(speeds),
+            ": with ",
+            *listing,
+            f", for instance, {does}.",
+        )
+    if relation.happens:
+        which = "do not" if several else "does not"
+    else:
+        which = "do" if several else "does"
     return (f"{who} {which} {verb}{ends}{again}, as ", *listed(speeds), ".")
-
-
-def _components(work: Working, body: str, now: int) -> tuple[sp.Expr, ...]:
-    return tuple(
-        sp.sympify(each, strict=True)
-        for each in evaluated(work, Quantity("velocity", (Name(body),)), now)
-    )
-
-
-def _monomial(value: sp.Expr) -> bool:
-    """Whether the sign of a value does not hang on its letters, which are positive: u/16."""
-    if not value.free_symbols:
-        return True
-    _, rest = value.as_independent(*value.free_symbols, as_Add=False)
-    return all(each.as_base_exp()[0].is_Symbol for each in sp.Mul.make_args(rest) if each != 1)

@@ -292,8 +292,8 @@ class Oracle:
         def serves(candidate: Point) -> bool:
             return (
                 self.admits(candidate)
-                and self._every.holds(candidate) is True
-                and all(each.holds(candidate) is False for each in testers)
+                and self._every.holds(candidate, exactly=True) is True
+                and all(each.holds(candidate, exactly=True) is False for each in testers)
             )
 
         return simpler(point, self.roles, serves)
@@ -308,10 +308,34 @@ class _Tester:
         self._program = Program.of(self._values)
         self.letters = frozenset(letters_of(formula))
 
-    def holds(self, point: Point) -> bool | None:
-        """Whether the formula holds at a point; None where that is not certain."""
+    def holds(self, point: Point, exactly: bool = False) -> bool | None:
+        """Whether the formula holds at a point; None where that is not certain.
+
+        ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
+        """
         signs = dict(zip(self._values, self._program.signs(point), strict=True))
+        if exactly:
+            for value in [each for each, sign in signs.items() if sign is None]:
+                if _vanishes_at(value, point):
+                    signs[value] = 0
         return holds_with(self.formula, signs)
+
+
+def _vanishes_at(x: sp.Expr, point: Point) -> bool:
+    """Whether an expression is seen by algebra to be zero at a point: cos 150° + √3/2."""
+    numbers = {
+        symbol: value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
+        for symbol in x.free_symbols
+        if (value := point.get(symbol.name)) is not None
+    }
+    try:
+        there = x.xreplace(numbers)
+        if there.free_symbols or there.has(sp.nan, sp.zoo, sp.oo):
+            return False
+        world = Polynomials([there], {})
+        return world.vanishes(world.quotient(there)[0])
+    except (TooLargeError, BeyondError, ZeroDivisionError):
+        return False
 
 
 def holds_with(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:
