@@ -348,3 +348,24 @@ def test_equality_where_the_samples_are_not_real() -> None:
     assert same(far * far, e - 5)
     assert same(2 * far + far, 3 * far)
     assert not same(far, 2 * far)
+
+
+TINY = sympy.Integer(10) ** -120
+ROOTS = [
+    # Zero, and as near to it as that without being so.
+    (sympy.sqrt(2) + sympy.sqrt(3) - sympy.sqrt(5 + 2 * sympy.sqrt(6)), True),
+    (sympy.sqrt(13 + TINY) - sympy.sqrt(13), False),
+    (sympy.sqrt(2) + sympy.sqrt(3) - sympy.sqrt(5 + 2 * sympy.sqrt(6 + TINY)), False),
+    (sympy.cbrt(2 + TINY) * sympy.sqrt(7) - sympy.cbrt(2) * sympy.sqrt(7), False),
+    (4 * sympy.cos(sympy.pi / 9) ** 3 - 3 * sympy.cos(sympy.pi / 9) - sympy.Rational(1, 2), True),
+    (4 * sympy.cos(sympy.pi / 9) ** 3 - 3 * sympy.cos(sympy.pi / 9) - (1 + TINY) / 2, False),
+    (sympy.atan(sympy.Rational(2, 3) + TINY) - sympy.atan(sympy.Rational(2, 3)), False),
+    (2 * sympy.atan(sympy.Rational(1, 3)) - sympy.atan(sympy.Rational(3, 4)), True),
+    (sympy.sqrt(7) / (sympy.sqrt(5) - 2) - sympy.sqrt(7) * (sympy.sqrt(5) + 2), True),
+    (sympy.sqrt(7) / (sympy.sqrt(5) - 2) - sympy.sqrt(7) * (sympy.sqrt(5) + 2 + TINY), False),
+]
+
+
+@pytest.mark.parametrize(("number", "zero"), ROOTS)
+def test_no_difference_is_too_small(number, zero):
+    assert is_zero(number) is zero

@@ -105,9 +105,10 @@ def is_zero(expression: Any) -> bool:
 
     It is refuted by a value to 30 digits at up to four random admissible points that is not
     zero. What survives is proved zero by rational normal form, with sines and cosines reduced
-    and surds rationalised; failing that, it is taken to be zero if it vanishes to 100 digits at
-    fresh points. (An algebraic number of the size met here cannot be so small without being
-    zero.)
+    and surds rationalised. Else a number made with roots is calculated to as many digits as any
+    such number needs to be told from zero (`_apart`). An expression in letters, or a number of
+    another kind, is taken to be zero if it vanishes to 100 digits at fresh points: claims about
+    letters are for the oracle to decide.
     """
     value = sympy.sympify(expression, strict=True)
     if value.is_Number:
@@ -132,11 +133,85 @@ def is_zero(expression: Any) -> bool:
             break
     if _proved_zero(value):
         return True
+    if not value.free_symbols:
+        number = _zero_direction(value)
+        digits = None if number is None else _apart(number)
+        if number is not None and digits is not None:
+            return bool(abs((number + 1).evalf(digits + 10) - 1) < Float(10) ** -digits)
     return bool(seen) and all(
         found is None or abs(found[0]) <= found[1] * Float("1e-85", 20)
         for point in _points(value, generator, 3)
         for found in [_evaluate(value, point, 100, real)]
     )
+
+
+def _zero_direction(value: Expr) -> Expr | None:
+    """What is zero just where a small number is, and is made with roots: the sine of an angle."""
+    if not value.has(sympy.atan, sympy.asin, sympy.acos, sympy.atan2):
+        return value
+    direction = _direction(value)
+    return None if direction is None else direction[1]
+
+
+MOST_DIGITS = 20_000
+
+
+def _apart(value: Expr) -> int | None:
+    """So many digits tell a number made with roots from zero; None if there is no such bound.
+
+    This is the bound of Burnikel, Fleischer, Mehlhorn and Schirra (A strong and easily computable
+    separation bound for arithmetic expressions involving radicals, Algorithmica 27, 2000): for
+    each part, ``above`` and ``below`` bound all conjugates of a numerator and a denominator that
+    are algebraic integers, and ``degree`` bounds the degree of all together.
+    """
+    degree = 1
+    seen: dict[Expr, tuple[float, float]] = {}
+
+    def bounds(x: Expr) -> tuple[float, float]:
+        """Logarithms of what bounds the conjugates above and below the line."""
+        nonlocal degree
+        if x in seen:
+            return seen[x]
+        if x.is_Rational:
+            above, below = _log(abs(int(x.p))), _log(int(x.q))
+        elif x.is_Add:
+            above, below = bounds(x.args[0])
+            for each in x.args[1:]:
+                a, b = bounds(each)
+                above, below = max(above + b, a + below) + math.log(2), below + b
+        elif x.is_Mul:
+            parts = [bounds(each) for each in x.args]
+            above, below = sum(a for a, _ in parts), sum(b for _, b in parts)
+        elif x.is_Pow and x.exp.is_Rational:
+            above, below = bounds(x.base)
+            power, root = abs(int(x.exp.p)), int(x.exp.q)
+            above, below = above * power, below * power
+            if x.exp.p < 0:
+                above, below = below, above
+            degree *= root
+            if above >= below:
+                above = (above + (root - 1) * below) / root
+            else:
+                below = (below + (root - 1) * above) / root
+        elif isinstance(x, sympy.cos | sympy.sin) and (x.args[0] / sympy.pi).is_Rational:
+            # Twice it is an algebraic integer whose conjugates are such numbers as well.
+            above = below = math.log(2)
+            degree *= 2 * int((x.args[0] / sympy.pi).q)
+        else:
+            raise ValueError(x)
+        seen[x] = above, below
+        return above, below
+
+    try:
+        above, below = bounds(value)
+    except (ValueError, TypeError):
+        return None
+    digits = (below + (degree - 1) * max(above, 0.0)) / math.log(10)
+    return int(digits) + 2 if digits < MOST_DIGITS else None
+
+
+def _log(n: int) -> float:
+    return math.log(n) if n else 0.0
 
 
 def decimal(expression: Any) -> float | None:

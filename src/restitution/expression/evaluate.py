@@ -472,7 +472,7 @@ def evaluate(tree: Expression, symbol: Callable[[str], sp.Expr]) -> Any:
 def _error(tree: Expression, message: str) -> StatementError:
     place = getattr(tree, "place", None)
     return StatementError(
-        message[0].upper() + message[1:],
+        message,
         None if place is None else place.line,
         None if place is None else place.column,
     )

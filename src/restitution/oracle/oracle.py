@@ -368,9 +368,12 @@ def _allowed(value: Value, role: Role) -> bool:
     )
 
 
-def holds_at(formula: Formula, point: Point) -> bool | None:
-    """Whether a formula holds at a point; None where that is not certain."""
-    return _Tester(formula).holds(point)
+def holds_at(formula: Formula, point: Point, exactly: bool = False) -> bool | None:
+    """Whether a formula holds at a point; None where that is not certain.
+
+    ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
+    """
+    return _Tester(formula).holds(point, exactly)
 
 
 def _without_numbers(formula: Formula) -> Formula:

@@ -628,6 +628,9 @@ _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 _INVERSE = (sp.atan, sp.acos, sp.asin, sp.atan2)
 
 
+_TRIED = 10_000  # primes up to this are sought in what stands under a root
+
+
 def _algebraic(x: sp.Expr) -> sp.Expr:
     """Floats as the fractions that they are written as."""
     floats = x.atoms(sp.Float)
@@ -635,10 +638,14 @@ def _algebraic(x: sp.Expr) -> sp.Expr:
 
 
 def _radicands(x: sp.Pow) -> list[sp.Expr]:
-    """What stands under a root; of a whole number its primes."""
+    """What stands under a root; of a whole number its factors: small primes, and what is left.
+
+    No more is sought, as a number of a hundred digits may take years.
+    """
     base = x.base
     if base.is_Integer and base > 1:
-        return [sp.Integer(p) for p, n in sorted(sp.factorint(int(base)).items()) for _ in range(n)]
+        factors = sp.factorint(int(base), limit=_TRIED)
+        return [sp.Integer(p) for p, n in sorted(factors.items()) for _ in range(n)]
     if base.is_Rational and not base.is_Integer:
         # √(p/q) = √(pq)/q is how SymPy writes it; this is for other powers.
         return [base]

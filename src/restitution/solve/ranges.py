@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
@@ -701,20 +701,37 @@ def claimed_set(relation: Compare, subject: Range, evaluator: Evaluator) -> sp.S
     return sp.Interval(low, high, low_open, high_open)
 
 
-def same_set(claimed: sp.Set, found: sp.Set, roles: Mapping[str, Role]) -> bool:
-    """Whether two sets are equal; a claim without a lower end means down to zero."""
+def same_value(a: Any, b: Any, roles: Mapping[str, Role]) -> bool | None:
+    """Whether two expressions are equal for all that their letters may be; None if that is open."""
+    gap = sp.sympify(a - b, strict=True)
+    if not gap.free_symbols:
+        return exact.is_zero(gap)
+    try:
+        verdict = Oracle(roles).decide(Relation(gap, "="))
+    except BeyondError:
+        return None
+    return {"proved": True, "refuted": False, "undecided": None}[verdict.answer]
+
+
+def same_set(claimed: sp.Set, found: sp.Set, roles: Mapping[str, Role]) -> bool | None:
+    """Whether two sets are equal, None if that is open.
+
+    A claim without a lower end means down to zero.
+    """
     if not isinstance(claimed, sp.Interval) or not isinstance(found, sp.Interval):
         return bool(claimed == found)
-    ends: list[Callable[[Any], Any]] = [lambda s: s.start, lambda s: s.end]
-    for end in ends:
-        a, b = end(claimed), end(found)
+    if claimed.start != -sp.oo and claimed.left_open != found.left_open:
+        return False
+    if claimed.right_open != found.right_open:
+        return False
+    open_ = False
+    for a, b in ((claimed.start, found.start), (claimed.end, found.end)):
         if a in (sp.oo, -sp.oo) or b in (sp.oo, -sp.oo):
             if a != b and not (a == -sp.oo and b == 0):
                 return False
-        elif not exact.same(a, b):
+            continue
+        same = same_value(a, b, roles)
+        if same is False:
             return False
-    low_matters = claimed.start not in (-sp.oo,)
-    return bool(
-        (not low_matters or claimed.left_open == found.left_open)
-        and claimed.right_open == found.right_open
-    )
+        open_ = open_ or same is None
+    return None if open_ else True

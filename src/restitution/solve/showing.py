@@ -250,23 +250,24 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
     from restitution.expression.evaluate import Evaluator, Symbolic
 
     evaluator = Evaluator(Symbolic(), letters_.letter)
+    from restitution.solve.ranges import claimed_set, same_set, same_value
+
     if isinstance(subject, Extremum):
         claimed = evaluator.scalar(step.relation.operands[-1])
         value = found.answers[0].value
-        ok = bool(exact.same(claimed, value))
-        return _compared(step, line, found, ok)
+        return _compared(step, line, found, same_value(claimed, value, roles))
     assert isinstance(subject, Range)
-    from restitution.solve.ranges import claimed_set, same_set
-
     claimed = claimed_set(step.relation, subject, evaluator)
-    sets = [each.value for each in found.answers]
-    ok = same_set(claimed, sp.Union(*sets) if sets else sp.S.EmptySet, roles)
+    (first, *more) = [each.value for each in found.answers]
+    ok = same_set(claimed, first, roles)
+    if more:  # its form depends on the data: one without max and min is not that of all
+        ok = None if claimed.has(sp.Max, sp.Min) else False
     return _compared(step, line, found, ok)
 
 
-def _compared(step: Show, line: int | None, found: ItemResult, ok: bool) -> ItemResult:
+def _compared(step: Show, line: int | None, found: ItemResult, ok: bool | None) -> ItemResult:
     """A claim beside what was found: where it is false, the truth is its answer."""
-    if found.proof == "undecided":
+    if found.proof == "undecided" or ok is None:
         return ItemResult(step, line, step.text, "show", proof="undecided")
     true = () if ok else found.answers
     return ItemResult(step, line, step.text, "show", true, holds=ok, proof=found.proof)
