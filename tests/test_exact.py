@@ -369,3 +369,22 @@ ROOTS = [
 @pytest.mark.parametrize(("number", "zero"), ROOTS)
 def test_no_difference_is_too_small(number, zero):
     assert is_zero(number) is zero
+
+
+DEGREE = pi / 180
+PLAIN = {
+    atan((1 - cos(50 * DEGREE)) / sin(50 * DEGREE)): 25,
+    atan(sin(50 * DEGREE) / cos(50 * DEGREE)): 50,
+    pi - atan(tan(50 * DEGREE)): 130,
+    pi / 2 - atan((1 - cos(37 * DEGREE)) / sin(37 * DEGREE)): Q(143, 2),
+}
+
+
+@pytest.mark.parametrize(("angle", "degrees"), PLAIN.items())
+def test_an_angle_of_plain_angles_is_plain(angle, degrees):
+    assert tidy_angle(angle) == degrees * DEGREE
+
+
+def test_an_angle_near_a_plain_one_is_not_it():
+    angle = atan((1 - cos(50 * DEGREE)) / sin(50 * DEGREE) + Q(1, 10**25))
+    assert tidy_angle(angle) != 25 * DEGREE

@@ -40,6 +40,7 @@ e, phi, x, y = (ROLES[n].symbol(n) for n in ("e", "phi", "x", "y"))
 SPEED = (1 + e) * u / (1 + k)
 AFTER_WALL = u * sp.sqrt(sp.cos(alpha) ** 2 + e**2 * sp.sin(alpha) ** 2)
 
+DEGREE = sp.pi / 180
 TRUE = {
     "the struck sphere is slower than 2u": compared(SPEED, "<", 2 * u),
     "a wall speeds nothing up": compared(AFTER_WALL, "<=", u),
@@ -57,6 +58,11 @@ TRUE = {
     "a wide angle": compared(sp.sin(phi), ">=", 0),
     "roots in roots": compared(sp.sqrt(3 + 2 * sp.sqrt(2)), "=", 1 + sp.sqrt(2)),
     "37 degrees": compared(sp.sin(37 * sp.pi / 180), "<", sp.Rational(602, 1000)),
+    "twice 25 degrees": compared(
+        sp.sin(50 * DEGREE), "=", 2 * sp.sin(25 * DEGREE) * sp.cos(25 * DEGREE)
+    ),
+    "25 and 65 degrees": compared(sp.tan(25 * DEGREE) * sp.tan(65 * DEGREE), "=", 1),
+    "37 degrees beside 14": compared(sp.sin(37 * DEGREE), ">", 2 * sp.sin(14 * DEGREE)),
     "bars": compared(sp.Abs(x + y), "<=", sp.Abs(x) + sp.Abs(y)),
     "the greater of two": compared(sp.Max(u, v), ">=", u),
     "an angle beside its sine": compared(sp.sin(alpha), "<", alpha + sp.Rational(1, 10)),

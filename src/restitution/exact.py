@@ -1405,6 +1405,7 @@ def _tidy_angle(value: Expr) -> Expr:
     spend()
     if value.free_symbols:
         return _tidy_angle_letters(value)
+    value = _with_plain_angles(value)
     quotient = sympy.expand(value / sympy.pi)
     if quotient.is_Rational:
         return quotient * sympy.pi
@@ -1468,6 +1469,52 @@ def _nice(size: Expr, cosine: Expr, sine: Expr) -> Rational | None:
             if _same_number(cosine, sympy.cos(angle)) and _same_number(sine, sympy.sin(angle)):
                 return nearest
     return None
+
+
+def _of_plain_angles(tangent: Expr) -> Rational | None:
+    """The multiple of π whose tangent is made of sines and cosines of such multiples, if it is one.
+
+    It is a multiple of half of what those all are multiples of, proved as an identity in that
+    angle: arctan((1 - cos 50°)/sin 50°) = 25°.
+    """
+    parts = tangent.atoms(sympy.sin, sympy.cos, sympy.tan)
+    turns = [x.args[0] / sympy.pi for x in parts]
+    if not turns or not all(each.is_Rational for each in turns):
+        return None
+    below = math.lcm(*(int(each.q) for each in turns))
+    unit = Rational(math.gcd(*(int(each * below) for each in turns)), 2 * below)
+    count = (sympy.atan(tangent) / sympy.pi / unit).evalf(30)
+    nearest = int(sympy.floor(count + _HALF))
+    if abs(count - nearest) > Float("1e-20") or any(abs(t / unit) > 40 for t in (*turns, nearest)):
+        return None
+    c, s = sympy.symbols("c s")
+
+    def components(multiple: int) -> tuple[Expr, Expr]:
+        """Cosine and sine of so many units, by the powers of c + is."""
+        cosine, sine = S.One, S.Zero
+        for _ in range(abs(multiple)):
+            cosine, sine = sympy.expand(c * cosine - s * sine), sympy.expand(s * cosine + c * sine)
+        return cosine, sine if multiple > 0 else -sine
+
+    put = {}
+    for x in parts:
+        cosine, sine = components(int(x.args[0] / sympy.pi / unit))
+        put[x] = {sympy.cos: cosine, sympy.sin: sine, sympy.tan: sine / cosine}[x.func]
+    cosine, sine = components(nearest)
+    gap = sympy.together(tangent.xreplace(put) * cosine - sine).as_numer_denom()[0]
+    if not gap.is_polynomial(c, s):
+        return None
+    return nearest * unit if sympy.rem(gap, s**2 + c**2 - 1, s) == 0 else None
+
+
+def _with_plain_angles(value: Expr) -> Expr:
+    """An angle in which each arctangent that is a plain angle is written as that angle."""
+    plain = {}
+    for each in value.atoms(sympy.atan):
+        turns = _of_plain_angles(each.args[0]) if not each.free_symbols else None
+        if turns is not None:
+            plain[each] = turns * sympy.pi
+    return value.xreplace(plain) if plain else value
 
 
 def _same_number(a: Expr, b: Expr) -> bool:

@@ -13,7 +13,7 @@ of it beside it as relations and bounds:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -73,6 +73,8 @@ class Polynomials:
         self._divisors: dict[sp.Expr, int] = {}
         self._numbers: dict[sp.Expr, tuple[sp.Expr, bool]] = {}
         expressions = [_algebraic(sp.sympify(each, strict=True)) for each in expressions]
+        self._bases: list[sp.Rational] = []
+        self._bases = _bases({x for each in expressions for x in self._plain_angles(each)})
         for each in expressions:
             self._divide(each)
         ends = [end for each in list(self._divisors) for end in self._ends(each)]
@@ -145,9 +147,23 @@ class Polynomials:
             else:
                 rest += term
         if sp.cos(rest).has(*_TRIGONOMETRIC):
+            turns = sp.expand(rest / sp.pi)
+            for base in self._bases if turns.is_Rational else ():
+                count = _count(turns, base)
+                if count is not None:
+                    terms.append((sp.Integer(count), base * sp.pi))
+                    return terms, (turns - count * base) * sp.pi
             terms.append((sp.Integer(1), rest))
             rest = sp.Integer(0)
         return terms, rest
+
+    def _plain_angles(self, x: sp.Expr) -> Iterator[sp.Rational]:
+        """The plain angles without a cosine in roots in an expression, as multiples of π."""
+        for node in x.atoms(*_TRIGONOMETRIC):
+            for _, atom in self._terms(node.args[0])[0]:
+                turns = sp.expand(atom / sp.pi)
+                if turns.is_Rational:
+                    yield turns
 
     def _new(self, key: Any, name: str, sense: Sense = "real") -> None:
         if key not in self._keys:
@@ -628,6 +644,36 @@ _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 _INVERSE = (sp.atan, sp.acos, sp.asin, sp.atan2)
 
 
+def _bases(angles: set[sp.Rational]) -> list[sp.Rational]:
+    """Few angles of which the others are multiples, but for right angles: 25° for 25°, 50°, 65°.
+
+    All are given as multiples of π. So what holds between them is known to algebra.
+    """
+    found: list[sp.Rational] = []
+    left = set(angles)
+    while left:
+        best: tuple[tuple[int, int, int], sp.Rational, set[sp.Rational]] | None = None
+        for base in sorted({x / n for x in left for n in (1, 2)}):
+            counts = {x: n for x in left if (n := _count(x, base)) is not None}
+            order = (-len(counts), sum(map(abs, counts.values())), int(base.q))
+            if best is None or order < best[0]:
+                best = order, base, set(counts)
+        assert best is not None
+        found.append(best[1])
+        left -= best[2]
+    return found
+
+
+def _count(angle: sp.Rational, base: sp.Rational) -> int | None:
+    """So many times a base, and some right angles, are an angle; all as multiples of π."""
+    for size in range(1, MOST_MULTIPLE_OF_BASE + 1):
+        for n in (size, -size):
+            if (2 * (angle - n * base)).is_Integer:
+                return n
+    return None
+
+
+MOST_MULTIPLE_OF_BASE = 6
 _TRIED = 10_000  # primes up to this are sought in what stands under a root
 
 
