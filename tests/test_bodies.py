@@ -22,6 +22,10 @@ CIRCLE = (
     "sphere A: at (0, 0), velocity 3i\nwall W: circle centre (0, 0) radius {r}\nA hits W: e = 1\n"
 )
 WALL = "sphere A: velocity 3i - 4j{at}\nwall W: {wall}\nA hits W: e = 1/2\n"
+ROUND = (
+    "sphere A: velocity 3i, at {at}, radius {r}\n"
+    "wall W: circle centre (0, 0) radius 3/2\nA hits W: e = 1\n"
+)
 
 WRONG = {
     PAIR.replace("2", "-2") + HIT: ("the mass of A is −2: a mass must be positive", 1),
@@ -79,6 +83,18 @@ WRONG = {
     ),
     PLACED.format(r="r", at="(r, r)") + "A hits B: e = 1\n": ("A and B overlap at the start", 2),
     PLACED.format(r="1", at="(2 - 10^-30, 0)") + "A hits B: e = 1\n": ("A and B overlap", 2),
+    ROUND.format(at="(0, 0)", r=2): (
+        "A is too large to move inside W: its radius is 2, that of W 3/2",
+        1,
+    ),
+    ROUND.format(at="(1, 0)", r=1): (
+        (
+            "A overlaps W at the start: its centre, at (1, 0), is 1 from that of W, whose radius "
+            "is 3/2"
+        ),
+        1,
+    ),
+    ROUND.format(at="(-2, 0)", r=1): ("A overlaps W at the start", 1),
     PAIR.replace("at rest", "velocity 3i") + HIT: (
         "A and B are at rest relative to each other, and do not collide",
         3,
@@ -177,3 +193,16 @@ def test_the_order_is_no_matter_where_places_tell_it() -> None:
     error = answer(text).error
     assert isinstance(error, ImpossibleError)
     assert error.message == "A and B are separating"
+
+
+@pytest.mark.parametrize("at", ["(1/2, 0)", "(-5/2, 0)", "(-4, 0)"])
+def test_a_sphere_may_touch_a_circle_that_it_leaves_or_be_apart(at: str) -> None:
+    text = ROUND.format(at=at, r=1)
+    problem = restitution.parse(text + "find speed(A)")
+    (item,) = (item for _, item in restitution.solve(problem).items())
+    assert item.error is None or "overlaps" not in item.error.message
+
+
+def test_a_circle_in_letters_has_room_for_the_sphere() -> None:
+    text = ROUND.format(at="(0, 0)", r=2).replace("3/2", "a") + "find range of a"
+    assert answer(text).answers[0].display == "a > 2"

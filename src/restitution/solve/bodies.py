@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
-from restitution.problem import Compare, Given, Impact, Part, Problem, Wall
+from restitution.problem import Compare, Given, Impact, Part, Problem, Sphere, Wall
 from restitution.render.layout import display, display_point
 from restitution.render.text import to_text
 from restitution.solve.neat import neat
@@ -152,6 +152,10 @@ def _apart(story: Story) -> None:
     radius = story.radius(placed[0].name) if placed else None
     if radius is None:
         return
+    for sphere in placed:
+        for wall in story.problem.walls:
+            if wall.radius is not None and not _rests_on(story, wall.centre):
+                _clear_of_circle(story, sphere, wall, radius)
     for one, other in combinations(placed, 2):
         p, q = (story.read_vector(each.position, each.name) for each in (one, other))
         square = sp.expand((q - p).dot(q - p))
@@ -163,6 +167,34 @@ def _apart(story: Story) -> None:
                 f"less than two radii, {to_text(display(neat(2 * radius)))}"
             )
             raise _impossible(said, other.position, other.place)
+
+
+def _clear_of_circle(story: Story, sphere: Sphere, wall: Wall, radius: sp.Expr) -> None:
+    """A sphere lies inside a circular wall, or outside it."""
+    size = story.read(wall.radius, f"the radius of {wall.name}")
+    p = story.read_vector(sphere.position, sphere.name)
+    out = p - story.read_vector(wall.centre, f"the centre of {wall.name}")
+    square = sp.expand(out.dot(out))
+    if sp.expand(size * size - square).is_positive:
+        if sp.expand(size - radius).is_nonpositive:
+            said = (
+                f"{sphere.name} is too large to move inside {wall.name}: its radius is "
+                f"{to_text(display(radius))}, that of {wall.name} {to_text(display(size))}"
+            )
+            raise _impossible(said, sphere.radius, sphere.place)
+        overlaps = sp.expand(square - (size - radius) ** 2).is_positive
+    else:
+        apart = sp.expand(square - size * size).is_positive
+        overlaps = apart and sp.expand((size + radius) ** 2 - square).is_positive
+    if overlaps:
+        distance = to_text(display(story.field.sqrt(square)))
+        said = (
+            f"{sphere.name} overlaps {wall.name} at the start: its centre, at "
+            f"{to_text(display_point(*p))}, is {distance} from that of {wall.name}, whose radius "
+            f"is {to_text(display(size))}, and the radius of {sphere.name} is "
+            f"{to_text(display(radius))}"
+        )
+        raise _impossible(said, sphere.position, sphere.place)
 
 
 def _no_more_than_zero(value: sp.Expr) -> bool:

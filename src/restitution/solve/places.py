@@ -223,7 +223,15 @@ def _time_to_circle(
     reach = size
     if radius is not None:
         reach = size + radius if inside == 1 else size - radius
+        if inside != 1:
+            story.conditions.append(
+                Condition(reach, ">", f"{name} is too large to move inside {wall.name}", "place")
+            )
     excess = story.rational(square - reach * reach)
+    if radius is not None and not story.field.is_zero(excess):
+        apart = excess if inside == 1 else -excess
+        reason = f"{name} overlaps {wall.name} at the start"
+        story.conditions.append(Condition(apart, ">=", reason, "place"))
     vv, ov = velocity.dot(velocity), out.dot(velocity)
     if story.still(velocity):
         raise ImpossibleError(f"{name} is at rest and does not reach {wall.name}")
