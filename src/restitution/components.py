@@ -39,7 +39,7 @@ from restitution.oracle import (
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import FIELD, UndefinedError, at, number_of
+from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, number_of
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -54,7 +54,7 @@ UNDECIDED = Verdict("undecided", "undecided")
 REFUTED = Verdict("refuted", "witness")
 _ARCS = (sp.atan, sp.asin, sp.acos, sp.atan2)
 # Below this a number of a hundred digits may well be 0: then it is for the oracle to say.
-_NOTHING = 1e-20
+_NOTHING = TINY
 _POINTS = 12
 _LONG = 80
 _PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
@@ -222,7 +222,7 @@ class _Named:
             value = at(x, self.sample)
         except (UndefinedError, KeyError, ArithmeticError):
             return None
-        return 0 if abs(value) < 1e-20 else 1 if value > 0 else -1
+        return 0 if abs(value) < TINY else 1 if value > 0 else -1
 
 
 @dataclass

@@ -12,7 +12,7 @@ import sympy as sp
 from restitution.components import Model
 from restitution.explain.steps import Row
 from restitution.oracle import Relation, holds_at
-from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.numbers import TINY, UndefinedError, at
 
 _TOLERANCE = 1e-18
 _ORDERED = {"<": operator.lt, "≤": operator.le, ">": operator.gt, "≥": operator.ge}
@@ -61,7 +61,7 @@ def _related(left: Any, sign: str, right: Any, sample: Mapping[str, Any]) -> boo
         return False
     for one, other in _parts(left, right):
         a, b = at(sp.sympify(one, strict=True), sample), at(sp.sympify(other, strict=True), sample)
-        close = abs(a - b) <= _TOLERANCE * (1 + abs(a) + abs(b))
+        close = abs(a - b) <= _TOLERANCE * (abs(a) + abs(b)) + TINY
         if sign == "=" and not close:
             return False
         if sign == "≠" and close:

@@ -41,7 +41,7 @@ from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.numbers import TINY, UndefinedError, at
 from restitution.solve.polynomials import factors
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
@@ -697,7 +697,7 @@ class Working:
             found = at(here, {**self.model.sample, x.name: number})
         except (UndefinedError, KeyError, ArithmeticError):
             return False
-        if abs(found) > 1e-15:
+        if abs(found) > TINY:
             return False
         return self.model.decide(here.xreplace({x: value}), "=", 0).answer != "refuted"
 

@@ -26,7 +26,8 @@ Point = Mapping[str, Value]
 _EPSILON = 2.0**-51
 _TINY = 1e-300
 DIGITS = (60, 240)
-_NOTHING_SEEN = Fraction(1, 10**50)
+_NOTHING_SEEN = Fraction(1, 10**95)
+_SEARCHED = 300  # digits: even the root of what ought to vanish is seen to vanish
 
 
 class BeyondError(Exception):
@@ -94,7 +95,7 @@ class Program:
         return signs
 
     def near_signs(self, point: Point) -> list[int | None]:
-        """The signs, with 0 for what is within 10⁻⁵⁰ of zero, such as a root in figures.
+        """The signs, with 0 for what is within 10⁻⁹⁵ of zero, such as a root in figures.
 
         None is for what has no real value. This is for a search; it decides nothing.
         """
@@ -106,7 +107,7 @@ class Program:
         except (BeyondError, OverflowError, ValueError):
             pass
         signs: list[int | None] = []
-        for interval in self.enclosures(point, DIGITS[0] + 40):
+        for interval in self.enclosures(point, _SEARCHED):
             if interval is None:
                 signs.append(None)
                 continue

@@ -20,8 +20,8 @@ import sympy as sp
 from restitution.expression.evaluate import Numeric
 from restitution.oracle.roles import REAL, Role
 
-DIGITS = 100
-TINY = mpmath.mpf(10) ** -25
+DIGITS = 400
+TINY = mpmath.mpf(10) ** -95
 FIELD = Numeric(DIGITS)
 _CTX = FIELD.context
 ROUNDING = _CTX.mpf(10) ** (12 - DIGITS)

@@ -25,7 +25,7 @@ _LARGEST = 4
 # The sign of an expression in letters with more operations than these is hardly plain.
 _PLAIN = 60
 # What is nearer to zero than this has no sign here.
-_SMALL = sp.Float("1e-20", 30)
+_SMALL = sp.Float("1e-95", 30)
 
 
 @dataclass(frozen=True)
