@@ -56,6 +56,14 @@ PIECES = sorted(WORDS | set(NAMES)) + [
     "π",
     "μ",
     "½",
+    "kg",
+    "m/s",
+    "g",
+    "m",
+    "cm",
+    "J",
+    "N s",
+    "km/h",
 ]
 
 
@@ -86,7 +94,7 @@ def test_problems_survive_the_round_trip(problem) -> None:
     again = parse(text)
     assert again == problem
     # What is written is never doubtful; what it says may be.
-    assert again.warnings == tuple(doubts(again))
+    assert again.notes == tuple(doubts(again))
     assert to_statement(again) == text
 
 

@@ -383,7 +383,6 @@ MISTAKES = {
     "sphere P: colour 2": (11, "'colour'"),
     "find range e": (6, "did you mean 'range of'?"),
     "find energy lost": (6, "did you mean 'energy_lost'?"),
-    "given alpha = 60 degrees": (18, "did you mean 'deg'?"),
     # names
     "sphere p": (8, "a capital"),
     "sphere find": (8, "a capital"),
@@ -411,10 +410,6 @@ MISTAKES = {
     "sphere P: velocity u": (20, "expected a vector after 'velocity'"),
     "sphere P: mass 3i + (1, 2)": (16, "expected a number after 'mass'"),
     "sphere P: velocity 2i at (0, 0)": (26, "stands after a comma"),
-    "sphere P: mass 2 kg": (18, "no units"),
-    "sphere P: mass 2 kg, at rest": (18, "no units"),
-    "sphere P: velocity 5 ms at 30°": (22, "no units"),
-    "sphere P: velocity 5 ms^-1 at 30°": (22, "no units"),
     "wall W: along j": (9, "given already, in line 3"),
     "wall V: along": (14, "expected a vector or an angle after 'along'"),
     "wall V: from (0, 0)": (20, "'to'"),
@@ -486,14 +481,6 @@ def test_mistake(line) -> None:
 
 # What students write, in a statement of two spheres and a wall (line 5 as above).
 SLIPS = {
-    # units
-    "sphere P: velocity 3i + 4j m/s": (28, "leave out 'm/s'"),
-    "sphere P: velocity (3i + 4j) m s^-1": (30, "leave out 'm s^-1'"),
-    "sphere P: velocity (3, 4) ms⁻¹, mass 2": (27, "leave out 'ms⁻¹'"),
-    "sphere P: velocity 5 at 30° m/s": (29, "leave out 'm/s'"),
-    "sphere P: velocity √(5) m s−1 at 30°": (25, "no units"),
-    "A receives 4i + 6j N s": (20, "leave out 'N s'"),
-    "given velocity(A) = (3i - 4j) m/s": (31, "leave out 'm/s'"),
     # how lines begin
     "ball P: mass 2": (1, "did you mean 'sphere'?"),
     "Calculate speed(A)": (1, "did you mean 'find'?"),
@@ -559,7 +546,6 @@ SLIPS = {
     "given velocity(A) perp to i": (19, "did you mean 'perpendicular to'?"),
     "given velocity(A) is perpendicular to i": (19, "leave out 'is'"),
     "given A and B don't collide again": (15, "did you mean 'do not collide again'?"),
-    "given velocity(A) = 3i+4jms^-1": (26, "leave out 'ms^-1'"),
     "given energy_lost = 25% of energy(0)": (25, "leave out 'of'"),
     "find max deflection(A)": (6, "did you mean 'maximum of'?"),
     "find energy loss": (6, "did you mean 'energy_lost'?"),
@@ -593,7 +579,6 @@ def test_what_was_probably_meant(line) -> None:
             "sphere P: velocity u at alpha\ngiven tan(theta) = 3/4",
             "line 6, column 7: theta stands nowhere else in the statement: did you mean alpha?",
         ),
-        ("given energy(A) = 12 J", "column 22: J was read as a letter"),
     ],
 )
 def test_what_reads_but_is_doubtful(lines, said) -> None:

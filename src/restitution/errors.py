@@ -16,11 +16,17 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+from restitution.mending import Fix
+
 
 class RestitutionError(Exception):
-    """Any mistake in what was asked for; ``line`` and ``column`` count from 1, or are None."""
+    """Any mistake in what was asked for; ``line`` and ``column`` count from 1, or are None.
+
+    ``fixes`` are cures for it in the text, the likeliest first.
+    """
 
     kind: ClassVar[str] = "error"
+    fixes: tuple[Fix, ...] = ()
 
     def __init__(self, message: str, line: int | None = None, column: int | None = None) -> None:
         super().__init__(message)
@@ -35,8 +41,11 @@ class RestitutionError(Exception):
             return f"line {self.line}: {self.message}"
         return f"line {self.line}, column {self.column}: {self.message}"
 
-    def __reduce__(self) -> tuple[type[RestitutionError], tuple[str, int | None, int | None]]:
-        return type(self), (self.message, self.line, self.column)
+    def __reduce__(
+        self,
+    ) -> tuple[type[RestitutionError], tuple[str, int | None, int | None], dict[str, Any]]:
+        told = {"fixes": self.fixes} if self.fixes else {}
+        return type(self), (self.message, self.line, self.column), told
 
 
 class StatementError(RestitutionError):

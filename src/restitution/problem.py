@@ -15,6 +15,7 @@ from typing import Any, Literal
 
 from restitution.errors import StatementError
 from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Pair, Place
+from restitution.mending import Note
 
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 _TO_A_WALL = re.compile(r"\bto\s+([A-Z][A-Za-z0-9]*)")
@@ -301,7 +302,7 @@ class Part:
 class Problem:
     """A whole question. ``parts[0]`` holds what stands before the first ``part`` line.
 
-    ``warnings`` tells how doubtful notation was read. Spheres, walls and points stand in the
+    ``notes`` tell how doubtful notation was read. Spheres, walls and points stand in the
     order of their first declaration, each with everything said of it anywhere.
     """
 
@@ -310,7 +311,12 @@ class Problem:
     walls: tuple[Wall, ...] = ()
     points: tuple[Point, ...] = ()
     parts: tuple[Part, ...] = (Part(None, ()),)
-    warnings: tuple[str, ...] = field(default=(), compare=False)
+    notes: tuple[Note, ...] = field(default=(), compare=False)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The notes as texts, each with its place."""
+        return tuple(map(str, self.notes))
 
     def steps(self) -> Iterator[tuple[Part, Step]]:
         """Every step of the story with its part, in the order told."""

@@ -3,7 +3,7 @@
 TERMINALS = """
 %declare NUMBER DEGREES FRACTION COEFFICIENT PI LETTER UNIT NAME
 %declare PLUS MINUS STAR SLASH POW IMPLICIT LPAR RPAR COMMA
-%declare FUNCTION FUNCTION_CALL QUANTITY QUANTITY_CALL AT FROM TO BEFORE
+%declare FUNCTION FUNCTION_CALL QUANTITY QUANTITY_CALL AT FROM TO BEFORE MEASURE
 """
 
 # ``at`` binds loosest; then sums, a leading sign, products (juxtaposition is IMPLICIT), a function
@@ -24,6 +24,7 @@ RULES = """
     | product SLASH unary -> quotient
     | product STAR unary -> binary
     | product IMPLICIT factor -> implicit
+    | product MEASURE -> measured
 ?unary: factor
     | MINUS unary -> negate
     | PLUS unary -> positive

@@ -20,6 +20,7 @@ from restitution.errors import StatementError
 from restitution.expression.limits import MAX_DIGITS, MAX_NESTING, MAX_TOKENS_PER_LINE
 from restitution.expression.quantities import stands_alone
 from restitution.expression.tree import FUNCTIONS, QUANTITIES, Place
+from restitution.expression.units import at_the_end, measure
 from restitution.expression.words import (
     FRAGMENTS,
     GREEK_BY_NAME,
@@ -28,29 +29,26 @@ from restitution.expression.words import (
     MEANT,
     PHRASES,
     PROPERTY_WORDS,
-    UNIT,
-    UNIT_OF_A_PROPERTY,
     WORDS,
     guess,
     near,
     one_slip,
     unknown_name,
 )
+from restitution.mending import Edit, Fix, Note
 
 NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 
 _WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
 _PERCENT = re.compile(r"\s*%")
-_DEGREES = re.compile(r"\s*(?:[°º˚]|deg(?!\w))")
+_DEGREES = re.compile(r"\s*(?:[°º˚]|deg(?:rees?)?(?!\w))")
 _SUBSCRIPT = re.compile(r"_?([0-9]+)|_([A-Za-z])(?![A-Za-z0-9])|([₀-₉]+)")
 _SUPERSCRIPT = re.compile(r"([⁺⁻]?)([⁰¹²³⁴-⁹]+)")
 _FUNCTION_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(\d+)|([⁰¹²³⁴-⁹]+)")
 _INVERSE = re.compile(r"\s*(?:\^|\*\*)\s*[({]?\s*[-−–]\s*1\s*[)}]?|⁻¹")
 _POWER_SIGN = re.compile(r"\s*(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])")
 _NEXT = re.compile(r"\s*(.?)", re.DOTALL)
-_UNIT = re.compile(rf"({UNIT})\s*(?=$|[,)<>=≤≥])|({UNIT})\s+(?=at\b|from\b)")
-_UNIT_OF_A_PROPERTY = re.compile(rf"({UNIT_OF_A_PROPERTY})\s*(?=$|,|at\b|from\b)")
 _FUNCTION = re.compile("|".join(sorted(FUNCTIONS, key=len, reverse=True)))
 _MISSING_UNDERSCORE = re.compile(
     r"(?:total\s+)?energy\s+lost(?!\w)|line\s+of\s+cent(?:re|er)s(?!\w)"
@@ -139,8 +137,14 @@ _STARTS_OPERAND = frozenset(
     ]
 )
 _ENDS_OPERAND = frozenset(
-    ["NUMBER", "DEGREES", "FRACTION", "PI", "LETTER", "UNIT", "NAME", "RPAR", "QUANTITY"]
+    ["NUMBER", "DEGREES", "FRACTION", "PI", "LETTER", "UNIT", "NAME", "RPAR", "QUANTITY", "MEASURE"]
 )
+# What a value of numbers is made of; signs and commas in brackets too.
+_IN_A_NUMBER = frozenset(
+    ["NUMBER", "DEGREES", "FRACTION", "PI", "UNIT", "LPAR", "RPAR", "FUNCTION", "FUNCTION_CALL"]
+    + ["STAR", "SLASH", "POW", "MEASURE"]
+)
+_NO_NUMBER = frozenset(["LETTER", "NAME", "QUANTITY", "QUANTITY_CALL", "WORD"])
 _NUMERIC = frozenset(("NUMBER", "DEGREES", "FRACTION"))
 _BODY_LINES = frozenset(("SPHERE", "WALL", "POINT"))
 
@@ -166,10 +170,36 @@ class Source:
         start, line, column = self.pieces[bisect_right(self.pieces, (offset, 10**9, 0)) - 1]
         return Place(line, column + offset - start)
 
-    def error(self, message: str, offset: int) -> StatementError:
-        """A mistake at an offset of the text."""
+    def error(self, message: str, offset: int, *fixes: Fix) -> StatementError:
+        """A mistake at an offset of the text, and what would cure it."""
         place = self.place(offset)
-        return StatementError(message, place.line, place.column)
+        mistake = StatementError(message, place.line, place.column)
+        mistake.fixes = fixes
+        return mistake
+
+    def stretch(self, start: int, end: int) -> tuple[int, int, int, int]:
+        """Line and column of an offset, and of another behind it."""
+        first = self.place(start)
+        if end <= start:
+            return first.line, first.column, first.line, first.column
+        last = self.place(end - 1)
+        return first.line, first.column, last.line, last.column + 1
+
+    def fix(self, start: int, end: int, text: str, label: str = "") -> Fix:
+        """The cure that puts a text in the place of another, or takes that out."""
+        typed = " ".join(self.text[start:end].split())
+        if not text:
+            while start and self.text[start - 1].isspace():
+                start -= 1
+        if not label:
+            label = (
+                f"Leave out '{typed}'"
+                if not text
+                else f"Replace '{typed}' by '{text.strip()}'"
+                if typed
+                else f"Put in '{text.strip()}'"
+            )
+        return Fix(label, (Edit(*self.stretch(start, end), text),))
 
 
 @dataclass(frozen=True)
@@ -183,7 +213,7 @@ class Scan:
     names: Mapping[str, str]
     tokens: tuple[Token, ...]
     runs: tuple[tuple[int, str], ...]
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Note, ...] = ()
 
 
 def _plain(character: str) -> str:
@@ -208,7 +238,7 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
     """
     found: list[Token] = []
     runs: list[tuple[int, str]] = []
-    warnings: list[str] = []
+    warnings: list[Note] = []
     depth = 0
     for token in _raw_tokens(source, names, found, runs, warnings):
         if token.type == "LPAR":
@@ -241,7 +271,7 @@ def _raw_tokens(
     names: Mapping[str, str],
     before: list[Token],
     runs: list[tuple[int, str]],
-    warnings: list[str],
+    warnings: list[Note],
 ) -> Iterator[Token]:
     """The tokens as they stand; ``before`` is what has been taken so far."""
     text = source.plain
@@ -252,8 +282,8 @@ def _raw_tokens(
             at += 1
             continue
         if character.isascii() and character.isalpha():
-            _look_for_a_unit(source, at, before, warnings)
-            tokens = _letters(source, names, at, before, runs)
+            unit = _unit(source, names, at, before, warnings)
+            tokens = [unit] if unit else _letters(source, names, at, before, runs)
         elif character in GREEK_SIGNS:
             tokens = [_letter(source, GREEK_SIGNS[character], at, at + 1)]
         elif character == "π":
@@ -312,25 +342,59 @@ def _fraction(source: Source, at: int) -> Token:
     return _token(source, "FRACTION", fraction, at, at + 1)
 
 
-def _look_for_a_unit(source: Source, at: int, before: list[Token], warnings: list[str]) -> None:
-    """Refuse a unit that ends a property or a side of a relation.
+def _unit(
+    source: Source,
+    names: Mapping[str, str],
+    at: int,
+    before: list[Token],
+    warnings: list[Note],
+) -> Token | None:
+    """A unit that ends a value: a token where the value is made of numbers alone.
 
-    Behind a letter it may be a product that is meant: that draws a warning.
+    Of a letter it may be a product that is meant: that draws a warning. Between the two (``k/2
+    kg``) it is refused.
     """
-    if not before or before[-1].type not in _ENDS_OPERAND:
-        return
-    pattern = _UNIT_OF_A_PROPERTY if _tells_properties(before) else _UNIT
-    match = pattern.match(source.plain, at)
-    if match is None:
-        return
-    unit = match.group(match.lastindex or 0)
+    if not before or before[-1].type not in _ENDS_OPERAND or before[-1].type == "MEASURE":
+        return None
+    match = at_the_end().match(source.plain, at)
+    if match is None or match.group() in names:
+        return None
+    unit, end = match.group(), match.end()
+    if len(unit) == 1 and not _may_be_a_letter_of_unit(before):
+        return None
+    exponent = len(before) > 1 and before[-2].type == "POW"
+    if _is_plain(before) and not exponent:
+        return _token(source, "MEASURE", unit, at, end)
+    if len(unit) == 1 or measure(unit).dimension is None:
+        return None
     if _is_a_value(before):
-        raise source.error(_unit_message(unit), at)
+        leave_out = source.fix(at, end, "")
+        raise source.error(unit_refused(unit), at, leave_out)
     place = source.place(at)
-    warnings.append(
-        f"line {place.line}, column {place.column}: '{unit}' was read as a product of letters; "
-        "no units are typed (all is in SI)"
-    )
+    said = f"'{unit}' was read as a product of letters; no units are typed (all is in SI)"
+    warnings.append(Note(said, place.line, place.column, (source.fix(at, end, ""),)))
+    return None
+
+
+def _may_be_a_letter_of_unit(before: list[Token]) -> bool:
+    """Whether a unit of one letter may follow: not an angle, nor ``sin 2m``."""
+    if before[-1].type == "DEGREES":
+        return False
+    return len(before) < 2 or before[-2].type != "FUNCTION" or before[-2] == "√"
+
+
+def _is_plain(before: list[Token]) -> bool:
+    """Whether the value that stands last is made of numbers and **i**, **j** alone."""
+    depth = 0
+    for token in reversed(before):
+        if token.type in _NO_NUMBER:
+            return False
+        if token.type == "LPAR" and depth == 0:
+            return True
+        depth += {"RPAR": 1, "LPAR": -1}.get(token.type, 0)
+        if depth == 0 and token.type not in _IN_A_NUMBER:
+            return True
+    return True
 
 
 def _is_a_value(before: list[Token]) -> bool:
@@ -350,7 +414,8 @@ def _is_a_value(before: list[Token]) -> bool:
     return bool(inside & {"UNIT", "COMMA"}) or not inside & {"LETTER", "NAME", "QUANTITY"}
 
 
-def _unit_message(unit: str) -> str:
+def unit_refused(unit: str) -> str:
+    """What to say of a unit that cannot be read as one."""
     if unit == "rad":
         return "no units are typed: leave out 'rad' (an angle without ° is in radians)"
     return f"no units are typed (all is in SI): leave out '{unit}'"
@@ -417,7 +482,8 @@ def _letters(
         phrase = pattern.match(text, at)
         if phrase:
             return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
-    if text[at] in "ij" and _UNIT_OF_A_PROPERTY.match(text, at + 1):
+    unit = at_the_end().match(text, at + 1) if text[at] in "ij" else None
+    if unit and len(unit.group()) > 1:
         return [_token(source, "UNIT", text[at], at, at + 1)]  # ``4jms^-1``
     axis = _AXIS.match(text, at)
     if axis:

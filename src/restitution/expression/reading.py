@@ -13,8 +13,9 @@ from lark import Lark, Token, Tree, UnexpectedToken
 
 from restitution.errors import StatementError
 from restitution.expression.grammar import EXPRESSION
-from restitution.expression.lexer import Scan, Source, scan
+from restitution.expression.lexer import Scan, Source, scan, unit_refused
 from restitution.expression.limits import MAX_DIGITS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
+from restitution.expression.measured import NOWHERE, Slot, product_with, without_units
 from restitution.expression.parsers import make_parser
 from restitution.expression.quantities import SIGNATURES, stands_alone
 from restitution.expression.tree import (
@@ -24,6 +25,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Measured,
     Name,
     Negate,
     Number,
@@ -48,6 +50,7 @@ from restitution.expression.words import (
     unknown_name,
 )
 from restitution.expression.writing import write_expression
+from restitution.mending import Fix, Note
 
 
 @dataclass(frozen=True)
@@ -70,15 +73,21 @@ class Reading:
     """One reading of a line: what was scanned, and the warnings met on the way."""
 
     scan: Scan
-    warnings: list[str] = field(default_factory=list)
+    warnings: list[Note] = field(default_factory=list)
 
     def text(self, first: Token, last: Token) -> str:
         """The text from one token to another, as typed."""
         return self.scan.source.text[first.start_pos or 0 : last.end_pos or 0].strip()
 
-    def error(self, message: str, place: Place) -> StatementError:
-        """A mistake at a place."""
-        return StatementError(message, place.line, place.column)
+    def fix(self, first: Token, last: Token, text: str, label: str = "") -> Fix:
+        """The cure that puts a text in the place of the tokens from one to another."""
+        return self.scan.source.fix(first.start_pos or 0, last.end_pos or 0, text, label)
+
+    def error(self, message: str, place: Place, *fixes: Fix) -> StatementError:
+        """A mistake at a place, and what would cure it."""
+        mistake = StatementError(message, place.line, place.column)
+        mistake.fixes = fixes
+        return mistake
 
 
 Builder = Callable[[Reading, Tree[Token], list[Span]], Any]
@@ -108,8 +117,15 @@ def read_expression(
     source = Source(text, ((0, line, column),))
     reading = Reading(scan(source, kinds))
     span = parse_tokens(expression_parser(), reading, BUILDERS)
-    result: Expression = span.value
-    return result
+    return without_units(span.value, NOWHERE, _no_unit, {})
+
+
+def _no_unit(measured: Measured, slot: Slot) -> Expression:
+    """A unit of one letter as the letter that it is where nothing tells what is measured."""
+    if len(measured.unit) > 1:
+        _, _, line, end = measured.stretch
+        raise StatementError(unit_refused(measured.unit), line, end - len(measured.unit))
+    return product_with(measured.operand, Letter(measured.unit, place=measured.place))
 
 
 @cache
@@ -241,11 +257,12 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         typed = reading.text(left.first, right.last)
         quotient = left.value
         other = Binary("/", quotient.left, Binary("*", quotient.right, right.value))
-        reading.warnings.append(
-            f"line {left.place.line}, column {left.place.column}: '{typed}' was read as "
-            f"({write_expression(quotient)}) {_bracketed(right.value)}; "
+        said = (
+            f"'{typed}' was read as ({write_expression(quotient)}) {_bracketed(right.value)}; "
             f"if you mean all of it below the line, write {write_expression(other)}"
         )
+        fix = reading.fix(left.first, right.last, write_expression(other))
+        reading.warnings.append(Note(said, left.place.line, left.place.column, (fix,)))
     bare = node.children[2]
     if (
         isinstance(below, Tree)
@@ -256,11 +273,11 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         and isinstance(bare, Tree)
         and bare.data == "group"
     ):
-        reading.warnings.append(
-            f"line {left.place.line}, column {left.place.column}: "
+        said = (
             f"'{reading.text(left.first, right.last)}' was read as "
             f"{write_expression(product)}; a function without brackets takes one factor"
         )
+        reading.warnings.append(Note(said, left.place.line, left.place.column))
     return product
 
 
@@ -367,7 +384,16 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
     return Quantity(kind, tuple(span.value for span in given), stage, place=place)
 
 
+def _measured(reading: Reading, node: Tree[Token], spans: list[Span]) -> Any:
+    value, unit = spans
+    source = reading.scan.source
+    begin, end = value.last.end_pos or 0, unit.last.end_pos or 0
+    stretch = source.stretch(begin, end)
+    return Measured(value.value, str(unit.value), stretch, place=value.place)
+
+
 BUILDERS: Mapping[str, Builder] = {
+    "measured": _measured,
     "binary": _binary,
     "quotient": _quotient,
     "implicit": _implicit,

@@ -125,6 +125,20 @@ class Apply:
 
 
 @dataclass(frozen=True, slots=True)
+class Measured:
+    """A value with its unit, as typed: ``5 m/s``.
+
+    It lives only while a text is read: a Problem is in SI, and holds none. ``stretch`` is the
+    line and column at which the unit begins, blanks before it included, and at which it ends.
+    """
+
+    operand: Expression
+    unit: str
+    stretch: tuple[int, int, int, int] = (1, 1, 1, 1)
+    place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
 class AtTime:
     """The stage ``at t`` of ``position(A, at t)``."""
 
@@ -229,7 +243,7 @@ def children(node: Expression) -> tuple[Expression, ...]:
 # Trees are walked often: the fields of a node in which there may be others, by its kind.
 _PARTS: dict[type, tuple[str, ...]] = {
     kind: tuple(each.name for each in fields(kind) if each.name != "place")
-    for kind in get_args(Expression)
+    for kind in (*get_args(Expression), Measured)
 }
 
 

@@ -184,11 +184,6 @@ MEANT: Mapping[str, str] = {
     "arctangent": "arctan",
 }
 
-# A unit after a value; longer ones first.
-_PER_SECOND = r"[·⋅]?\s?s\s?(?:\^\s?[({]?\s?[-−–]\s?1\s?[)}]?|⁻¹)|s[-−–]1|/\s?s"
-UNIT = rf"(?:(?:kg\s?)?c?m\s?(?:{_PER_SECOND})|km\s?/\s?h|kg|N\s?s|rad|cm)(?!\w)"
-UNIT_OF_A_PROPERTY = rf"(?:{UNIT}|ms(?!\w))"
-
 
 def near(word: str, words: Iterable[str], cutoff: float = 0.7) -> str | None:
     """The one of ``words`` that was probably meant, or None."""

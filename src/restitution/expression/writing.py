@@ -22,7 +22,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.expression.words import UNIT_OF_A_PROPERTY
+from restitution.expression.units import LIKE_A_UNIT
 
 # How tightly a text binds: what it may stand in without brackets.
 _POLAR, _SUM, _PRODUCT, _POWER, _PRIMARY = range(5)
@@ -31,8 +31,8 @@ _SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
 
 # What would be taken for a unit after a value (``2m/s``) is written as a product.
 _UNIT = re.compile(
-    rf"(?<=\d)\s*(?={UNIT_OF_A_PROPERTY})"
-    rf"|(?<=[\w°)])(?<!\bat)(?<!\bfrom)\s+(?={UNIT_OF_A_PROPERTY})"
+    rf"(?<=\d)\s*(?={LIKE_A_UNIT})"
+    rf"|(?<=[\w°)])(?<!\bat)(?<!\bfrom)\s+(?={LIKE_A_UNIT})"
 )
 
 

@@ -19,9 +19,11 @@ from restitution.expression.tree import (
     children,
     has_quantity,
     letters,
+    line_and_column,
     walk,
 )
 from restitution.expression.writing import write_expression
+from restitution.mending import Fix, Note
 from restitution.problem import (
     Compare,
     Find,
@@ -38,38 +40,29 @@ from restitution.problem import (
 _TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
 _ANGLES = frozenset(("direction", "angle", "deflection"))
-# Units of one letter, where a fact may end in one.
-_UNITS = {
-    "energy": "J",
-    "energy_lost": "J",
-    "total_energy_lost": "J",
-    "time": "s",
-    "distance": "m",
-}
 
 
-def doubts(problem: Problem) -> Iterator[str]:
-    """Warnings: numbers of degrees without their sign, facts tied to nothing, units as letters."""
+def doubts(problem: Problem) -> Iterator[Note]:
+    """Warnings: numbers of degrees without their sign, facts tied to nothing."""
     yield from _radians(problem)
     yield from _idle_facts(problem)
-    yield from _units(problem)
 
 
-def _warning(place: Place | None, said: str) -> str:
-    return said if place is None else f"line {place.line}, column {place.column}: {said}"
+def _note(place: Place | None, said: str, *fixes: Fix) -> Note:
+    return Note(said, *line_and_column(place), fixes)
 
 
 # --- degrees without a sign -------------------------------------------------------------------
 
 
-def _radians(problem: Problem) -> Iterator[str]:
+def _radians(problem: Problem) -> Iterator[Note]:
     said: set[Place | None] = set()
     for angle in _angles(problem):
         for term in _terms(angle):
             if isinstance(term, Number) and term.value > _TURN and term.place not in said:
                 said.add(term.place)
                 number = write_expression(term)
-                yield _warning(
+                yield _note(
                     term.place,
                     f"{number} was read as {number} radians: if you mean degrees, write {number}°",
                 )
@@ -138,7 +131,7 @@ def _relations(problem: Problem) -> Iterator[Relation]:
             yield step.relation
 
 
-def _idle_facts(problem: Problem) -> Iterator[str]:
+def _idle_facts(problem: Problem) -> Iterator[Note]:
     """Facts about letters alone, none of which is tied to anything else in the statement."""
     facts = [
         relation
@@ -158,7 +151,7 @@ def _idle_facts(problem: Problem) -> Iterator[str]:
         like = [each for each in used if (each in GREEK) == (first in GREEK) and each != "e"]
         meant = f": did you mean {like[0]}?" if len(named) == len(like) == 1 else ""
         stand = "stands" if len(named) == 1 else "stand"
-        yield _warning(
+        yield _note(
             getattr(fact.operands[0], "place", None),
             f"{' and '.join(sorted(named))} {stand} nowhere else in the statement{meant}",
         )
@@ -199,25 +192,3 @@ def _used(problem: Problem, facts: list[Compare]) -> Iterator[str]:
                 yield from named
             case Find(_, named) | Show(_, _, named) if named:
                 yield from named
-
-
-# --- units of one letter ----------------------------------------------------------------------
-
-
-def _units(problem: Problem) -> Iterator[str]:
-    """``12 J``, ``3 s`` and ``2 m`` in facts, where the letter stands nowhere else."""
-    for relation in _relations(problem):
-        if not isinstance(relation, Compare):
-            continue
-        kinds = {each.kind for each in relation.operands if isinstance(each, Quantity)}
-        for operand in relation.operands:
-            match operand:
-                case Binary("*", Number() as number, Letter(name) as letter) if (
-                    name in {_UNITS.get(kind) for kind in kinds}
-                    and sum(name in letters(tree) for tree in trees(problem)) == 1
-                ):
-                    yield _warning(
-                        letter.place,
-                        f"{name} was read as a letter; no units are typed (all is in SI): "
-                        f"if it is one, write {write_expression(number)}",
-                    )

@@ -34,7 +34,9 @@ from restitution.language.checking import check
 from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
+from restitution.language.measuring import in_si
 from restitution.language.slips import with_guess
+from restitution.mending import Note
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -96,11 +98,14 @@ def parse(text: str | bytes) -> Problem:
     if not mistakes:
         problem = story.problem()
         try:
+            if story.has_units:
+                problem, told = in_si(problem, frozenset(names))
+                story.notes.extend(told)
             check(problem)
         except StatementError as mistake:
             mistakes.append(mistake)
         else:
-            return replace(problem, warnings=(*problem.warnings, *doubts(problem)))
+            return replace(problem, notes=(*story.notes, *doubts(problem)))
     first = mistakes[0]
     first.others = (*mistakes[1:], *first.others)
     raise first
@@ -133,7 +138,8 @@ class _Story:
         default_factory=lambda: [(None, None, [])]
     )
     events: int = 0
-    warnings: list[str] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
+    has_units: bool = False
 
     def problem(self) -> Problem:
         """All that was said, as a value."""
@@ -146,7 +152,6 @@ class _Story:
             parts=tuple(
                 Part(label, tuple(steps), place=place) for label, place, steps in self.parts
             ),
-            warnings=tuple(self.warnings),
         )
 
 
@@ -164,7 +169,8 @@ def _tell(story: _Story, line: Line) -> None:
         said = parse_tokens(statement_parser(), reading, _BUILDERS).value
     except StatementError as mistake:
         raise with_guess(line.source, line.word, mistake) from None
-    story.warnings.extend((*reading.scan.warnings, *reading.warnings))
+    story.notes.extend((*reading.scan.warnings, *reading.warnings))
+    story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)
     if isinstance(said, _Said):
         for name in said.names:
             _declare(story, said, name)

@@ -11,6 +11,7 @@ from restitution.expression.lexer import NAME
 from restitution.expression.limits import MAX_LINE_LENGTH
 from restitution.expression.tree import Expression, Number, Pair
 from restitution.expression.writing import write_expression, write_sum
+from restitution.language.measuring import like_units
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -67,6 +68,13 @@ def to_statement(problem: Problem) -> str:
                 raise StatementError(f"a label is one word, not {part.label!r}")
             lines.append(f"part {part.label}")
         lines.extend(_step(kinds, step) for step in part.steps)
+    units = "".join(sorted(like_units(problem)))
+    if units:
+        # ``2m`` would be read as two metres.
+        behind = r"(?:(?<=[\d)])|(?<=\bpi)|(?<=\b[ij]))"
+        product = re.compile(rf"{behind}\s*(?=[{units}](?![\w.(]))")
+        first = 0 if problem.title is None else 1
+        lines[first:] = [product.sub("*", line) for line in lines[first:]]
     return "".join(f"{line}\n" for line in lines)
 
 

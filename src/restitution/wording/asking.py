@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from restitution.expression.dimensions import dimension_of_any
 from restitution.expression.tree import Expression, Quantity, has_quantity
 from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Value
 from restitution.render import layout as lay
@@ -12,7 +13,6 @@ from restitution.wording.clauses import bounds, clause, to_figures
 from restitution.wording.nouns import Noun, kinds_of, line, noun, of_bodies, phrase
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.structure import Named, Words
-from restitution.wording.units import dimension_of_any
 from restitution.wording.words import listed, words
 
 

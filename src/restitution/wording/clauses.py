@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from restitution.counting import counted
+from restitution.expression.dimensions import SPEED, Dimension, dimension_of_any
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -33,7 +34,6 @@ from restitution.wording.nouns import (
 from restitution.wording.scene import Scene, after
 from restitution.wording.setting import moving
 from restitution.wording.structure import Named, Words
-from restitution.wording.units import SPEED, Dimension, dimension_of_any
 from restitution.wording.words import listed, words
 
 # With a quantity on the left, in words.

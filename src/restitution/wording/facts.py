@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields, is_dataclass
 from itertools import pairwise
 from typing import Any
 
+from restitution.expression.dimensions import SPEED
 from restitution.expression.tree import Expression, Letter, Polar, letters, walk
 from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
 from restitution.render import layout as lay
@@ -15,7 +16,6 @@ from restitution.wording.clauses import mathematics
 from restitution.wording.letters import is_ratio, named_letters
 from restitution.wording.scene import Scene, is_letter_fact
 from restitution.wording.structure import Sentence, Words
-from restitution.wording.units import SPEED
 from restitution.wording.words import listed, words
 
 # Letters that stand for numbers wherever people write them.

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from restitution.expression.dimensions import TIME
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -39,7 +40,6 @@ from restitution.wording.scene import (
     name_of,
 )
 from restitution.wording.structure import Named, Words
-from restitution.wording.units import TIME
 from restitution.wording.words import listed, names, words
 
 

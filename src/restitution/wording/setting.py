@@ -9,6 +9,7 @@ from typing import Any
 import sympy
 
 from restitution.errors import RestitutionError
+from restitution.expression.dimensions import MASS, SPEED
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Name, Polar
 from restitution.problem import Problem, Sphere, Wall
@@ -16,7 +17,6 @@ from restitution.vector import Vector
 from restitution.wording import values
 from restitution.wording.scene import Scene, before
 from restitution.wording.structure import Named, Sentence, Words
-from restitution.wording.units import MASS, SPEED
 from restitution.wording.words import count, listed, names, sentence, words
 
 _PLANE = "on a smooth horizontal plane"

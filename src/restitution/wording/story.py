@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from restitution.expression.dimensions import IMPULSE
 from restitution.expression.tree import Expression, Letter, Negate, Number, Polar
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
@@ -12,7 +13,6 @@ from restitution.wording import values
 from restitution.wording.scene import Scene, bodies_of
 from restitution.wording.setting import course, exact
 from restitution.wording.structure import Named, Sentence, Words
-from restitution.wording.units import IMPULSE
 from restitution.wording.words import names, sentence, words
 
 _E = Letter("e")

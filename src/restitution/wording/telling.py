@@ -8,6 +8,7 @@ from itertools import islice
 from typing import Any
 
 from restitution.errors import StatementError
+from restitution.expression.dimensions import LENGTH
 from restitution.expression.tree import Expression, Place, has_quantity
 from restitution.language import check
 from restitution.problem import (
@@ -47,7 +48,6 @@ from restitution.wording.structure import (
     Sentence,
     Words,
 )
-from restitution.wording.units import LENGTH
 from restitution.wording.words import alphabetic, listed, roman, sentence, words
 
 

@@ -10,10 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
 
 import sympy
 
+from restitution.expression.dimensions import (
+    ENERGY,
+    IMPULSE,
+    LENGTH,
+    MASS,
+    NONE,
+    SPEED,
+    TIME,
+    Dimension,
+    dimension_of_any,
+)
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -28,22 +38,10 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
-    letters,
     walk,
 )
 from restitution.problem import Compare, Given, Impact, Kick, Problem, trees
 from restitution.wording.letters import acute_letters
-
-# A dimension by its powers of mass, length and time.
-Dimension: TypeAlias = tuple[int, int, int]
-
-NONE: Dimension = (0, 0, 0)
-MASS: Dimension = (1, 0, 0)
-LENGTH: Dimension = (0, 1, 0)
-TIME: Dimension = (0, 0, 1)
-SPEED: Dimension = (0, 1, -1)
-IMPULSE: Dimension = (1, 1, -1)
-ENERGY: Dimension = (1, 2, -2)
 
 _GAP = "\u00a0"
 _UNITS = {
@@ -54,19 +52,6 @@ _UNITS = {
     IMPULSE: f"{_GAP}N{_GAP}s",
     ENERGY: f"{_GAP}J",
     (0, 2, -2): f"{_GAP}m²{_GAP}s⁻²",
-}
-_OF_QUANTITY = {
-    "velocity": SPEED,
-    "speed": SPEED,
-    "impulse": IMPULSE,
-    "momentum": IMPULSE,
-    "energy": ENERGY,
-    "energy_lost": ENERGY,
-    "total_energy_lost": ENERGY,
-    "mass": MASS,
-    "position": LENGTH,
-    "distance": LENGTH,
-    "time": TIME,
 }
 
 
@@ -190,49 +175,3 @@ def _scaling(tree: Expression) -> bool:
         case Binary(_, left, right):
             return _scaling(left) or _scaling(right)
     return False
-
-
-def dimension_of(tree: Expression) -> Dimension | None:
-    """The dimension of an expression of quantities; None where its quantities do not tell it."""
-    match tree:
-        case Quantity(kind, arguments):
-            if kind in ("along", "across"):
-                return dimension_of(arguments[0])
-            if kind == "dot":
-                return _times(dimension_of(arguments[0]), dimension_of(arguments[1]), 1)
-            return _OF_QUANTITY.get(kind, NONE)
-        case Apply("abs", argument):
-            return dimension_of(argument)
-        case Apply("sqrt", _):
-            return None
-        case Negate(operand):
-            return dimension_of(operand)
-        case Binary("+" | "-", left, right):
-            return dimension_of_any((left, right))
-        case Binary("*" | "/" as op, left, right):
-            return _times(dimension_of(left), dimension_of(right), 1 if op == "*" else -1)
-        case Binary("^", base, Number(exponent)) if exponent.denominator == 1:
-            found = dimension_of(base)
-            if found is None:
-                return None
-            a, b, c = found
-            power = int(exponent)
-            return (a * power, b * power, c * power)
-    return None if letters(tree) else NONE
-
-
-def dimension_of_any(operands: tuple[Expression, ...]) -> Dimension | None:
-    """The dimension of the first operand whose quantities tell it."""
-    for each in operands:
-        if has_quantity(each):
-            found = dimension_of(each)
-            if found is not None:
-                return found
-    return None
-
-
-def _times(left: Dimension | None, right: Dimension | None, power: int) -> Dimension | None:
-    if left is None or right is None:
-        return None
-    a, b = left, right
-    return (a[0] + power * b[0], a[1] + power * b[1], a[2] + power * b[2])

@@ -6,6 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from restitution.expression.dimensions import LENGTH, Dimension
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -20,7 +21,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.wording.structure import Named, Words
-from restitution.wording.units import LENGTH, Dimension, Style
+from restitution.wording.units import Style
 from restitution.wording.words import words
 
 _VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
