@@ -546,7 +546,7 @@ SLIPS = {
     "given velocity(A) perp to i": (19, "did you mean 'perpendicular to'?"),
     "given velocity(A) is perpendicular to i": (19, "leave out 'is'"),
     "given A and B don't collide again": (15, "did you mean 'do not collide again'?"),
-    "given energy_lost = 25% of energy(0)": (25, "leave out 'of'"),
+    "given energy_lost = 1/4 of energy(0)": (25, "leave out 'of'"),
     "find max deflection(A)": (6, "did you mean 'maximum of'?"),
     "find energy loss": (6, "did you mean 'energy_lost'?"),
     "point M: 0, 0": (10, "did you mean '(0, 0)'?"),

@@ -15,7 +15,7 @@ import typer
 
 from restitution.cli import UNANSWERED, UNREADABLE
 from restitution.cli.asking import answer, worker_of
-from restitution.cli.files import parse, pointed, read, say, shown_name, terminal_width
+from restitution.cli.files import hint, parse, pointed, read, say, shown_name, terminal_width
 from restitution.cli.output import (
     Format,
     PictureFormat,
@@ -114,10 +114,13 @@ Needs the extra "web": pip install 'restitution[web]'. Ctrl-C ends it.
 
 _CHECK = """Read statements without solving them.
 
-What is wrong with them is said, with its place.
+What is wrong with them is said, with its place, and the line as it might be meant.
 
 \b
     restitution check ball.impact
+    restitution check ball.impact --json
+
+In JSON each mistake has the edits that would mend it.
 """
 
 _EXAMPLES = """List the examples, or print one.
@@ -459,8 +462,15 @@ def serve(
 
 
 @app.command(help=_CHECK)
-def check(files: _Files) -> None:
+def check(
+    files: _Files,
+    json: Annotated[
+        bool, typer.Option("--json", help="One object in JSON for each file, one a line.")
+    ] = False,
+) -> None:
     """Read every file, and count what it says."""
+    from restitution.export import contract
+
     worst = 0
     with interruptible():
         for file in files:
@@ -470,11 +480,17 @@ def check(files: _Files) -> None:
                 problem = parse(text)
             except RestitutionError as error:
                 worst = UNREADABLE
+                if json:
+                    typer.echo(contract.to_json(contract.checked(shown_name(file), None, error)))
+                    continue
                 for message in pointed(file, text, error):
                     say(message)
                 continue
-            for warning in problem.warnings:
-                say(f"{shown_name(file)}: warning: {warning}")
+            if json:
+                typer.echo(contract.to_json(contract.checked(shown_name(file), problem, None)))
+                continue
+            for note in problem.notes:
+                say("\n".join([f"{shown_name(file)}: warning: {note}", *hint(text, note)]))
             typer.echo(f"{shown_name(file)}: {_summary(problem)}")
     raise typer.Exit(worst)
 

@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING
 import typer
 
 from restitution.cli import CLOSED, REPORT
+from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
+    from restitution.mending import Edit, Note
     from restitution.problem import Problem
 
 
@@ -76,9 +78,7 @@ def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str
     yield f"{shown_name(file)}{place}: {kind}{printable(error.message)}"
     if error.line is None:
         return
-    lines = text.decode("utf-8", errors="replace").removeprefix("\ufeff")
-    # The same three ends of a line as the language knows, and no others.
-    numbered = lines.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    numbered = _lines(text)
     if not 0 < error.line <= len(numbered):
         return
     line = numbered[error.line - 1]
@@ -89,6 +89,35 @@ def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str
     if column:
         before = shown[: column - 1 - first]
         yield f"      | {' ' * sum(_columns(each) for each in before)}^"
+    yield from hint(text, error)
+
+
+def _lines(text: bytes) -> list[str]:
+    """The lines of a text: with the three ends of a line that the language knows, and no others."""
+    lines = text.decode("utf-8", errors="replace").removeprefix("\ufeff")
+    return lines.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+def hint(text: bytes, told: RestitutionError | Note) -> Iterator[str]:
+    """The line of which something is told as it would be with the likeliest cure."""
+    if not told.fixes or told.line is None:
+        return
+    from restitution.mending import mended
+
+    lines = _lines(text)
+    after = mended("\n".join(lines), told.fixes[0]).split("\n")
+    # A cure may begin a line, or join two: what stands below keeps its distance from the end.
+    below = len(lines) - max(each.end_line for each in told.fixes[0].edits if _near(each, told))
+    others = len({each.line for each in told.fixes[0].edits} - {told.line})
+    for line in after[told.line - 1 : len(after) - below]:
+        if len(line) <= _SHOWN:
+            yield f"  fix | {printable(line)}"
+    if others:
+        yield f"      | and in {counted(others, 'other line')}"
+
+
+def _near(edit: Edit, told: RestitutionError | Note) -> bool:
+    return edit.line <= (told.line or 1) <= edit.end_line
 
 
 _SHOWN = 72

@@ -10,7 +10,9 @@ The object::
                            "holds", "proof", "trials", "counterexample",
                            "rejected": [{"exact", "reason"}],
                            "error"}]}],
-     "warnings": [text], "error"}
+     "warnings": [text],
+     "notes": [{"message", "line", "column", "fixes"}],
+     "error"}
 
 ``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
 letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
@@ -20,8 +22,12 @@ data has an answer for each form, with its condition. ``proof`` says what a clai
 on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is ``undecided``, and ``holds``
 null, where nothing is proved; else null. ``trials`` counts the points at which it was tried. An
 error is null or
-``{"kind", "message", "line", "column"}``. Nothing here loads SymPy: what is asked for in an
-unreadable or unfinished file can be said without it.
+``{"kind", "message", "line", "column", "fixes"}``. ``notes`` are the warnings that the text itself
+draws, each with its place; ``fixes`` are cures, ``{"label", "edits"}``, and an edit of the text is
+``{"line", "column", "end_line", "end_column", "text"}``.
+
+Nothing here loads SymPy: what is asked for in an unreadable or unfinished file can be said without
+it.
 """
 
 from __future__ import annotations
@@ -29,10 +35,12 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Name, Negate, Pair, Polar, Quantity
+from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
@@ -55,13 +63,14 @@ def solved(file: str, solution: Solution, label: str | None = None) -> Object:
         solution.problem.title,
         [part for part in parts if part["items"] or part["part"] is not None],
         solution.warnings,
+        solution.problem.notes,
         solution.error,
     )
 
 
 def unreadable(file: str, error: RestitutionError) -> Object:
     """The object of a file that could not be read."""
-    return _file(file, None, [], (), error)
+    return _file(file, None, [], (), (), error)
 
 
 def unfinished(
@@ -78,7 +87,17 @@ def unfinished(
         if label is None or part.label == label
     ]
     shown = [part for part in parts if part["items"]]
-    return _file(file, problem.title, shown, problem.warnings, error)
+    return _file(file, problem.title, shown, problem.warnings, problem.notes, error)
+
+
+def checked(file: str, problem: Problem | None, error: RestitutionError | None) -> Object:
+    """The object of a text that was read and not solved, with all its mistakes as ``errors``."""
+    if problem is not None:
+        found = unfinished(file, problem, None)
+    else:
+        assert error is not None
+        found = unreadable(file, error)
+    return {**found, "errors": mistakes(error)}
 
 
 def mistakes(error: RestitutionError | None) -> list[Object | None]:
@@ -108,6 +127,7 @@ def _file(
     title: str | None,
     parts: list[Object],
     warnings: Iterable[str],
+    notes: Iterable[Note],
     error: RestitutionError | None,
 ) -> Object:
     return {
@@ -115,6 +135,7 @@ def _file(
         "title": title,
         "parts": parts,
         "warnings": list(dict.fromkeys(warnings)),
+        "notes": [_note(each) for each in notes],
         "error": _error(error),
     }
 
@@ -177,7 +198,21 @@ def _error(error: RestitutionError | None, line: int | None = None) -> Object | 
         "message": error.message,
         "line": error.line if error.line is not None else line,
         "column": error.column,
+        "fixes": _fixes(error.fixes),
     }
+
+
+def _note(note: Note) -> Object:
+    return {
+        "message": note.message,
+        "line": note.line,
+        "column": note.column,
+        "fixes": _fixes(note.fixes),
+    }
+
+
+def _fixes(fixes: Iterable[Fix]) -> list[Object]:
+    return [asdict(each) for each in fixes]
 
 
 def _plain(exact: str | tuple[str, str]) -> str | list[str]:

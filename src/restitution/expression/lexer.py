@@ -31,6 +31,7 @@ from restitution.expression.words import (
     PROPERTY_WORDS,
     WORDS,
     guess,
+    meant_name,
     near,
     one_slip,
     unknown_name,
@@ -116,6 +117,8 @@ _HINTS = {
     "#": "a comment cannot stand here",
 }
 
+_CURES = {**dict.fromkeys("[{", "("), **dict.fromkeys("]}", ")"), **dict.fromkeys('“”„"‘', "")}
+
 _SUBSCRIPT_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SUPERSCRIPT_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
@@ -191,6 +194,8 @@ class Source:
         if not text:
             while start and self.text[start - 1].isspace():
                 start -= 1
+            while not start and end < len(self.text) and self.text[end].isspace():
+                end += 1
         if not label:
             label = (
                 f"Leave out '{typed}'"
@@ -320,7 +325,8 @@ def _sign(source: Source, at: int) -> Token:
     character = text[at]
     shown = repr(character) if character.isprintable() else f"U+{ord(character):04X}"
     hint = _HINTS.get(character)
-    raise source.error(f"unexpected character {shown}" + (f": {hint}" if hint else ""), at)
+    fixes = [source.fix(at, at + 1, _CURES[character])] if character in _CURES else []
+    raise source.error(f"unexpected character {shown}" + (f": {hint}" if hint else ""), at, *fixes)
 
 
 def _number(source: Source, match: re.Match[str]) -> Token:
@@ -386,7 +392,9 @@ def _may_be_a_letter_of_unit(before: list[Token]) -> bool:
 def _is_plain(before: list[Token]) -> bool:
     """Whether the value that stands last is made of numbers and **i**, **j** alone."""
     depth = 0
-    for token in reversed(before):
+    for index, token in reversed(list(enumerate(before))):
+        if token.type == "QUANTITY" and index and before[index - 1].type in ("COLON", "COMMA"):
+            return True  # ``speed 3 m/s``, where a property was meant
         if token.type in _NO_NUMBER:
             return False
         if token.type == "LPAR" and depth == 0:
@@ -488,11 +496,13 @@ def _letters(
     axis = _AXIS.match(text, at)
     if axis:
         vector = {"x": "i", "y": "j"}[axis.group(1)]
-        raise source.error(f"unknown words '{axis.group()}': did you mean '{vector}'?", at)
+        fix = source.fix(at, axis.end(), vector)
+        raise source.error(f"unknown words '{axis.group()}': did you mean '{vector}'?", at, fix)
     loose = _MISSING_UNDERSCORE.match(text, at)
     if loose:
         words = " ".join(loose.group().split())
-        raise source.error(f"unknown words '{words}': did you mean '{MEANT[words]}'?", at)
+        fix = source.fix(at, loose.end(), MEANT[words])
+        raise source.error(f"unknown words '{words}': did you mean '{MEANT[words]}'?", at, fix)
     word = _WORD.match(text, at)
     assert word is not None
     run, end = word.group(), word.end()
@@ -504,6 +514,8 @@ def _letters(
         return [_quantity(source, run, at, end)]
     if run in KEYWORDS:
         return [_token(source, KEYWORDS[run], run, at, end)]
+    if run == "of" and before and before[-1].type == "NUMBER" and before[-1].endswith("%"):
+        return [_token(source, "STAR", "*", at, end)]  # ``60% of energy(0)``
     if run in FRAGMENTS:
         return [_token(source, "WORD", run, at, end)]
     return _run(source, names, run, at, runs)
@@ -537,10 +549,10 @@ def _run(
     """A run of letters that is neither a name nor a keyword."""
     called = source.plain.startswith("(", at + len(run))
     if "_" in run:
-        raise source.error(_unknown(run, names), at)
+        raise _unknown(source, run, names, at)
     pieces = _split(run)
     if pieces is None or (len(run) > 2 and _is_a_slip(run, called)):
-        raise source.error(_unknown(run, names), at)
+        raise _unknown(source, run, names, at)
     tokens: list[Token] = []
     for piece in pieces:
         end = at + len(piece)
@@ -550,7 +562,7 @@ def _run(
             tokens.append(_token(source, "PI", "pi", at, end))
         elif piece in names and not source.plain.startswith("_", end):
             if run[0].isupper() and len(run) > 1:
-                raise source.error(_unknown(run, names), at - run.index(piece))
+                raise _unknown(source, run, names, at - run.index(piece))
             raise source.error(
                 f"'{piece}' is the name of a {names[piece]} and cannot be a letter too", at
             )
@@ -615,12 +627,16 @@ def _is_a_slip(run: str, called: bool) -> bool:
     )
 
 
-def _unknown(run: str, names: Mapping[str, str]) -> str:
+def _unknown(source: Source, run: str, names: Mapping[str, str], at: int) -> StatementError:
+    """What to say of a run of letters at an offset, and what was probably meant."""
     known = (*WORDS, *MEANT)
     if run[0].isupper() and not (len(run) > 3 and near(run.lower(), known, cutoff=0.9)):
-        return unknown_name(run, names)
-    meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
-    return f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
+        said, meant = unknown_name(run, names), meant_name(run, names)
+    else:
+        meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
+        said = f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
+    fixes = [source.fix(at, at + len(run), meant)] if meant else []
+    return source.error(said, at, *fixes)
 
 
 def _spaced(run: str) -> str | None:
@@ -642,7 +658,9 @@ def _function(source: Source, function: str, start: int, end: int) -> Token:
             else f"write 1/{function}(x), or use an arc function"
         )
         shown = text[start : inverse.end()]
-        raise source.error(f"'{shown}' can be misunderstood: {remedy}", start)
+        inversely = f"arc{function}"
+        fixes = [source.fix(start, inverse.end(), inversely)] if inversely in FUNCTIONS else []
+        raise source.error(f"'{shown}' can be misunderstood: {remedy}", start, *fixes)
     power = _FUNCTION_POWER.match(text, end)
     if power:
         digits = (power.group(1) or power.group(2)).translate(_SUPERSCRIPT_DIGITS)

@@ -46,6 +46,7 @@ from restitution.expression.words import (
     PROPERTY_WORDS,
     WORDS,
     guess,
+    meant_name,
     near,
     unknown_name,
 )
@@ -70,9 +71,13 @@ class Span:
 
 @dataclass(frozen=True)
 class Reading:
-    """One reading of a line: what was scanned, and the warnings met on the way."""
+    """One reading of a line: what was scanned, and the warnings met on the way.
+
+    ``events`` have been told before it.
+    """
 
     scan: Scan
+    events: int = 0
     warnings: list[Note] = field(default_factory=list)
 
     def text(self, first: Token, last: Token) -> str:
@@ -485,8 +490,11 @@ def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
     run = None if ended else _run_at(reading, token)
     meant = _meant(reading, run or typed, token, previous, expected)
     if meant:
-        start = source.place(_run_start(reading, token)) if run else place
-        return reading.error(meant, start)
+        said, instead = meant
+        begin = _run_start(reading, token) if run else token.start_pos or 0
+        end = begin + len(run) if run else token.end_pos or 0
+        fixes = [source.fix(begin, end, instead)] if instead else []
+        return reading.error(said, source.place(begin), *fixes)
     said = f"expected {_wanted(expected, previous)}"
     if previous is not None:
         said += f" after '{reading.text(previous, previous) or previous}'"
@@ -517,35 +525,38 @@ def _run_start(reading: Reading, token: Token) -> int:
 
 def _meant(
     reading: Reading, word: str, token: Token, previous: Token | None, expected: set[str]
-) -> str | None:
-    """What to say where a word was probably meant to be another."""
+) -> tuple[str, str | None] | None:
+    """What to say where a word was probably meant to be another, and which."""
     if not word or not word.replace("_", "").isalnum() or not word[0].isalpha():
         return None
     names = reading.scan.names
     if previous is not None and previous.type in ("SPHERE", "WALL", "POINT"):
         return None
     if previous is None and word != word.lower() and word.lower() in LINE_WORDS:
-        return f"unknown word '{word}': did you mean '{word.lower()}'?"
-    if token.type == "LETTER" and "NAME" in expected and word[0].isupper():
-        return unknown_name(word, names)
+        return f"unknown word '{word}': did you mean '{word.lower()}'?", word.lower()
+    named = word[0].isupper() or word.capitalize() in names
+    if token.type == "LETTER" and "NAME" in expected and named:
+        return unknown_name(word, names), meant_name(word, names)
     if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:
         meant = near(word, [each for each in PROPERTY_WORDS if each.upper() in expected])
-        return f"unknown property '{word}'" + (f": did you mean '{meant}'?" if meant else "")
+        return _unknown(word, meant, "property")
     if previous is None and "FIND" in expected:
         meant = MEANT.get(word)
         if meant is None and word not in WORDS:
             meant = near(word, LINE_WORDS) or guess(word)
-        if meant and meant != word:
-            return f"unknown word '{word}': did you mean '{meant}'?"
-        return None
+        return _unknown(word, meant) if meant and meant != word else None
     if token.type in ("WORD", "LETTER") and "HITS" in expected:
         meant = near(word, EVENT_WORDS)
-        return f"unknown word '{word}': did you mean '{meant}'?" if meant else None
+        return _unknown(word, meant) if meant else None
     if token.type == "WORD" or (len(word) > 2 and word not in WORDS and token.type == "LETTER"):
         meant = guess(word) if len(word) > 2 else None
         if meant:
-            return f"unknown word '{word}': did you mean '{meant}'?"
+            return _unknown(word, meant)
     return None
+
+
+def _unknown(word: str, meant: str | None, what: str = "word") -> tuple[str, str | None]:
+    return f"unknown {what} '{word}'" + (f": did you mean '{meant}'?" if meant else ""), meant
 
 
 def _wanted(expected: set[str], previous: Token | None) -> str:

@@ -97,6 +97,9 @@ FRAGMENTS = (
     "hit",
     "deg",
     "with",
+    "on",
+    "for",
+    "the",
     "when",
     "that",
     "then",
@@ -130,7 +133,7 @@ _PHRASES = (
     (r"does\s+not\s+hit", "DOES_NOT_HIT"),
     (r"will\s+not\s+hit", "WILL_HIT"),
     (r"will\s+hit", "WILL_HIT"),
-    (r"at\s+rest", "AT_REST"),
+    (r"(?:is\s+)?at\s+rest", "AT_REST"),
     (r"as\s+a\s+percentage", "PERCENTAGE"),
     (r"range\s+of", "RANGE_OF"),
     (r"maximum\s+of", "EXTREME_OF"),
@@ -220,11 +223,17 @@ def guess(word: str) -> str | None:
     return slips[0] if len(slips) == 1 else near(word, slips or sorted(WORDS))
 
 
+def meant_name(name: str, names: Mapping[str, str]) -> str | None:
+    """The declared name that was probably meant, or None."""
+    if name.capitalize() in names:
+        return name.capitalize()
+    meant = near(name, sorted(names), cutoff=0.5)
+    return next(iter(names)) if meant is None and len(names) == 1 else meant
+
+
 def unknown_name(name: str, names: Mapping[str, str]) -> str:
     """What to say of a name that no line declares."""
-    meant = near(name, sorted(names), cutoff=0.5)
-    if meant is None and len(names) == 1:
-        meant = next(iter(names))
+    meant = meant_name(name, names)
     said = f"unknown name '{name}': no sphere, wall or point is called that"
     if meant is None and 1 < len(names) <= 6:
         return f"{said}; there are {', '.join(names)}"

@@ -25,7 +25,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.expression.words import unknown_name
+from restitution.expression.words import meant_name, unknown_name
+from restitution.mending import Edit, Fix
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -92,6 +93,17 @@ def check(problem: Problem) -> None:
 
 def _error(message: str, place: Place | None) -> StatementError:
     return StatementError(message, *((place.line, place.column) if place else (None, None)))
+
+
+def _unknown_name(bodies: _Bodies, name: str, place: Place | None) -> StatementError:
+    """The mistake of a name that no line declares, with the one that was probably meant."""
+    mistake = _error(unknown_name(name, bodies.kinds), place)
+    meant = meant_name(name, bodies.kinds)
+    if meant is not None and place is not None:
+        end = place.column + len(name)
+        edit = Edit(place.line, place.column, place.line, end, meant)
+        mistake.fixes = (Fix(f"Replace '{name}' by '{meant}'", (edit,)),)
+    return mistake
 
 
 def _mistakes(problem: Problem) -> Iterator[StatementError]:
@@ -239,7 +251,7 @@ def _body(
 ) -> Iterator[StatementError]:
     kind = bodies.kinds.get(name)
     if kind is None:
-        yield _error(unknown_name(name, bodies.kinds), place)
+        yield _unknown_name(bodies, name, place)
     elif kind not in may_be:
         wanted = " or a ".join(sorted(may_be))
         yield _error(f"'{name}' is the name of a {kind}: expected a {wanted} here", place)
@@ -376,7 +388,7 @@ def _name(
 ) -> Iterator[StatementError]:
     kind = bodies.kinds.get(node.name)
     if kind is None:
-        yield _error(unknown_name(node.name, bodies.kinds), node.place)
+        yield _unknown_name(bodies, node.name, node.place)
     elif kind not in allowed:
         if isinstance(parent, Polar) and parent.origin is node and kind == "wall":
             said = f"to measure an angle to a wall, write 'to {node.name}'"
@@ -404,9 +416,10 @@ def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
     """The arguments that must be bodies, and the event that must have been told."""
     takes_a_body = node.kind not in _ARGUMENTS or node.kind == "direction"
     for argument in node.arguments if takes_a_body else ():
-        if isinstance(argument, Letter) and argument.name[0].isupper():
-            name = argument.name.replace("_", "")
-            yield _error(unknown_name(name, bodies.kinds), argument.place)
+        if isinstance(argument, Letter) and (
+            argument.name[0].isupper() or argument.name.capitalize() in bodies.kinds
+        ):
+            yield _unknown_name(bodies, argument.name.replace("_", ""), argument.place)
         elif not isinstance(argument, Name):
             yield _error(
                 f"expected the name of a sphere: {SIGNATURES[node.kind].usage}"

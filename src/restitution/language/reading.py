@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 from lark import Lark, Token, Tree
 
 from restitution.errors import StatementError
+from restitution.expression.dimensions import NONE, dimension_of_any
 from restitution.expression.lexer import scan
 from restitution.expression.limits import (
     MAX_BODIES,
@@ -29,14 +31,16 @@ from restitution.expression.reading import (
     Span,
     parse_tokens,
 )
-from restitution.expression.tree import Expression, Number, Pair, Place
+from restitution.expression.tree import Expression, Name, Number, Pair, Place, Quantity
+from restitution.expression.writing import write_expression
 from restitution.language.checking import check
+from restitution.language.cures import cured
 from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
 from restitution.language.slips import with_guess
-from restitution.mending import Note
+from restitution.mending import Fix, Note, mended
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -84,7 +88,17 @@ def parse(text: str | bytes) -> Problem:
     >>> parse("sphere P: velocity 3i").spheres[0].name
     'P'
     """
-    lines = list(logical_lines(decode(text)))
+    problem, mistakes = _read_through(decode(text))
+    if problem is not None:
+        return problem
+    first = mistakes[0]
+    first.others = (*mistakes[1:], *first.others)
+    raise first
+
+
+def _read_through(text: str, cures: bool = True) -> tuple[Problem | None, list[StatementError]]:
+    """The problem of a text, or the mistakes in it, with what ``cures`` them if that is wanted."""
+    lines = list(logical_lines(text))
     names = declared_names(lines)
     story = _Story(names)
     mistakes: list[StatementError] = []
@@ -92,23 +106,59 @@ def parse(text: str | bytes) -> Problem:
         try:
             _tell(story, line)
         except StatementError as mistake:
+            if cures:
+                mistake = cured(text, line, mistake, _first_mistake)
             mistakes.append(mistake)
             if len(mistakes) >= MAX_ERRORS:
                 break
-    if not mistakes:
-        problem = story.problem()
-        try:
-            if story.has_units:
-                problem, told = in_si(problem, frozenset(names))
-                story.notes.extend(told)
-            check(problem)
-        except StatementError as mistake:
-            mistakes.append(mistake)
-        else:
-            return replace(problem, notes=(*story.notes, *doubts(problem)))
-    first = mistakes[0]
-    first.others = (*mistakes[1:], *first.others)
-    raise first
+    if mistakes:
+        return None, mistakes
+    problem = story.problem()
+    try:
+        if story.has_units:
+            problem, told = in_si(problem, frozenset(names))
+            story.notes.extend(told)
+        check(problem)
+    except StatementError as first:
+        mistakes = [first, *first.others]
+        first.others = ()
+        if cures:
+            mistakes = [_with_what_helps(text, lines, each, len(mistakes)) for each in mistakes]
+        return None, mistakes
+    return replace(problem, notes=(*story.notes, *doubts(problem))), []
+
+
+def _with_what_helps(
+    text: str, lines: list[Line], mistake: StatementError, count: int
+) -> StatementError:
+    """A mistake in what lines say, one of ``count``, with those of its fixes that help."""
+    if not mistake.fixes and mistake.line is not None:
+        begun = [line for line in lines if line.source.pieces[0][1] <= mistake.line]
+        if begun:
+            line = begun[-1]
+            mistake = with_guess(line.source, line.word, mistake, declared_names(lines))
+    mistake.fixes = tuple(fix for fix in mistake.fixes if _helps(text, fix, count))
+    return mistake
+
+
+def _helps(text: str, fix: Fix, count: int) -> bool:
+    """Whether a text has fewer mistakes with a fix."""
+    try:
+        problem, left = _read_through(mended(text, fix), cures=False)
+    except StatementError:
+        return False  # the text has grown too long
+    return problem is not None or len(left) < count
+
+
+def _first_mistake(line: Line, names: Mapping[str, str]) -> StatementError | None:
+    """The mistake in a line by itself, or None where it reads."""
+    if line.word in ("title", "part"):
+        return None
+    try:
+        _understood(line, names)
+    except StatementError as mistake:
+        return mistake
+    return None
 
 
 @cache
@@ -164,11 +214,7 @@ def _tell(story: _Story, line: Line) -> None:
     if line.word == "part":
         _tell_part(story, line, place)
         return
-    try:
-        reading = Reading(scan(line.source, story.names))
-        said = parse_tokens(statement_parser(), reading, _BUILDERS).value
-    except StatementError as mistake:
-        raise with_guess(line.source, line.word, mistake) from None
+    reading, said = _understood(line, story.names, story.events)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
     story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)
     if isinstance(said, _Said):
@@ -188,6 +234,15 @@ def _tell(story: _Story, line: Line) -> None:
                 f"a statement tells at most {MAX_EVENTS} events", place.line, place.column
             )
     story.parts[-1][2].append(said)
+
+
+def _understood(line: Line, names: Mapping[str, str], events: int = 0) -> tuple[Reading, Any]:
+    """A line read by itself, and what it says. Raises StatementError with what was meant."""
+    try:
+        reading = Reading(scan(line.source, names), events)
+        return reading, parse_tokens(statement_parser(), reading, _BUILDERS).value
+    except StatementError as mistake:
+        raise with_guess(line.source, line.word, mistake, names) from None
 
 
 def _tell_title(story: _Story, line: Line, place: Place) -> None:
@@ -404,7 +459,43 @@ def _terms(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[str,
 
 def _compare(reading: Reading, node: Tree[Token], spans: list[Span]) -> Compare:
     operators: Any = tuple(str(span.first) for span in spans[1::2])
-    return Compare(tuple(span.value for span in spans[::2]), operators)
+    operands = spans[::2]
+    for one, other in (*pairwise(operands), *pairwise(operands[::-1])):
+        _look_for_a_share(reading, one, other)
+    return Compare(tuple(span.value for span in operands), operators)
+
+
+def _look_for_a_share(reading: Reading, quantity: Span, number: Span) -> None:
+    """Note ``energy_lost = 60%``, which says 0.6 J."""
+    typed = reading.text(number.first, number.last)
+    if number.first is not number.last or not typed.endswith("%"):
+        return
+    tree = quantity.value
+    if not isinstance(tree, Expression) or dimension_of_any([tree]) in (None, NONE):
+        return
+    said = f"{typed} was read as {write_expression(number.value)}, a number in SI"
+    whole = _whole_of(tree, reading.events)
+    fixes: tuple[Fix, ...] = ()
+    if whole is not None:
+        meant = f"{typed} of {whole}"
+        said += f": did you mean {meant}?"
+        fixes = (reading.fix(number.first, number.last, meant),)
+    else:
+        said += f": {typed} of what?"
+    reading.warnings.append(Note(said, number.place.line, number.place.column, fixes))
+
+
+def _whole_of(tree: Expression, events: int) -> str | None:
+    """What a share of energy is surely a share of: the energy before."""
+    match tree:
+        case Quantity("energy_lost", (), stage):
+            last = stage if isinstance(stage, int) else max(events, 1)
+            return f"energy({last - 1})"
+        case Quantity("total_energy_lost" | "energy", ()):
+            return "energy(0)"
+        case Quantity("energy", (Name(name),)):
+            return f"energy({name}, 0)"
+    return None
 
 
 def _aligned(reading: Reading, node: Tree[Token], spans: list[Span]) -> Aligned:

@@ -7,7 +7,7 @@ group ``x`` (else all of it) what is wrong there.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -15,14 +15,37 @@ from restitution.errors import StatementError
 from restitution.expression.lexer import Source
 from restitution.expression.words import LINE_WORDS
 from restitution.language.outside import outside
+from restitution.mending import Fix
+
+
+@dataclass(frozen=True)
+class _Cure:
+    """What to say of a slip, and what to write for its ``x``; both may name groups of the pattern.
+
+    ``tight`` takes the place of the blanks before it too. ``of`` is the group that is written anew.
+    """
+
+    said: str
+    text: str
+    tight: bool = False
+    of: str = "x"
+
+
+def _meant(text: str, more: str = "") -> _Cure:
+    return _Cure(f"did you mean '{text}'?{more}", text)
+
+
+_CUT = _Cure("leave out '{x}'", "")
 
 _NAME = r"[A-Z][A-Za-z0-9]*"
 _BODY = rf"(?:the\s+)?(?:(?:sphere|ball|particle|wall)\s+)?(?P<body>{_NAME})\b"
 _KINETIC = r"(?:kinetic\s+energy|KE|K\.E\.|energy)"
-_CUT = "leave out '{x}'"
 
 _BODIES = "sphere wall"
 _ASKED = "find show given let"
+
+_STOPS = r"(?:rests|stops|comes\s+to\s+rest|is\s+brought\s+to\s+rest)\b"
+_RESTITUTION = r"coefficient\s+of\s+restitution(?:\s+between\s+\w+\s+and\s+\w+)?"
 
 # A wall or a ball is struck in many words.
 _STRIKES = (
@@ -32,41 +55,73 @@ _STRIKES = (
     r"|meets?|impinges?\s+on|hits\s+(?:into|against|with|on))"
 )
 
-# Lines by their first word (any, where there is none), pattern, and what to say.
-_TABLE: tuple[tuple[str, str, str], ...] = (
+# Lines by their first word (any, where there is none), pattern, and what to say: with a cure where
+# that is certain.
+_TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     # how a line begins
     (
         "other",
+        rf"^\s*(?P<x>(?P<body>{_NAME})\s+(?:then\s+|now\s+)?{_STOPS})",
+        _meant("given {body} at rest"),
+    ),
+    ("other", rf"^\s*(?P<x>{_NAME}\s+is\s+(?:deflected|turned)\b.*?)\s*$", _meant("given {x}")),
+    (
+        "other",
+        rf"^\s*{_NAME}\s+(?P<x>then|now|next|also)\s+(?:hits|receives|reaches|{_STRIKES})\b",
+        _CUT,
+    ),
+    (
+        "other",
+        (
+            rf"^\s*(?P<x>(?:[Tt]he\s+)?{_RESTITUTION}\s*(?:\be\b)?\s*(?:=|:|is\b)?)"
+            r"\s*(?=[\d½¼¾⅓⅔.])"
+        ),
+        _meant("given e ="),
+    ),
+    (
+        "other",
+        (
+            r"^\s*(?P<x>(?:[Tt]he\s+)?(?P<fact>(?:(?:final|initial|new|kinetic)\s+)*"
+            r"(?:speed|velocity|direction|deflection|energy|impulse|momentum|mass|angle)\b"
+            r".*?\b(?:is|equals?)\b.*?))\s*$"
+        ),
+        _meant("given {fact}"),
+    ),
+    (
+        "other",
         rf"^\s*(?P<x>(?P<b>{_NAME})\s+(?:is\s+)?(?:hit|struck)\s+by\s+(?P<a>{_NAME}))",
-        "did you mean '{a} hits {b}'?",
+        _meant("{a} hits {b}"),
     ),
     ("event", r"^[^:]*\s(?P<x>again)\s*:", _CUT),
-    ("other", r"^\s*(?P<x>//|--|%|\*).*$", "a comment begins with '#'"),
+    ("other", r"^\s*(?P<x>//|--|%|\*).*$", _Cure("a comment begins with '#'", "#")),
     (
         "other",
         r"^\s*(?P<x>(?:if|where|with|when|assuming|since|because)\b(?:\s+that\b)?)",
-        "did you mean 'given'?",
+        _meant("given"),
     ),
     (
         "other",
-        rf"^\s*{_NAME}\s+(?P<x>(?:arrives\s+at|comes\s+to|gets\s+to|goes\s+to)\b)",
-        "did you mean 'reaches'?",
+        rf"^\s*{_NAME}\s+(?P<x>(?:arrives\s+at|comes\s+to(?!\s+rest)|gets\s+to|goes\s+to)\b)",
+        _meant("reaches"),
     ),
     ("find show given let", r"^\s*\w+\s*(?P<x>:)", _CUT),
     (
         "other",
         r"^\s*(?P<x>\(?(?P<label>[a-z]|[ivx]{2,4}|\d)[).](?!\d))",
-        "a part begins with a line 'part {label}'",
+        _Cure("a part begins with a line 'part {label}'", "part {label}\n"),
     ),
     (
         "other",
-        rf"^\s*{_NAME}\s+and\s+{_NAME}\s+(?P<x>(?:will\s+)?collide)(?!\s+again)\b",
-        "did you mean 'A hits B'?",
+        (
+            rf"^\s*(?P<all>(?P<a>{_NAME})\s+and\s+(?P<b>{_NAME})\s+(?P<x>(?:will\s+|then\s+)?collide)"
+            r"(?!\s+again)\b(?:\s+(?:directly|obliquely))?)"
+        ),
+        _Cure("did you mean '{a} hits {b}'?", "{a} hits {b}", of="all"),
     ),
     (
         "other event",
         rf"^\s*(?:then\s+)?{_NAME}\s+(?P<x>{_STRIKES})\s+(?!.*\bagain\b)(?:the\s+)?\w+",
-        "did you mean 'hits'?",
+        _meant("hits"),
     ),
     (
         "event",
@@ -76,11 +131,19 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         "other",
         rf"^\s*{_NAME}\s+(?P<x>(?:gets|is\s+given)\b)",
-        "did you mean 'receives'?",
+        _meant("receives"),
     ),
     ("other", r"^\s*(?P<x>[Tt]hen|[Nn]ow|[Nn]ext|[Tt]he|[Hh]ence|[Tt]hus|[Aa]lso)\b", _CUT),
-    ("other", rf"^\s*(?P<x>{_NAME}(?:\s*,\s*{_NAME})*)\s*:", "did you mean 'sphere {x}: …'?"),
-    ("event", r"^\s*(?P<x>.*\bagain\b.*?)\s*$", "a fact is 'given {x}'; an event has no 'again'"),
+    (
+        "other",
+        rf"^\s*(?P<x>{_NAME}(?:\s*,\s*{_NAME})*)\s*:",
+        _Cure("did you mean 'sphere {x}: …'?", "sphere {x}"),
+    ),
+    (
+        "event",
+        r"^\s*(?P<x>.*\bagain\b.*?)\s*$",
+        _Cure("a fact is 'given {x}'; an event has no 'again'", "given {x}"),
+    ),
     (
         "other",
         (
@@ -89,58 +152,58 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"|\bhit(?:s)?\b.*\bagain|\bwill\s+(?:not\s+)?hit\b"
             r"|\b(?:perpendicular|parallel|opposite)\s+to\b).*?)\s*$"
         ),
-        "did you mean 'given {x}'?",
+        _meant("given {x}"),
     ),
     (
         "sphere wall",
         rf"^\s*(?P<x>(?:sphere|wall)\s+)(?={_NAME}\s+(?:{_STRIKES}|hits|receives)\b)",
         _CUT,
     ),
-    ("let", r"^\s*let\s+\S+\s+(?P<x>be(?:\s+equal\s+to)?|denote|is)\b", "did you mean '='?"),
+    ("let", r"^\s*let\s+\S+\s+(?P<x>be(?:\s+equal\s+to)?|denote|is)\b", _meant("=")),
     (
         "let",
         r"^\s*(?P<x>let\s+(?!\w+\s*(?:=|,|$))(?P<fact>\S.*[=<>].*?))\s*$",
-        "did you mean 'given {fact}'?",
+        _meant("given {fact}"),
     ),
     ("given show find", r"^\s*\w+\s+(?P<x>that\b)", _CUT),
     # properties
     ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
-    ("", r"(?:\bmass\b|\bradius\b|=)\s*\d+(?P<x>,)\d", "a decimal point is '.'"),
-    ("point", r":\s*(?P<x>[^()\s,]+\s*,\s*[^()\s,]+)\s*$", "did you mean '({x})'?"),
+    ("", r"(?:\bmass\b|\bradius\b|=)\s*\d+(?P<x>,)\d", _Cure("a decimal point is '.'", ".")),
+    ("point", r":\s*(?P<x>[^()\s,]+\s*,\s*[^()\s,]+)\s*$", _meant("({x})")),
     (
         "given let show",
         r"=.*\s(?P<x>find|show|given|let|unknown)\b",
-        "'{x}' begins a line of its own",
+        _Cure("'{x}' begins a line of its own", "\n{x}", tight=True),
     ),
     ("given let show", r"(?:\d|%)\s+(?P<x>of)\b", _CUT),
     (
         "given show",
         rf"(?P<x>\b(?P<body>{_NAME})\s+is\s+(?:deflected|turned)\s+(?:through|by)\b)",
-        "did you mean 'deflection({body}) ='?",
+        _meant("deflection({body}) ="),
     ),
-    ("event", r"(?P<x>\b(?:perfectly\s+)?elastic)\b", "did you mean 'e = 1'?"),
-    ("event", r"(?P<x>\bperfectly\s+inelastic)\b", "did you mean 'e = 0'?"),
+    ("event", r"(?P<x>\b(?:perfectly\s+)?elastic)\b", _meant("e = 1")),
+    ("event", r"(?P<x>\bperfectly\s+inelastic)\b", _meant("e = 0")),
     (
         "event",
         r"\breceives\s.*\s(?P<x>along|in\s+the\s+direction\s+of)\b",
-        "did you mean 'at 0° from'?",
+        _meant("at 0° from"),
     ),
     (
         "find show",
         r"imum\s+of\b.*?\s(?P<x>wrt|with\s+respect\s+to|for|as)\b.*$",
-        "did you mean 'over'?",
+        _meant("over"),
     ),
     (
         "sphere wall event",
         r":.*\s(?P<x>find|show|given|let|unknown)\b",
-        "'{x}' begins a line of its own",
+        _Cure("'{x}' begins a line of its own", "\n{x}", tight=True),
     ),
-    ("sphere wall event", r"(?P<x><(?P<v>[^<>]*,[^<>]*)>)", "did you mean '({v})'?"),
-    ("sphere event", r"[ij]\s*(?P<x>,)\s*[-+−]?\s*[\d.]*\s*[a-z]?\s*[ij]\b", "did you mean '+'?"),
+    ("sphere wall event", r"(?P<x><(?P<v>[^<>]*,[^<>]*)>)", _meant("({v})")),
+    ("sphere event", r"[ij]\s*(?P<x>,)\s*[-+−]?\s*[\d.]*\s*[a-z]?\s*[ij]\b", _meant("+")),
     (
         "sphere",
         r"\bvelocity\s+(?P<x>(?P<a>[\d.\w]+)\s*,?\s*(?P<b>\d[\d.]*\s*(?:°|deg)))",
-        "did you mean '{a} at {b}'?",
+        _meant("{a} at {b}"),
     ),
     (
         "sphere event",
@@ -149,23 +212,23 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     ("", r"(?P<x>\b(?:anticlockwise|counterclockwise|counter-clockwise))\b", _CUT),
     ("", r"(?P<x>\bclockwise)\b", "angles are anticlockwise: write a negative one"),
-    ("", r"\bat\s[^,]*(?P<x>\babove)\b", "did you mean 'from'?"),
+    ("", r"\bat\s[^,]*(?P<x>\babove)\b", _meant("from")),
     (
         "sphere",
         r"\bat\s+(?P<x>(?P<v>-?[\w.]{1,4}\s*,\s*-?[\w.]{1,4}))\s*(?:,|$)",
-        "did you mean '({v})'?",
+        _meant("({v})"),
     ),
     ("event", r"(?P<x>\bat\s+(?:time\s+)?t\s*=)", "a time is a fact: 'given time(1) = …'"),
-    ("", r"(?P<x>(?P<a>\w)_\{(?P<b>\d+|\w)\})", "did you mean '{a}_{b}'?"),
+    ("", r"(?P<x>(?P<a>\w)_\{(?P<b>\d+|\w)\})", _meant("{a}_{b}")),
     (
         "",
         r"(?P<x>\b(?P<q>sin|cos|tan)\s*[-−–]\s?1\b|\binverse\s+(?P<p>sin|cos|tan)\b)",
-        "did you mean 'arc{q}{p}'?",
+        _meant("arc{q}{p}"),
     ),
     (
         _BODIES,
         rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+(?P<x>and)\s+{_NAME}",
-        "did you mean ','?",
+        _meant(","),
     ),
     (
         _BODIES,
@@ -173,7 +236,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s*(?P<x>,?\s*(?:has|have|of|with|is|lies|moves)\b"
             r"|[,;=–-])\s*(?=[a-z])"
         ),
-        "expected ':' here",
+        _Cure("expected ':' here", ":", tight=True),
     ),
     (
         _BODIES,
@@ -181,25 +244,34 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+"
             r"(?P<x>mass|velocity|speed|at|radius|along|parallel|through|from|circle)\b"
         ),
-        "expected ':' before '{x}'",
+        _Cure("expected ':' before '{x}'", ": {x}", tight=True),
     ),
     (
         "event",
         rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*(?P<x>,?\s*(?:with|where|and|at)\b|,)",
-        "expected ':' here",
+        _Cure("expected ':' here", ":", tight=True),
     ),
     (
         "event",
         rf"^\s*{_NAME}\s+hits\s+{_NAME}\s+(?P<x>along|e|offset|coefficient|line)\b",
-        "expected ':' before '{x}'",
+        _Cure("expected ':' before '{x}'", ": {x}", tight=True),
     ),
     (
         "event",
         r"(?P<x>coefficient(?:\s+of\s+restitution)?\s*(?:\be\b)?\s*(?:=|:|is\b|of\b)?)",
-        "did you mean 'e ='?",
+        _meant("e ="),
     ),
-    ("event", r"\be\s*(?P<x>:|is\b|of\b)", "did you mean '='?"),
-    ("event", r":.*[^\s:,]\s+(?P<x>e)\s*=", "expected ',' before '{x}'"),
+    ("event", r"\be\s*(?P<x>:|is\b|of\b)", _meant("=")),
+    (
+        "sphere event",
+        r"(?<=[^\s:,])\s+(?P<x>mass|velocity|radius|along|offset|at\s+rest)\b",
+        _Cure("expected ',' before '{x}'", ", {x}", tight=True),
+    ),
+    (
+        "event",
+        r":.*[^\s:,]\s+(?P<x>e)\s*=",
+        _Cure("expected ',' before '{x}'", ", {x}", tight=True),
+    ),
     (
         "event",
         r"\bhits\s+(?P<x>(?:the\s+)?(?:[Ww]all|[Ss]phere|[Bb]all))\s*(?::|$)",
@@ -216,7 +288,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"[:,]\s*(?P<x>(?:with\s+)?(?:along\s+)?(?:the\s+)?(?:lines?[\s_]+of[\s_]+cent(?:re|er)s?|parallel\s+to|direction|at)"
             r"(?:\s+(?:is|along|at|parallel\s+to|in\s+the\s+direction(?:\s+of)?)\b|\s*=)?)"
         ),
-        "did you mean 'along'?",
+        _meant("along"),
     ),
     (
         "event",
@@ -233,23 +305,23 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         r"\b(?:mass|velocity|radius|along|through|offset|from|at)\s*(?P<x>=|:|is\b|of\b)",
         _CUT,
     ),
-    ("sphere", r"[:,]\s*(?P<x>[mM]\s*=)", "did you mean 'mass'?"),
+    ("sphere", r"[:,]\s*(?P<x>[mM]\s*=)", _meant("mass")),
     (
         "sphere",
         (
             r"[:,]\s*(?P<x>(?!velocity\s*[^=\s])(?:[uvUV]\w*|speed|initial\s+(?:velocity|speed)|moving|moves"
             r"|travelling|moving\s+with\s+(?:velocity|speed))(?:\s*=|\b)(?:\s*(?:of|is|with\s+\w+)\b)?)"
         ),
-        "did you mean 'velocity'?",
+        _meant("velocity"),
     ),
-    ("sphere", r"[:,]\s*(?P<x>[rR]\s*=)", "did you mean 'radius'?"),
+    ("sphere", r"[:,]\s*(?P<x>[rR]\s*=)", _meant("radius")),
     (
         "sphere",
         r"[:,]\s*(?P<x>(?:(?:is|initially)\s+)+at\s+rest|(?:initially\s+)?(?:rest|stationary|still)\b)",
-        "did you mean 'at rest'?",
+        _meant("at rest"),
     ),
-    ("sphere", r"[:,]\s*(?P<x>weight)\b", "did you mean 'mass'?"),
-    ("sphere", r"[:,]\s*(?P<x>position|centre|initially\s+at|starts\s+at)\b", "did you mean 'at'?"),
+    ("sphere", r"[:,]\s*(?P<x>weight)\b", _meant("mass")),
+    ("sphere", r"[:,]\s*(?P<x>position|centre|initially\s+at|starts\s+at)\b", _meant("at")),
     (
         "sphere wall event",
         r"[,\s]\s*(?P<x>(?:where|given|when)\b|(?:sin|cos|tan)\s*\(?[^=,]*=)",
@@ -258,48 +330,105 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     (
         "wall",
         r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at|angle)\b)",
-        "did you mean 'along'?",
+        _meant("along"),
     ),
     (
         "wall",
         r"[:,]\s*(?P<x>perp\w*(?:\s+to)?)",
         "a wall is told by its own direction, such as 'along j'",
     ),
-    ("wall", r"[:,]\s*(?P<x>horizontal)\b", "did you mean 'along i'?"),
-    ("wall", r"[:,]\s*(?P<x>vertical)\b", "did you mean 'along j'?"),
+    ("wall", r"[:,]\s*(?P<x>horizontal)\b", _meant("along i")),
+    ("wall", r"[:,]\s*(?P<x>vertical)\b", _meant("along j")),
     (
         "wall",
         r"[:,]\s*(?P<x>y\s*=\s*(?P<c>[^,=xy]+?))\s*(?:,|$)",
-        "did you mean 'along i, through (0, {c})'?",
+        _meant("along i, through (0, {c})"),
     ),
     (
         "wall",
         r"[:,]\s*(?P<x>x\s*=\s*(?P<c>[^,=xy]+?))\s*(?:,|$)",
-        "did you mean 'along j, through ({c}, 0)'?",
+        _meant("along j, through ({c}, 0)"),
     ),
-    ("wall", r":\s*(?P<x>(?:-?\s*\d*\s*[ij]\b|\(|\d+\s*°)[^,]*)", "did you mean 'along {x}'?"),
+    ("wall", r":\s*(?P<x>(?:-?\s*\d*\s*[ij]\b|\(|\d+\s*°)[^,]*)", _meant("along {x}")),
     # vectors
     ("", r"\bat\s+(?P<x>(?:an?\s+|the\s+)?(?:acute\s+)?angle(?:\s+of)?)(?!\s*\()", _CUT),
     (
         "",
         r"\bat\s(?!right\b)[^,]*?(?P<x>\b(?:to|with)\s+(?:the\s+)?(?:positive\s+)?(?P<d>-?\s*[ij])\b)",
-        "did you mean 'from {d}'?",
+        _meant("from {d}"),
     ),
-    ("", rf"\bat\s[^,]*?(?P<x>\b(?:with|against|towards)\s+{_BODY})", "did you mean 'to {body}'?"),
+    ("", rf"\bat\s[^,]*?(?P<x>\b(?:with|against|towards)\s+{_BODY})", _meant("to {body}")),
     # what is asked, in words
+    (
+        "find",
+        (
+            rf"(?P<x>(?:the\s+)?percentages?\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)?"
+            rf"(?:{_KINETIC}\s+(?:that\s+is\s+)?(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?{_KINETIC}))"
+        ),
+        _meant("energy_lost/energy(0) as a percentage"),
+    ),
+    (
+        _ASKED,
+        (
+            rf"(?P<x>(?:what\s+|the\s+)?fraction\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)?"
+            rf"{_KINETIC}\s+(?:that\s+is\s+)?(?:lost|loss))"
+        ),
+        _meant("energy_lost/energy(0)"),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>(?:the\s+)?(?:initial|original)\s+(?:total\s+)?{_KINETIC})(?!\s*(?:of\b|\())",
+        _meant("energy(0)"),
+    ),
+    (
+        _ASKED,
+        (
+            rf"(?P<x>(?:the\s+)?(?P<q>speed|velocity|direction|energy|momentum)\s+of\s+{_BODY}\s+"
+            r"(?:immediately\s+|just\s+)?before\b(?:\s+(?:the|its|this|impact|collision|it\w*))*)"
+        ),
+        _meant("{q}({body}, before)"),
+    ),
+    (
+        "find",
+        (
+            rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|direction|deflection|energy|momentum|mass)s?"
+            rf"\s+of\s+{_BODY}\s+and\s+(?:of\s+)?(?P<b>{_NAME}))(?!\s*\()"
+        ),
+        _meant("{q}({body}), {q}({b})"),
+    ),
+    (
+        "find",
+        (
+            rf"(?P<x>(?:(?:final|new|the)\s+)*velocit(?:y|ies)\s+of\s+{_BODY}\s+and\s+(?:of\s+)?"
+            rf"(?P<b>{_NAME}))(?!\s*\()"
+        ),
+        _meant("velocity({body}), velocity({b})"),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>(?:the\s+)?impulse\s+(?:of|exerted\s+by|from)\s+{_NAME}\s+on\s+{_BODY})",
+        _meant("impulse({body})"),
+    ),
+    ("find", rf"(?P<x>(?:the\s+)?{_RESTITUTION})", _meant("e")),
+    (
+        "given show",
+        rf"(?P<x>(?:the\s+)?{_RESTITUTION}\s*(?:\be\b)?\s*(?:=|is\b))",
+        _meant("e ="),
+    ),
     ("find", r"(?P<x>\bpercentages?(?:\s+of)?)\s", "'as a percentage' stands after an item"),
     (
         "find",
         r"(?P<x>(?:what\s+)?fraction\s+of)\b",
         "write a quotient, such as energy_lost/energy(0)",
     ),
-    ("find", r"(?P<x>&)", "did you mean ','?"),
+    ("find", r"(?P<x>&)", _meant(",")),
     ("find", r",\s*(?P<x>,)", _CUT),
+    ("find", r",\s*(?P<x>find)\b", _CUT),
     ("find", r"(?P<x>\bonly)\b", _CUT),
     (
         "find",
         r"(?P<x>\bin)\s+(?P<v>[a-zα-ω](?:_?\w)?(?:\s*(?:,|and)\s*[a-zα-ω](?:_?\w)?)*)\s*$",
-        "did you mean 'in terms of'?",
+        _meant("in terms of"),
     ),
     (
         _ASKED,
@@ -307,7 +436,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"(?P<x>(?:total\s+)?(?:{_KINETIC}\s+(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?"
             rf"(?:total\s+)?{_KINETIC})\s+(?:by|of)\s+{_BODY})"
         ),
-        "did you mean 'energy({body}, before) - energy({body})'?",
+        _meant("energy({body}, before) - energy({body})"),
     ),
     (
         _ASKED,
@@ -315,36 +444,36 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"(?P<x>(?:total\s+(?!energy))?{_KINETIC}\s+(?:lost|loss)\b"
             rf"|loss\s+(?:of|in)\s+(?:the\s+)?(?:total\s+)?{_KINETIC})"
         ),
-        "did you mean 'energy_lost'?",
+        _meant("energy_lost"),
     ),
     (
         _ASKED,
         rf"(?P<x>(?:kinetic\s+energy|K\.?E\.?)\s*(?:of\s+|\(\s*|_)?{_BODY}\)?)",
-        "did you mean 'energy({body})'?",
+        _meant("energy({body})"),
     ),
-    (_ASKED, r"(?P<x>\b(?:total\s+)?(?:kinetic\s+energy|K\.?E)\b\.?)", "did you mean 'energy'?"),
+    (_ASKED, r"(?P<x>\b(?:total\s+)?(?:kinetic\s+energy|K\.?E)\b\.?)", _meant("energy")),
     (
         _ASKED,
         (
             rf"(?P<x>angle\s+(?:of\s+deflection|through\s+which)(?:\s+(?:of|for))?\s+{_BODY}"
             r"(?:\s+is\s+deflected)?)"
         ),
-        "did you mean 'deflection({body})'?",
+        _meant("deflection({body})"),
     ),
     (
         _ASKED,
         r"(?P<x>angle\s+of\s+deflection|angle\s+(?:turned|deflected)|deflection)(?!\s*\(\s*[A-Z])",
-        "did you mean 'deflection(A)'?",
+        _meant("deflection(A)"),
     ),
     (
         _ASKED,
         r"(?P<x>angle\s+between\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+and\s+(?:the\s+)?(?P<b>[^,=<>]+))",
-        "did you mean 'angle({a}, {b})'?",
+        _meant("angle({a}, {b})"),
     ),
     (
         _ASKED,
         rf"(?P<x>distance\s+between\s+{_BODY}\s+and\s+(?:the\s+)?(?P<b>{_NAME}))",
-        "did you mean 'distance({body}, {b})'?",
+        _meant("distance({body}, {b})"),
     ),
     (
         _ASKED,
@@ -352,12 +481,12 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>component\s+of\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+(?:along|parallel\s+to|in\s+the"
             r"\s+direction\s+of)\s+(?:the\s+)?(?P<b>[^,=<>]+))"
         ),
-        "did you mean 'along({a}, {b})'?",
+        _meant("along({a}, {b})"),
     ),
     (
         _ASKED,
         r"(?P<x>(?:magnitude|modulus|size)\s+of\s+(?:the\s+)?impulse)\b",
-        "did you mean 'impulse'?",
+        _meant("impulse"),
     ),
     (
         _ASKED,
@@ -365,7 +494,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"(?P<x>initial\s+(?P<q>speed|velocity|direction|energy|momentum)\s*(?:of\s+|\(\s*)?"
             rf"{_BODY}\)?)"
         ),
-        "did you mean '{q}({body}, 0)'?",
+        _meant("{q}({body}, 0)"),
     ),
     (
         _ASKED,
@@ -373,7 +502,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|velocity|direction|deflection|energy|impulse"
             rf"|momentum|position|mass)\s*(?:of\s+(?:motion\s+of\s+)?|on\s+|for\s+)?{_BODY}(?!\s*\())"
         ),
-        "did you mean '{q}({body})'?",
+        _meant("{q}({body})"),
     ),
     (
         _ASKED,
@@ -381,14 +510,15 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             rf"(?P<x>\b(?P<body>{_NAME})['’]s\s+(?:final\s+)?(?P<q>speed|velocity|direction|deflection"
             r"|energy|momentum|position|mass)\b)"
         ),
-        "did you mean '{q}({body})'?",
+        _meant("{q}({body})"),
     ),
     (
         _ASKED,
         r"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after|following)\b(?:\s+\w+){0,3})",
-        (
+        _Cure(
             "leave out '{x}': a quantity is the one after the events told so far, "
-            "and speed(A, 1) the one after event 1"
+            "and speed(A, 1) the one after event 1",
+            "",
         ),
     ),
     (
@@ -402,7 +532,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>(?:the\s+)?(?:set|range)\s+of\s+(?:the\s+)?(?:possible\s+)?values\s+(?:of|for)"
             r"|(?:possible\s+)?values\s+(?:of|for)|range\s+for|range\s+of\s+the)"
         ),
-        "did you mean 'range of'?",
+        _meant("range of"),
     ),
     (
         "find show",
@@ -410,7 +540,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>\b(?:maximum(?!\s+of\b)|max\b\.?(?:imal\b)?|greatest|largest|biggest|highest)"
             r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)"
         ),
-        "did you mean 'maximum of'? It is written 'maximum of Q over X'",
+        _meant("maximum of", " It is written 'maximum of Q over X'"),
     ),
     (
         "find show",
@@ -418,12 +548,12 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>\b(?:minimum(?!\s+of\b)|min\b\.?(?:imal\b)?|least|smallest|lowest)"
             r"(?:\s+possible)?(?:\s+value)?(?:\s+of)?)"
         ),
-        "did you mean 'minimum of'? It is written 'minimum of Q over X'",
+        _meant("minimum of", " It is written 'minimum of Q over X'"),
     ),
     (
         "find show",
         r"(?P<x>\bin\s+(?:the\s+)?(?:terms?\b(?!\s+of\b)|term\s+of)|\binterms\s+of)",
-        "did you mean 'in terms of'?",
+        _meant("in terms of"),
     ),
     (
         "find",
@@ -431,7 +561,7 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>\b(?:as|in)\s+(?:an?\s+)?(?:percentages?|percent|per\s+cent|%)"
             r"(?:\s+(?:form|of\b.*))?)"
         ),
-        "did you mean 'as a percentage'?",
+        _meant("as a percentage"),
     ),
     (
         "find",
@@ -439,12 +569,19 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
             r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
             r"\s+form)\b.*)"
         ),
-        "leave out '{x}': answers come exact and to 3 significant figures",
+        _Cure("leave out '{x}': answers come exact and to 3 significant figures", ""),
     ),
     (
         "find",
-        r"(?P<x>\b(?:when|if|where|given|assuming|for\s+which)\b)",
-        "a fact stands on a line of its own before this: 'given …'",
+        (
+            r"^(?P<all>\s*(?P<asked>find\b.*?)\s*,?\s*"
+            r"\b(?P<x>when|if|where|given(?:\s+that)?|assuming|for\s+which)\s+(?P<fact>\S.*?))\s*$"
+        ),
+        _Cure(
+            "a fact stands on a line of its own before this: 'given {fact}'",
+            "given {fact}\n{asked}",
+            of="all",
+        ),
     ),
     # relations
     (
@@ -455,32 +592,32 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         ),
         _CUT,
     ),
-    ("", r"(?P<x>(?P<o>[<>])\s+=)", "did you mean '{o}='?"),
+    ("", r"(?P<x>(?P<o>[<>])\s+=)", _meant("{o}=")),
     (
         "given show",
         r"(?P<x>(?P<q>[^\s,]+)\s+(?:is\s+|lies\s+)?between\s+(?P<a>[^\s,]+)\s+and\s+(?P<b>[^\s,]+))",
-        "did you mean '{a} < {q} < {b}'?",
+        _meant("{a} < {q} < {b}"),
     ),
     (
         "given show",
         rf"(?P<x>\b(?P<body>{_NAME})\s+(?:now\s+)?(?:is\s+)?(?:moves|moving|travels|travelling)\b)",
-        "did you mean 'velocity({body})'?",
+        _meant("velocity({body})"),
     ),
     (
         "given show",
         rf"(?P<x>\b(?P<body>{_NAME})\s+(?:rests|stops|comes\s+to\s+rest|is\s+brought\s+to\s+rest))\b",
-        "did you mean '{body} at rest'?",
+        _meant("{body} at rest"),
     ),
     (
         "given show",
         r"(?P<x>\bdon['’]t\s+collide(?:\s+again)?)",
-        "did you mean 'do not collide again'?",
+        _meant("do not collide again"),
     ),
-    ("given show", r"(?P<x>\bdoesn['’]t\s+hit)\b", "did you mean 'does not hit'?"),
-    ("given show", r"(?P<x>\bwon['’]t\s+hit)\b", "did you mean 'will not hit'?"),
-    ("", r"(?P<x>={2,3})", "did you mean '='?"),
-    ("", r"(?P<x>=\s*<)", "did you mean '<='?"),
-    ("", r"(?P<x>=\s*>)", "did you mean '>='?"),
+    ("given show", r"(?P<x>\bdoesn['’]t\s+hit)\b", _meant("does not hit")),
+    ("given show", r"(?P<x>\bwon['’]t\s+hit)\b", _meant("will not hit")),
+    ("", r"(?P<x>={2,3})", _meant("=")),
+    ("", r"(?P<x>=\s*<)", _meant("<=")),
+    ("", r"(?P<x>=\s*>)", _meant(">=")),
     (
         "",
         (
@@ -489,33 +626,33 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         ),
         _CUT,
     ),
-    ("given show", r"(?P<x>\bis\s+(?:less|smaller)\s+than)\b", "did you mean '<'?"),
-    ("given show", r"(?P<x>\bis\s+(?:greater|more|larger|bigger)\s+than)\b", "did you mean '>'?"),
-    ("given show", r"(?P<x>\b(?:is\s+)?at\s+least)\b", "did you mean '>='?"),
-    ("given show", r"(?P<x>\b(?:is\s+)?at\s+most)\b", "did you mean '<='?"),
+    ("given show", r"(?P<x>\bis\s+(?:less|smaller)\s+than)\b", _meant("<")),
+    ("given show", r"(?P<x>\bis\s+(?:greater|more|larger|bigger)\s+than)\b", _meant(">")),
+    ("given show", r"(?P<x>\b(?:is\s+)?at\s+least)\b", _meant(">=")),
+    ("given show", r"(?P<x>\b(?:is\s+)?at\s+most)\b", _meant("<=")),
     (
         "given show",
         r"(?P<x>\b(?:is|are)\s+(?:perp\w*|at\s+right\s+angles)(?:\s+(?:to|with))?)",
-        "did you mean 'perpendicular to'?",
+        _meant("perpendicular to"),
     ),
-    ("given show let", r"(?P<x>\b(?:is\s+equal\s+to|equals?(?:\s+to)?|is))\b", "did you mean '='?"),
+    ("given show let", r"(?P<x>\b(?:is\s+equal\s+to|equals?(?:\s+to)?|is))\b", _meant("=")),
     (
         "given show",
         (
             r"(?P<x>\bperp\b\.?(?:\s+(?:to|with)\b)?|\bperpendicular\b(?!\s+to\b)(?:\s+with\b)?|[⊥⟂]"
             r"|\bnormal\s+to\b|\bat\s+right\s+angles\s+(?:to|with)\b)"
         ),
-        "did you mean 'perpendicular to'?",
+        _meant("perpendicular to"),
     ),
     (
         "given show",
         r"(?P<x>\bparallel\b(?!\s+to\b)(?:\s+with\b)?|[∥‖]|\|\|)",
-        "did you mean 'parallel to'?",
+        _meant("parallel to"),
     ),
     (
         "given show",
         r"(?P<x>\bin\s+(?:the\s+)?(?:same\s+)?direction(?:\s+(?:of|as))?\b)",
-        "did you mean 'in the direction of'?",
+        _meant("in the direction of"),
     ),
     (
         "given show",
@@ -532,9 +669,13 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
     ),
     # signs, and words too many
     ("", r"(?P<x>[.;?!])\s*$", _CUT),
-    ("", r"(?P<x>;)", "did you mean ','?"),
+    ("", r"(?P<x>;)", _Cure("did you mean ','?", ",", tight=True)),
     ("", r"(?P<x>\b(?:the|smooth))\b\s*", _CUT),
-    ("find given unknown show sphere wall event", r"(?P<x>\band\b)", "did you mean ','?"),
+    (
+        "find given unknown show sphere wall event",
+        r"(?P<x>\band\b)",
+        _Cure("did you mean ','?", ",", tight=True),
+    ),
 )
 
 
@@ -542,15 +683,15 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
 class _Slip:
     lines: frozenset[str]
     pattern: re.Pattern[str]
-    said: str
+    cure: _Cure | str
 
 
 @cache
 def _slips() -> tuple[_Slip, ...]:
     """The table, compiled when the first mistake is met: most statements have none."""
     return tuple(
-        _Slip(frozenset(lines.split()), re.compile(pattern), said)
-        for lines, pattern, said in _TABLE
+        _Slip(frozenset(lines.split()), re.compile(pattern), cure)
+        for lines, pattern, cure in _TABLE
     )
 
 
@@ -559,11 +700,13 @@ _SHOWN = 60
 _LONGEST = 300  # what people write in one line; a longer one is not searched
 
 
-def with_guess(source: Source, word: str, mistake: StatementError) -> StatementError:
-    """The mistake in a line, told by what was probably meant where that is known.
+def with_guess(
+    source: Source, word: str, mistake: StatementError, names: Mapping[str, str]
+) -> StatementError:
+    """The mistake in a line, told by what was probably meant where that is known, with its cure.
 
-    ``word`` is the first word of the line. A slip counts only where the mistake was met, a word
-    that is outside the model wherever it stands.
+    ``word`` is the first word of the line, ``names`` are those declared. A slip counts only where
+    the mistake was met, a word that is outside the model wherever it stands.
     """
     if beyond := outside(source):
         return beyond
@@ -579,15 +722,61 @@ def with_guess(source: Source, word: str, mistake: StatementError) -> StatementE
         first, last = source.place(match.start()), source.place(match.end())
         at = (mistake.line, mistake.column)
         if (first.line, first.column) <= at <= (last.line, last.column):
-            parts = {
-                name: _short(source.text[slice(*match.span(name))]) if match[name] else ""
-                for name in slip.pattern.groupindex
-            }
-            place = source.place(start)
-            typed = _short(source.text[start:end])
-            said = slip.said.format(**{**parts, "x": typed})
-            return StatementError(f"cannot read '{typed}': {said}", place.line, place.column)
+            return _told(source, slip, match, start, end, names)
     return mistake
+
+
+def _told(
+    source: Source,
+    slip: _Slip,
+    match: re.Match[str],
+    start: int,
+    end: int,
+    names: Mapping[str, str],
+) -> StatementError:
+    """The mistake that a slip is, from one offset to another."""
+    parts = {
+        name: source.text[slice(*match.span(name))] if match[name] else ""
+        for name in slip.pattern.groupindex
+    }
+    parts["x"] = source.text[start:end]
+    shown = {name: _short(text) for name, text in parts.items()}
+    cure = slip.cure
+    said = cure if isinstance(cure, str) else cure.said
+    message = f"cannot read '{shown['x']}': {said.format(**shown)}"
+    text = _the_only_one(parts["x"], names) if isinstance(cure, str) else cure.text.format(**parts)
+    if text is None:
+        return source.error(message, start)
+    fix = _fix(source, cure, text, match, start, end) if isinstance(cure, _Cure) else None
+    return source.error(message, start, fix or source.fix(start, end, text))
+
+
+def _fix(source: Source, cure: _Cure, text: str, match: re.Match[str], start: int, end: int) -> Fix:
+    """The edit that a cure is, where ``x`` stands from one offset to another."""
+    typed = source.text[start:end]
+    if cure.of != "x":
+        start, end = match.span(cure.of)
+    if cure.tight:
+        begin = len(source.text[:start].rstrip(" \t,"))
+        if text.endswith(typed):
+            label = "Begin a line" if text.startswith("\n") else ""
+            return source.fix(begin, start, text.removesuffix(typed), label)
+        start = begin
+    if text.endswith("\n"):
+        end += len(source.text[end:]) - len(source.text[end:].lstrip())
+    elif text and source.text[end - 1 : end].isspace():
+        text += " "
+    return source.fix(start, end, text)
+
+
+def _the_only_one(words: str, names: Mapping[str, str]) -> str | None:
+    """The name of the only wall or sphere there is, where ``the wall`` speaks of it."""
+    match = re.fullmatch(r"(?:the\s+)?(wall|sphere|ball)", words, re.IGNORECASE)
+    if match is None:
+        return None
+    kind = {"ball": "sphere"}.get(match.group(1).lower(), match.group(1).lower())
+    known = [name for name, each in names.items() if each == kind]
+    return known[0] if len(known) == 1 else None
 
 
 def _found(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]:

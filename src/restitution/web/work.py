@@ -36,13 +36,10 @@ class Made:
 
 def checked(statement: str) -> Made:
     """The contract's object of a problem that nobody has solved yet, with all its mistakes."""
-    error: RestitutionError | None = None
     try:
-        found = contract.unfinished(FILE, parse(statement), None)
+        return _json(contract.checked(FILE, parse(statement), None))
     except RestitutionError as mistake:
-        error = mistake
-        found = contract.unreadable(FILE, mistake)
-    return _json({**found, "errors": contract.mistakes(error)})
+        return _json(contract.checked(FILE, None, mistake))
 
 
 def solved(statement: str, limit: float, part: str | None = None) -> Made:

@@ -1,0 +1,197 @@
+"""Cures that hold: a fix is offered only where the text reads further with it.
+
+Where a mended line has another slip, that is mended as well, so that one cure makes it read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from itertools import takewhile
+
+from restitution.errors import StatementError
+from restitution.expression.tree import QUANTITIES
+from restitution.expression.words import FRAGMENTS, WORDS
+from restitution.language.lines import Line, declared_names, logical_lines
+from restitution.mending import Edit, Fix, mended
+
+_STEPS = 8  # slips in one line that are mended one after another
+_OFFERED = 3
+_BREAK = re.compile(r"\r\n|\r|\n")
+_SHOWN = 60
+
+FirstMistake = Callable[[Line, Mapping[str, str]], StatementError | None]
+
+
+def cured(
+    text: str, line: Line, mistake: StatementError, first_mistake: FirstMistake
+) -> StatementError:
+    """The mistake in a line of a text, with those of its fixes that hold.
+
+    ``first_mistake`` reads a line. Where the whole line was to be another, and that had slips too,
+    the message suggests what reads.
+    """
+    candidates = [*mistake.fixes[:_OFFERED], *_with_a_capital(text, line)]
+    places = _Region(line, text)
+    mistake.fixes = ()
+    for fix in candidates:
+        held = _carried_on(text, places, fix, first_mistake)
+        if held is not None:
+            mistake.fixes = (*mistake.fixes, held)
+            written = places.lines(mended(text, held))
+            if held is not fix and places.is_whole(fix) and len(written) == 1:
+                typed, meant = _short(places.text), _short(written[0])
+                mistake.message = f"cannot read '{typed}': did you mean '{meant}'?"
+                mistake.args = (mistake.message,)
+    return mistake
+
+
+class _Region:
+    """The lines of a text that a logical line takes, in whatever the text is mended to."""
+
+    def __init__(self, line: Line, text: str) -> None:
+        self.first = line.source.pieces[0][1]
+        self.last = line.source.pieces[-1][1]
+        self.after = len(_BREAK.split(text)) - self.last
+        self.text = line.source.text
+
+    def lines(self, text: str) -> list[str]:
+        every = _BREAK.split(text)
+        return every[self.first - 1 : len(every) - self.after]
+
+    def is_whole(self, fix: Fix) -> bool:
+        """Whether a fix writes the whole line anew."""
+        if len(fix.edits) != 1 or self.first != self.last:
+            return False
+        edit = fix.edits[0]
+        start = len(self.text) - len(self.text.lstrip())
+        return (edit.column, edit.end_column) == (start + 1, len(self.text.rstrip()) + 1)
+
+    def holds(self, fix: Fix) -> bool:
+        return all(self.first <= each.line <= each.end_line <= self.last for each in fix.edits)
+
+    def first_mistake(self, text: str, read: FirstMistake) -> StatementError | None:
+        lines = list(logical_lines(text))
+        names = declared_names(lines)
+        end = len(_BREAK.split(text)) - self.after
+        for line in lines:
+            if self.first <= line.source.pieces[0][1] <= end:
+                mistake = read(line, names)
+                if mistake is not None:
+                    return mistake
+        return None
+
+
+def _carried_on(text: str, places: _Region, fix: Fix, read: FirstMistake) -> Fix | None:
+    """A fix, with what else the line needs so that it reads; None where it does not help."""
+    step, now, alone = fix, text, False
+    for _ in range(_STEPS):
+        then = mended(now, step)
+        if then == now:
+            break
+        try:
+            left = places.first_mistake(then, read)
+        except StatementError:
+            break  # the text has grown too long
+        if left is None:
+            return fix if now is text else _as_one(text, then, places)
+        if now is text:
+            alone = _is_behind(left, step)
+        if not left.fixes or not places.holds(fix):
+            break
+        step, now = left.fixes[0], then
+    return fix if alone else None
+
+
+def _is_behind(left: StatementError, step: Fix) -> bool:
+    """Whether the mistake that is left stands behind what was written."""
+    edit = step.edits[0]
+    rows = _BREAK.split(edit.text)
+    line = edit.line + len(rows) - 1
+    column = len(rows[-1]) + (edit.column if len(rows) == 1 else 1)
+    return (left.line or 0, left.column or 0) >= (line, column)
+
+
+def _as_one(text: str, then: str, places: _Region) -> Fix:
+    """Several steps as one edit of the line."""
+    old, new = "\n".join(places.lines(text)), "\n".join(places.lines(then))
+    ahead = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(old, new, strict=False)))
+    rest = zip(old[ahead:][::-1], new[ahead:][::-1], strict=False)
+    behind = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], rest))
+    edit = Edit(
+        *_position(old, ahead, places.first),
+        *_position(old, len(old) - behind, places.first),
+        new[ahead : len(new) - behind],
+    )
+    return Fix(f"Write '{_short(new)}'", (edit,))
+
+
+def _position(text: str, offset: int, first: int) -> tuple[int, int]:
+    rows = text[:offset].split("\n")
+    return first + len(rows) - 1, len(rows[-1]) + 1
+
+
+def _short(text: str) -> str:
+    text = " ".join(text.split())
+    return text if len(text) <= _SHOWN else text[: _SHOWN - 1] + "…"
+
+
+# --- a name in small letters ------------------------------------------------------------------
+
+_DECLARED = re.compile(r"\s*(?:sphere|wall|point)\s+(?P<list>[^:#]*)")
+_SMALL = re.compile(r"(?<![\w.])[a-z][A-Za-z0-9]*(?!\w)")
+
+
+def _with_a_capital(text: str, line: Line) -> Iterator[Fix]:
+    """The cure for names that begin with a small letter: a capital, wherever they are names."""
+    lines = list(logical_lines(text))
+    known = declared_names(lines)
+    small = [
+        name
+        for name in dict.fromkeys(name for each in lines for name in _small_names(each))
+        if _capital(name) not in known
+    ]
+    if not set(small) & set(_small_names(line)):
+        return
+    edits = []
+    for number, row in enumerate(_BREAK.split(text), start=1):
+        if row.lstrip().startswith("title"):
+            continue
+        for name in small:
+            for start in sorted(set(_as_a_name(name, row.partition("#")[0]))):
+                end = start + len(name)
+                edits.append(Edit(number, start + 1, number, end + 1, _capital(name)))
+    yield Fix(f"Write {', '.join(map(_capital, small))} with a capital", tuple(edits))
+
+
+def _small_names(line: Line) -> Iterator[str]:
+    match = _DECLARED.match(line.source.plain)
+    if match is not None:
+        for each in match["list"].split(","):
+            name = each.split()[0] if each.strip() else ""
+            if _SMALL.fullmatch(name) and name not in WORDS and name not in FRAGMENTS:
+                yield name
+
+
+def _capital(name: str) -> str:
+    return name[0].upper() + name[1:]
+
+
+def _as_a_name(name: str, row: str) -> Iterator[int]:
+    """Where in a line a word stands as the name of a body, not as a letter."""
+    word = rf"(?<![\w.])(?P<x>{name})(?!\w)"
+    patterns = (
+        rf"^\s*(?:sphere|wall|point)\b[^:]*?{word}",
+        rf"^\s*(?:then\s+)?{word}\s+(?=[a-z])(?!\s*[=<>])",
+        (
+            rf"\b(?:hits?|strikes?|struck|reaches|with|by|into|off|wall|sphere|and|to)\s+{word}"
+            r"\s*(?=$|[:,.]|at\b|again\b|do\b|collide\b)"
+        ),
+        rf"\b(?:{'|'.join(QUANTITIES)})\s*\(\s*{word}\s*[,)]",
+        rf"\b(?:distance|angle|along|across)\s*\(.*,\s*{word}\s*\)",
+        rf"\b(?:given|show)\s+(?:.*,\s*)?{word}\s+(?:is|at|and|hits|will|does)\b",
+        rf"\b(?:of|by)\s+{word}(?=\s|$|[,:])",
+    )
+    for pattern in patterns:
+        for match in re.finditer(pattern, row):
+            yield match.start("x")

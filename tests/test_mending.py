@@ -1,0 +1,316 @@
+"""What is wrong with a text is mended by the fixes that its messages offer."""
+
+from __future__ import annotations
+
+import json
+import pickle
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from restitution.cli.commands import app
+from restitution.errors import StatementError
+from restitution.expression.words import WORDS
+from restitution.language import parse
+from restitution.mending import Edit, Fix, mended
+
+HEAD = (
+    "sphere A: mass 1, velocity 3i\nsphere B: mass 2, at rest\nwall W: along j\nA hits B: along i\n"
+)
+
+# What students write, behind a head of two spheres, a wall and an impact; and what it becomes.
+BROKEN = {
+    # bodies
+    "sphere C, mass 2": "sphere C: mass 2",
+    "sphere C mass 2": "sphere C: mass 2",
+    "sphere C has mass 2": "sphere C: mass 2",
+    "ball C: mass 2": "sphere C: mass 2",
+    "Sphere C: mass 2": "sphere C: mass 2",
+    "sphere C: mas 2": "sphere C: mass 2",
+    "sphere C: speed 3 at 30°": "sphere C: velocity 3 at 30°",
+    "sphere C: speed 3 m/s at 30°": "sphere C: velocity 3 m/s at 30°",
+    "sphere C: velocity 3 ms at 30°": "sphere C: velocity 3 m/s at 30°",
+    "sphere C: mass = 2, velocity = 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: m = 2, u = 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: mass 2 velocity 3i": "sphere C: mass 2, velocity 3i",
+    "particle C mass 2 velocity 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: mass 2; velocity 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: mass 2 and velocity 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: mass 2,5": "sphere C: mass 2.5",
+    "sphere C: velocity [3, 4]": "sphere C: velocity (3, 4)",
+    "sphere C: velocity <3, 4>": "sphere C: velocity (3, 4)",
+    "sphere C: initially at rest": "sphere C: at rest",
+    "sphere C: velocity 3 at an angle of 30° to i": "sphere C: velocity 3 at 30° from i",
+    "sphere C: velocity 3 at 30° to the wall W": "sphere C: velocity 3 at 30° to W",
+    "wall V: parallel to i": "wall V: along i",
+    "wall V along i": "wall V: along i",
+    "wall V: y = 2": "wall V: along i, through (0, 2)",
+    "point N: 0, 0": "point N: (0, 0)",
+    # events
+    "A collides with B": "A hits B",
+    "A collides with the wall": "A hits W",
+    "A strikes the wall": "A hits W",
+    "A then hits W": "A hits W",
+    "A hits w": "A hits W",
+    "a hits W": "A hits W",
+    "B is struck by A": "A hits B",
+    "A and B collide": "A hits B",
+    "A hits W, e = 1/2": "A hits W: e = 1/2",
+    "A hits W with e = 1/2": "A hits W: e = 1/2",
+    "A hits W: coefficient of restitution 0.5": "A hits W: e = 0.5",
+    "A receives an impulse of 3i": "A receives 3i",
+    # facts
+    "A is at rest": "given A is at rest",
+    "A is at rest after": "given A is at rest",
+    "A is at rest after the impact": "given A is at rest",
+    "A comes to rest": "given A at rest",
+    "given A at rest after": "given A at rest",
+    "given A at rest after the collision": "given A at rest",
+    "given A comes to rest": "given A at rest",
+    "given energy_lost = 1/4 of energy(0)": "given energy_lost = 1/4 energy(0)",
+    "given energy_lost = 40% of the initial kinetic energy": "given energy_lost = 40% of energy(0)",
+    "coefficient of restitution 0.5": "given e = 0.5",
+    "The coefficient of restitution is 0.5": "given e = 0.5",
+    "given the coefficient of restitution is 1/2": "given e = 1/2",
+    "The speed of A is 3": "given speed(A) = 3",
+    "speed of A = 3": "given speed(A) = 3",
+    "given velocity(A) is perpendicular to velocity(B)": (
+        "given velocity(A) perpendicular to velocity(B)"
+    ),
+    "given A is deflected by 30°": "given deflection(A) = 30°",
+    "A is turned through 30°": "given deflection(A) = 30°",
+    "e = 0.5": "given e = 0.5",
+    "let v be the speed of A": "let v = speed(A)",
+    # questions
+    "find velocity of A": "find velocity(A)",
+    "find the velocity of A": "find velocity(A)",
+    "find the speeds of A and B": "find speed(A), speed(B)",
+    "find speed of B after": "find speed(B)",
+    "find speed of B after the impact": "find speed(B)",
+    "find the speed of A before the impact": "find speed(A, before)",
+    "find kinetic energy of A": "find energy(A)",
+    "find the kinetic energy of A": "find energy(A)",
+    "find the kinetic energy lost": "find energy_lost",
+    "find the percentage of kinetic energy lost": "find energy_lost/energy(0) as a percentage",
+    "find impulse on B": "find impulse(B)",
+    "find the impulse of A on B": "find impulse(B)",
+    "find the coefficient of restitution": "find e",
+    "find speed(a)": "find speed(A)",
+    "find speed(A) when e = 1": "given e = 1\nfind speed(A)",
+    "find speed(A), find speed(B)": "find speed(A), speed(B)",
+    "find speed(A) in m/s": "find speed(A)",
+    "find tan^-1(3/4)": "find arctan(3/4)",
+    "Find sped(A).": "find speed(A)",
+    "prove that the speed of A is 1": "show speed(A) = 1",
+    "a) find speed(A)": "part a\nfind speed(A)",
+    "given e = ½ find speed(A)": "given e = ½\nfind speed(A)",
+}
+
+
+def mistakes(text):
+    try:
+        parse(text)
+    except StatementError as error:
+        return [error, *error.others]
+    return []
+
+
+def mend(text, clicks=6):
+    """A text with the first fix that is offered, again and again; and how many there were."""
+    for count in range(clicks):
+        fixes = [fix for mistake in mistakes(text) for fix in mistake.fixes]
+        if not fixes:
+            return text, count
+        text = mended(text, fixes[0])
+    return text, clicks
+
+
+@pytest.mark.parametrize("line", BROKEN)
+def test_broken_lines_are_mended(line) -> None:
+    assert mistakes(HEAD + line)
+    text, clicks = mend(HEAD + line)
+    assert not mistakes(text)
+    assert text.removeprefix(HEAD) == BROKEN[line]
+    assert clicks <= 2
+
+
+# Those of which one click is promised.
+@pytest.mark.parametrize(
+    "line",
+    [
+        "sphere C, mass 2",
+        "sphere C: speed 3 at 30°",
+        "find velocity of A",
+        "A is at rest",
+        "A is at rest after",
+        "given A at rest after",
+        "A collides with B",
+        "find speed of B after",
+        "A strikes the wall",
+    ],
+)
+def test_one_click(line) -> None:
+    text, clicks = mend(HEAD + line)
+    assert clicks == 1
+    assert parse(text)
+
+
+@pytest.mark.parametrize(
+    ("line", "same"),
+    [
+        ("given energy_lost = 40% of energy(0)", "given energy_lost = 40%*energy(0)"),
+        ("given A is at rest", "given A at rest"),
+        ("sphere C: is at rest", "sphere C: at rest"),
+    ],
+)
+def test_what_is_simply_read(line, same) -> None:
+    assert parse(HEAD + line) == parse(HEAD + same)
+
+
+def test_names_in_small_letters_are_mended_wherever_they_stand() -> None:
+    text = """\
+title about a ball and a wall
+sphere a: mass 2, velocity 3i, at (3a, a)
+sphere b: mass 3, at rest # a comment on a
+wall w: along j
+a hits b: along i
+b hits w
+given speed(b) = 1, a at rest
+find velocity(a), distance(a, b), a, speed of b
+"""
+    assert (
+        mended(text, mistakes(text)[0].fixes[0])
+        == """\
+title about a ball and a wall
+sphere A: mass 2, velocity 3i, at (3a, a)
+sphere B: mass 3, at rest # a comment on a
+wall W: along j
+A hits B: along i
+B hits W
+given speed(B) = 1, A at rest
+find velocity(A), distance(A, B), a, speed of B
+"""
+    )
+    text, _ = mend("sphere ball, mass 2\nwall w: along j\nball strikes w\nfind speed(ball)")
+    assert text == "sphere Ball: mass 2\nwall W: along j\nBall hits W\nfind speed(Ball)"
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["find e for A hits B", "sphere C: 2 kg", "sphere C: mass 2 3", "given", "find ((", "A B C"],
+)
+def test_where_no_cure_is_certain_none_is_offered(line) -> None:
+    (mistake,) = mistakes(HEAD + line)
+    assert mistake.fixes == ()
+
+
+def test_what_is_suggested_for_a_whole_line_reads() -> None:
+    (mistake,) = mistakes(HEAD + "A is at rest after")
+    assert mistake.message == (
+        "cannot read 'A is at rest after': did you mean 'given A is at rest'?"
+    )
+
+
+@given(
+    st.lists(
+        st.one_of(
+            st.sampled_from([word for line in BROKEN for word in line.split()]),
+            st.sampled_from(sorted(WORDS)),
+        ),
+        min_size=1,
+        max_size=8,
+    ).map(" ".join)
+)
+@settings(max_examples=200, deadline=None)
+def test_mending_comes_to_an_end(line) -> None:
+    """Whatever the words: no text comes again, and in the end none is offered."""
+    text, seen = HEAD + line, set()
+    while fixes := [fix for mistake in mistakes(text) for fix in mistake.fixes]:
+        assert text not in seen
+        seen.add(text)
+        text = mended(text, fixes[0])
+        assert len(seen) < 20
+
+
+def test_edits_are_made_from_the_end() -> None:
+    fix = Fix("", (Edit(1, 1, 1, 2, "xyz"), Edit(2, 2, 2, 2, "!"), Edit(1, 3, 2, 1, "")))
+    assert mended("abc\r\nde", fix) == "xyzbd!e"
+
+
+def test_fixes_come_through_a_pipe() -> None:
+    (mistake,) = mistakes("fnd e")
+    assert pickle.loads(pickle.dumps(mistake)).fixes == mistake.fixes != ()
+
+
+# --- doubts -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("given energy_lost = 60%", "given energy_lost = 60% of energy(0)"),
+        ("given 60% = energy_lost", "given 60% of energy(0) = energy_lost"),
+        ("A hits W\ngiven energy_lost = 60%", "A hits W\ngiven energy_lost = 60% of energy(1)"),
+        ("A hits W\ngiven energy_lost(1) < 6%", "A hits W\ngiven energy_lost(1) < 6% of energy(0)"),
+        ("show total_energy_lost = 60%", "show total_energy_lost = 60% of energy(0)"),
+        ("given energy = 40%", "given energy = 40% of energy(0)"),
+        ("given energy(A) = 40%", "given energy(A) = 40% of energy(A, 0)"),
+    ],
+)
+def test_a_share_of_nothing_is_doubtful(line, meant) -> None:
+    (note,) = parse(HEAD + line).notes
+    assert "was read as 0." in note.message
+    text = mended(HEAD + line, note.fixes[0])
+    assert text == HEAD + meant
+    assert parse(text).notes == ()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "given e = 60%",
+        "given energy_lost/energy(0) = 60%",
+        "given energy_lost = 60% energy(0)",
+        "given energy_lost = 0.6",
+    ],
+)
+def test_other_shares_are_not(line) -> None:
+    assert parse(HEAD + line).notes == ()
+
+
+# --- as others get it -------------------------------------------------------------------------
+
+
+def test_the_command_shows_the_mended_line(tmp_path) -> None:
+    path = tmp_path / "one.impact"
+    path.write_text(HEAD + "sphere C, speed 3 at 30°\na) find e\n", encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", str(path)])
+    assert result.exit_code == 2
+    assert "    5 | sphere C, speed 3 at 30°\n" in result.stderr
+    assert "  fix | sphere C: velocity 3 at 30°\n" in result.stderr
+    assert "  fix | part a\n  fix | find e\n" in result.stderr
+
+
+def test_the_command_checks_in_json(tmp_path) -> None:
+    path = tmp_path / "one.impact"
+    path.write_text("sphere A: mass 2 kg\nfnd e", encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", "--json", str(path)])
+    assert result.exit_code == 2
+    (error,) = json.loads(result.stdout)["errors"]
+    assert error["fixes"] == [
+        {
+            "label": "Replace 'fnd' by 'find'",
+            "edits": [{"line": 2, "column": 1, "end_line": 2, "end_column": 4, "text": "find"}],
+        }
+    ]
+    path.write_text("sphere A: mass 2 kg\nfind e", encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", "--json", str(path)])
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert found["errors"] == []
+    (note,) = found["notes"]
+    assert note["fixes"][0]["edits"] == [
+        {"line": 1, "column": 17, "end_line": 1, "end_column": 20, "text": ""}
+    ]
