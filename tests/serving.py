@@ -8,16 +8,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import uvicorn
+from starlette.types import ASGIApp
 
 from restitution.web import Settings, create_app
 from restitution.web.serving import address_of, config, listening
 
 
 @contextmanager
-def serving(settings: Settings) -> Iterator[str]:
-    """The address of the page, without a slash at its end."""
+def serving(settings: Settings, app: ASGIApp | None = None) -> Iterator[str]:
+    """The address of the page, or of another application, without a slash at its end."""
     with listening("127.0.0.1", 0) as door:
-        server = uvicorn.Server(config(create_app(settings)))
+        server = uvicorn.Server(config(app or create_app(settings), settings))
         thread = threading.Thread(target=server.run, args=([door],))
         thread.start()
         try:

@@ -33,7 +33,7 @@ async def asked(
     if kind != "application/json":
         raise RefusedError(415, "content type", "send JSON, with Content-Type: application/json")
     kinds = {about: str if about == "statement" else dict, **optional}
-    found = _object(await _body(request, settings.largest), about)
+    found = _object(await _body(request, settings), about)
     if about not in found:
         raise RefusedError(400, "malformed", f'the object has no "{about}"')
     for name, value in found.items():
@@ -52,19 +52,18 @@ async def asked(
 
 
 _NAMES = {str: "a text", int: "a whole number", bool: "true or false", dict: "an object"}
-_PATIENCE = 20.0
-"""Seconds in which a request has to have come in whole."""
 
 
-async def _body(request: Request, largest: int) -> bytes:
+async def _body(request: Request, settings: Settings) -> bytes:
     """The body, read no further than it may be long."""
+    largest = settings.largest
     too_large = RefusedError(413, "too large", f"a request has at most {largest} bytes")
     told = request.headers.get("content-length", "0")
     if not told.isdecimal() or int(told[:20]) > largest:
         raise too_large
     body = bytearray()
     try:
-        async with asyncio.timeout(_PATIENCE):
+        async with asyncio.timeout(settings.arriving):
             async for chunk in request.stream():
                 body += chunk
                 if len(body) > largest:

@@ -40,6 +40,15 @@ _SPENT = 75
 _AFTERWARDS = 2
 """Seconds after which to ask again when all processes are told to end, the server among them."""
 
+_ABANDONED = 0.5
+"""Seconds for which work goes on that nobody waits for any more: most of it is done by then, and to
+kill its process and begin another would take as long."""
+
+_LOOKED = 0.5
+"""Seconds for which one who finds no place looks for one, so many times."""
+
+_LOOKS = 10
+
 _LONGEST_WAIT = 30
 """Seconds after which a client is told to come back, at most."""
 
@@ -92,20 +101,30 @@ class Pool:
     async def run(self, function: Callable[..., _Made], *arguments: Any, limit: float) -> _Made:
         """What the function returns; where that is ``tired``, it is the last of its process.
 
-        When it is cancelled, so is the work. Raises BusyError where too much waits, TimeoutError
+        When it is cancelled, work that has not begun is dropped; what has begun may end, if it does
+        so soon, and keeps its place until then. Raises BusyError where too much waits, TimeoutError
         after ``limit`` seconds of work, and LostError where its process ended or failed.
         """
-        if self._under_way >= self._most:
-            raise BusyError(self.again)
+        await self._place()
         self._under_way += 1
         try:
             await self._turn()
-            try:
-                return await self._done(function, arguments, limit)
-            finally:
-                self._free.release()
-        finally:
+        except BaseException:
             self._under_way -= 1
+            raise
+        working = asyncio.create_task(self._done(function, arguments, limit))
+        working.add_done_callback(self._release)
+        try:
+            return await asyncio.shield(working)
+        except asyncio.CancelledError:
+            asyncio.get_running_loop().call_later(_ABANDONED, working.cancel)
+            raise
+
+    def _release(self, working: asyncio.Task[Any]) -> None:
+        self._free.release()
+        self._under_way -= 1
+        if not working.cancelled():
+            working.exception()  # told to whoever asked, if somebody still does
 
     async def close(self) -> None:
         """Kill the processes."""
@@ -117,6 +136,14 @@ class Pool:
         """Seconds until there is likely to be place."""
         ahead = self._under_way * self._usual / self._workers
         return max(1, min(math.ceil(ahead), _LONGEST_WAIT))
+
+    async def _place(self) -> None:
+        """Wait a moment for a place: whoever has left may not have been missed yet."""
+        for _ in range(_LOOKS):
+            if self._under_way < self._most:
+                return
+            await asyncio.sleep(_LOOKED / _LOOKS)
+        raise BusyError(self.again)
 
     async def _turn(self) -> None:
         try:

@@ -11,6 +11,7 @@ import threading
 import time
 import webbrowser
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, NoReturn
 
@@ -19,11 +20,18 @@ from starlette.types import ASGIApp
 
 from restitution.errors import UnsupportedError
 from restitution.web.app import create_app
+from restitution.web.door import Door, at
 from restitution.web.safety import LOOPBACK
 from restitution.web.settings import Settings
 
 _PARTING = 3
 """Seconds that requests under way may still take when the server is told to end."""
+
+_LATER = 5.0
+"""Seconds by which a connection outlives the time for its request: the application tells first."""
+
+_FILES = 8192
+"""Open files that are wished for, each connection being one."""
 
 
 def serve(
@@ -39,8 +47,9 @@ def serve(
     """
     if host in LOOPBACK:
         settings = replace(settings, hosts=(*LOOPBACK, *settings.hosts))
+    _wish_for_files()
     with listening(host, port) as door:
-        server = uvicorn.Server(config(create_app(settings)))
+        server = uvicorn.Server(config(create_app(settings), settings))
         address = address_of(door)
 
         def greet() -> None:
@@ -56,11 +65,17 @@ def serve(
         server.run([door])
 
 
-def config(app: ASGIApp) -> uvicorn.Config:
+def config(app: ASGIApp, settings: Settings) -> uvicorn.Config:
     """How the application is served, wherever that is."""
+    files = _files()
+    backlog = min(512, files // 8)
+    # So many may be accepted before the door has seen the first: files never run out.
+    most = files - 4 * backlog - 64
+    door = Door(settings.connections, most, settings.arriving + _LATER)
     return uvicorn.Config(
         app,
-        http="h11",
+        http=at(door),
+        backlog=backlog,
         ws="none",
         lifespan="on",
         log_level="warning",
@@ -69,6 +84,29 @@ def config(app: ASGIApp) -> uvicorn.Config:
         proxy_headers=False,
         timeout_graceful_shutdown=_PARTING,
     )
+
+
+def _files() -> int:
+    """How many files this process may have open."""
+    try:
+        import resource
+    except ImportError:  # not on Windows, where an event loop knows no more than 512
+        return 512
+    soft, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+    return _FILES if soft == resource.RLIM_INFINITY else min(soft, _FILES)
+
+
+def _wish_for_files() -> None:
+    """Let this process have more files open, as far as the system allows that."""
+    try:
+        import resource
+    except ImportError:
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    wanted = _FILES if hard == resource.RLIM_INFINITY else min(hard, _FILES)
+    if soft != resource.RLIM_INFINITY and soft < wanted:
+        with suppress(ValueError, OSError):
+            resource.setrlimit(resource.RLIMIT_NOFILE, (wanted, hard))
 
 
 def address_of(door: socket.socket) -> str:
@@ -91,7 +129,7 @@ def listening(host: str, port: int) -> socket.socket:
             if os.name != "nt":
                 door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             door.bind(place)
-            door.listen(512)
+            door.listen()
         except BaseException:
             door.close()
             raise

@@ -15,6 +15,8 @@ def _workers() -> int:
 class Settings:
     """How much work is taken on: seconds, numbers of requests, characters and bytes.
 
+    ``connections`` is how many connections one address may have, all browsers of a school behind
+    it among them, and ``arriving`` for how long a request may be on its way.
     ``waiting`` is how many requests may wait for a worker, and ``patience`` for how long;
     ``longest`` is the length of a statement, ``largest`` the size of a request, ``kept`` that of
     all replies that are kept for those who ask the same. ``hosts`` are the names under which the
@@ -22,6 +24,8 @@ class Settings:
     """
 
     time_limit: float = 10.0
+    connections: int = 1000
+    arriving: float = 20.0
     workers: int = field(default_factory=_workers)
     waiting: int = 64
     patience: float = 30.0
