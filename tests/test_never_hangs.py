@@ -249,16 +249,24 @@ def test_solving_in_a_hurry_is_told(monkeypatch):
     assert json.loads(reply.content)["warnings"] == [warning]
 
 
-def test_a_working_in_a_hurry_is_told(monkeypatch):
+@pytest.mark.parametrize("caught", [True, False])
+def test_a_working_in_a_hurry_is_told(monkeypatch, caught):
     def hurried(solution, part=None):
-        until_it_rings()
-        return explanation
+        """Goes on until the time limit is met, and makes as if nothing had been."""
+        if caught:
+            until_it_rings()
+            return explanation
+        while True:
+            spend()
+            time.sleep(0.001)
 
     explanation = explain(solve(parse(STATEMENT)))
     monkeypatch.setattr(sys.modules["restitution.explain"], "explain", hurried)
     reply = job.serve(job.Job("-", parse(STATEMENT), job.Writing(), limit=1.0))
-    (warning,) = reply.warnings
-    assert "without their working" in warning or "while the working was written" in warning
+    reason = "no answer within the time limit of 1 s"
+    assert reply.warnings == (f"here are the answers without their working: {reason}",)
+    assert "speed(B)" in reply.content
+    assert reply.tired
 
 
 PIECES = {

@@ -29,6 +29,7 @@ from restitution.killable import LostError
 from restitution.web import Settings
 from restitution.web.pool import BusyError, pool
 from restitution.web.replies import Replies
+from restitution.web.serving import listening, reach
 from restitution.web.work import Made
 
 STATEMENT = examples.text("two-spheres-with-vectors")
@@ -172,9 +173,21 @@ def test_pictures(client):
     drawn = said(client, "draw", corner).json()
     assert [each["event"] for each in drawn["pictures"]] == [None, 1, 2]
     assert [e["event"] for e in said(client, "draw", corner, event=2).json()["pictures"]] == [2]
-    none = said(client, "draw", corner, event=7).json()
-    assert none["pictures"] == []
-    assert "there is no picture of event 7" in none["pictures_error"]
+
+
+def test_an_event_that_is_not_there_is_named(client):
+    corner = examples.text("corner")
+    for event, name in ((0, "0"), (-1, "-1"), (3, "3"), (10**30, str(10**30))):
+        reply = said(client, "draw", corner, event=event)
+        assert reply.status_code == 422
+        error = reply.json()["error"]
+        assert error["message"] == f"there is no event {name}: the statement tells of 2 events"
+    reply = said(client, "draw", corner, event=10**3000)
+    assert "… (3001 digits): " in reply.json()["error"]["message"]
+    assert len(reply.text) < 200
+    # What is wrong with the statement goes first.
+    reply = said(client, "draw", UNREADABLE, event=7)
+    assert (reply.status_code, reply.json()["error"]["line"]) == (200, 2)
 
 
 def test_sheet(client):
@@ -635,6 +648,29 @@ def interpreted(code: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, timeout=100, check=False
     )
+
+
+def test_it_says_who_can_reach_it():
+    process, address = started("--workers", "1", "--host", "0.0.0.0")
+    assert process.stderr is not None
+    with process:
+        try:
+            line = process.stderr.readline()
+        finally:
+            process.terminate()
+            process.communicate(timeout=20)
+    port = address.rpartition(":")[2]
+    assert re.fullmatch(
+        "Everybody who can reach this machine over its network can use it"
+        rf"(, at http://[0-9.]+:{port}/)?\.\n",
+        line,
+    )
+
+
+def test_the_names_that_are_trusted_are_those_to_ask_for():
+    with listening("0.0.0.0", 0) as door:
+        port = door.getsockname()[1]
+        assert f"at http://impacts.example:{port}/." in reach(door, ["impacts.example"])
 
 
 def test_without_the_extra():

@@ -242,11 +242,9 @@ def _written(
     if not task.answers_only:
         limit = None if whole is None else whole * _WRITING
         try:
-            with limited(limit, error=stopped(whole)) as own:
+            with limited(limit, error=stopped(whole)):
                 text = _working(solution, task)
                 confirm()
-            if own.broken:
-                note = (hurried(whole, "the working was written"),)
             return text, note, ""
         except RestitutionError as error:
             note = (f"here are the answers without their working: {error.message}",)

@@ -10,7 +10,7 @@ import sys
 import threading
 import time
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any, NoReturn
@@ -56,6 +56,8 @@ def serve(
             while not server.started:
                 time.sleep(0.02)
             say(f"The page is at {address} (Ctrl-C ends it).")
+            if host not in LOOPBACK:
+                say(reach(door, settings.hosts))
             if browser:
                 webbrowser.open(address)
 
@@ -115,6 +117,28 @@ def address_of(door: socket.socket) -> str:
     if host in ("0.0.0.0", "::"):
         host = "localhost"
     return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+
+
+def reach(door: socket.socket, hosts: Collection[str]) -> str:
+    """Who can reach what listens on more than this machine's own address, and under what name."""
+    host, port = door.getsockname()[:2]
+    if host in ("0.0.0.0", "::"):
+        host = _outward(door.family)
+    names = hosts or ([f"[{host}]" if ":" in host else host] if host else [])
+    where = f", at {' or '.join(f'http://{name}:{port}/' for name in names)}" if names else ""
+    return f"Everybody who can reach this machine over its network can use it{where}."
+
+
+def _outward(family: socket.AddressFamily) -> str | None:
+    """The address of this machine in its network, as far as the system tells; nothing is sent."""
+    beyond = "192.0.2.1" if family == socket.AF_INET else "2001:db8::1"  # kept free for examples
+    with socket.socket(family, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect((beyond, 9))
+        except OSError:
+            return None
+        found: str = probe.getsockname()[0]
+        return found
 
 
 def listening(host: str, port: int) -> socket.socket:

@@ -11,7 +11,7 @@ from restitution.errors import RestitutionError, StatementError, TimeLimitError,
 from restitution.export import contract
 from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve
 from restitution.language import parse
-from restitution.problem import Problem
+from restitution.problem import Arrival, Impact, Kick, Problem
 
 FILE = "statement"
 """What the contract's object calls the file."""
@@ -48,7 +48,13 @@ def solved(statement: str, limit: float, part: str | None = None) -> Made:
 
 
 def drawn(statement: str, limit: float, event: int | None = None) -> Made:
-    """The same with ``pictures`` and ``pictures_error``."""
+    """The same with ``pictures`` and ``pictures_error``; an error where there is no such event."""
+    try:
+        _require_event(parse(statement), event)
+    except _NoEventError as error:
+        return _failed(error)
+    except RestitutionError:
+        pass  # of a statement that cannot be read there is more to tell
     return _made(statement, Picturing(event), limit, **_NO_PICTURES)
 
 
@@ -149,6 +155,25 @@ def _require_part(problem: Problem, label: str | None) -> None:
     if label is not None and label not in labels:
         known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
         raise StatementError(f"there is no part {label!r}: {known}")
+
+
+class _NoEventError(StatementError):
+    """An event that a statement does not tell of."""
+
+
+def _require_event(problem: Problem, number: int | None) -> None:
+    events = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
+    if number is not None and not 1 <= number <= events:
+        known = "1 event" if events == 1 else f"{events} events"
+        raise _NoEventError(f"there is no event {_short(number)}: the statement tells of {known}")
+
+
+def _short(number: int) -> str:
+    digits = str(number)
+    return digits if len(digits) <= _MANY else f"{digits[:_MANY]}… ({len(digits)} digits)"
+
+
+_MANY = 40  # digits
 
 
 def _json(content: contract.Object, tired: bool = False) -> Made:
