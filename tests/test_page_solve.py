@@ -8,12 +8,16 @@ from pathlib import Path
 from unicodedata import normalize
 from urllib.parse import parse_qs, quote, urlparse
 
+import httpx
 import pytest
 from pages import SCREENS, accessible, enlarge_text, minding, too_wide
+from playwright.sync_api import expect
 
-from restitution import parse
+from restitution import parse, solve
+from restitution.examples.topics import TOPICS
 from restitution.expression.quantities import SIGNATURES
 from restitution.expression.words import PROPERTY_WORDS
+from restitution.web.pages import GHOST
 from restitution.web.words import vocabulary
 
 WALL = """\
@@ -61,8 +65,8 @@ def open_(page, served, complaints):
     """Opens the page, with a statement in its address, and waits until it is solved."""
     page.emulate_media(reduced_motion="reduce")
 
-    def go(statement: str | None = None):
-        page.goto(served + "/" + ("" if statement is None else f"#statement={quote(statement)}"))
+    def go(statement: str = GHOST):
+        page.goto(f"{served}/#statement={quote(statement)}")
         solved(page)
         return page
 
@@ -91,15 +95,124 @@ def stated(page) -> str | None:
 # --- the first visit ------------------------------------------------------------------------------
 
 
-def test_a_first_visit_shows_a_question_solved(open_):
-    page = open_()
-    assert typed(page).startswith("title ")
+@pytest.fixture
+def opening(page, served, complaints):
+    """The page as it is first seen."""
+    page.emulate_media(reduced_motion="reduce")
+    page.goto(served + "/")
+    page.locator("#opening").wait_for()
+    return page
+
+
+def test_a_first_visit_has_a_choice_of_ways(opening):
+    page = opening
+    headings = page.locator("#opening :is(h2, h3):visible").all_inner_texts()
+    ways = ["Fill in a form", "Write it", "Take an example"]
+    assert headings == ["Solve a question", *ways, "Lab"]
+    assert page.locator("#statement").is_hidden()
+    assert page.locator("[data-kind] svg").count() == 4
+    expect(page.locator("[data-topic] img").first).to_have_js_property("complete", True)
+    names = page.locator("[data-topic]").evaluate_all(
+        "all => all.map((each) => each.dataset.topic)"
+    )
+    assert names == list(TOPICS)
+    assert stated(page) is None
+
+
+def test_no_link_of_the_choice_is_dead(opening, served):
+    found = opening.locator("a").evaluate_all("all => all.map((each) => each.href)")
+    assert {urlparse(each).path for each in found} > {
+        "/lab",
+        "/guides/students",
+        "/guides/teachers",
+    }
+    assert all(httpx.get(each, timeout=100).status_code == 200 for each in found)
+
+
+@pytest.mark.parametrize("kind", ["wall", "walls", "spheres", "chain"])
+def test_what_happens_opens_the_form(opening, kind):
+    page = opening
+    page.locator(f"[data-kind={kind}]").click()
+    chosen = page.locator(f"#filling label.kind input[value={kind}]")
+    expect(chosen).to_be_checked()
+    assert page.locator("#opening").is_hidden()
+    name = page.locator(f"[data-kind={kind}]").text_content()
+    assert page.locator("label.kind:has(:checked)").inner_text().strip() == name
+    page.go_back()
+    assert page.locator("#opening").is_visible()
+
+
+def test_writing_begins_with_an_empty_editor_that_shows_how(opening):
+    page = opening
+    page.get_by_role("button", name="Write a question of your own").click()
+    assert page.evaluate("() => document.activeElement.id") == "statement"
+    assert typed(page) == ""
+    ghost = page.locator("#statement").get_attribute("placeholder")
+    assert ghost == GHOST.strip()
+    items = [item for _, item in solve(parse(ghost)).items()]
+    assert items and all(item.answers for item in items)
+    field = page.locator("#statement")
+    assert field.evaluate("node => node.scrollHeight <= node.clientHeight")
+    page.keyboard.insert_text(WALL)
+    solved(page)
+    assert "e=23" in answers(page)
+    page.go_back()
+    assert page.locator("#opening").is_visible()
+    assert page.locator("#solve").is_hidden()
+    page.go_forward()
+    solved(page)
+    assert typed(page) == WALL
+
+
+def test_a_topic_opens_the_gallery_there(opening):
+    page = opening
+    page.get_by_role("button", name="Ranges of values").click()
+    gallery = page.get_by_role("dialog", name="Examples")
+    heading = gallery.get_by_role("heading", name="Ranges of values")
+    expect(heading).to_be_in_viewport()
+    chosen = gallery.locator("section[data-topic='Ranges of values'] button").first
+    expect(chosen).to_be_focused()
+    page.keyboard.press("Enter")
+    solved(page)
+    assert page.locator("#opening").is_hidden()
+    assert "find range of" in typed(page)
+    page.go_back()
+    assert page.locator("#opening").is_visible()
+
+
+def test_the_choice_comes_again(open_):
+    page = open_(WALL)
+    page.get_by_role("button", name="New", exact=True).click()
+    page.get_by_role("button", name="All ways to begin").click()
+    assert page.locator("#opening").is_visible()
+    page.reload()
+    assert page.locator("#opening").is_visible()
+    page.go_back()
+    page.go_back()
+    solved(page)
+    assert typed(page) == WALL
+
+
+def test_a_browser_that_keeps_nothing_costs_nothing_else(page, served, complaints):
+    refuse = "Object.defineProperty(window, 'sessionStorage', { get() { throw new Error('no'); } })"
+    page.add_init_script(refuse)
+    page.goto(served + "/")
+    page.get_by_role("button", name="Write a question of your own").click()
+    page.keyboard.insert_text(WALL)
+    solved(page)
+    page.wait_for_function("() => location.hash.includes('ball')")
+    page.reload()
+    solved(page)
+    assert typed(page) == WALL
+
+
+def test_a_question_is_shown_solved(open_):
+    page = open_(GHOST)
     assert "velocityofAimmediatelyafterthecollision=3i+2j" in answers(page)
     assert page.locator("#pictures img").first.get_attribute("alt")
     assert page.locator("#working tr").count() > 5
     assert page.locator(".principle", has_text="Newton's experimental law").count() == 1
     assert page.title() == f"{page.locator('#title').inner_text()} – Restitution"
-    assert stated(page) is None
 
 
 # --- typing ---------------------------------------------------------------------------------------
@@ -136,6 +249,31 @@ def test_a_mistake_is_marked_at_its_place_and_clears(open_):
     solved(page)
     assert page.locator("#mistakes").is_hidden()
     assert page.locator("#statement").get_attribute("aria-invalid") == "false"
+
+
+def test_a_cure_mends_with_one_click(open_):
+    page = open_(WALL)
+
+    def told(route):
+        reply = route.fetch()
+        found = reply.json()
+        for error in found["errors"]:
+            edit = {"line": 3, "column": 19, "end_line": 3, "end_column": 26, "text": "velocity"}
+            error["fixes"] = [{"label": "Write velocity", "edits": [edit]}]
+        route.fulfill(response=reply, json=found)
+
+    page.route("**/api/check", told)
+    wrong = WALL.replace("A ball", "𝐀 ball").replace("velocity", "velocty")
+    page.locator("#statement").fill(wrong)
+    page.get_by_role("heading", name="One thing to mend first").wait_for()
+    accessible(page)
+    page.get_by_role("button", name="Write velocity").click()
+    solved(page)
+    assert typed(page) == wrong.replace("velocty", "velocity")
+    assert page.locator("#wrong").is_hidden()
+    page.locator("#statement").focus()
+    page.keyboard.press("Control+z")
+    assert typed(page) == wrong
 
 
 def test_every_mistake_of_a_text_is_listed(open_):
@@ -388,14 +526,6 @@ def test_back_and_forward(open_):
     assert "speedofP" in answers(page)
 
 
-def test_back_to_the_first_example(open_):
-    page = open_()
-    first = typed(page)
-    page.get_by_role("button", name="New", exact=True).click()
-    page.go_back()
-    assert typed(page) == first
-
-
 def test_typed_work_survives_leaving_and_coming_back(open_, served):
     page = open_()
     page.locator("#statement").fill(WALL)
@@ -549,7 +679,7 @@ def test_a_busy_server_is_asked_again(open_, complaints):
 
 
 def test_a_statement_that_is_refused_is_told_in_sentences(page, served):
-    page.goto(served + "/")
+    page.goto(f"{served}/#statement=a")
     page.locator("#statement").fill("a" * 20_001)
     notice = page.locator("#notice").get_by_text("Your work is kept.")
     notice.wait_for()

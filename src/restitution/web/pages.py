@@ -12,8 +12,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from restitution import examples
+from restitution.examples.topics import TOPICS
 from restitution.web.files import digest, files_of, imported, stored
+from restitution.web.guides import GUIDES, rendered
 from restitution.web.words import vocabulary
 
 _FOLDERS = {
@@ -25,8 +26,22 @@ _HTML = "text/html; charset=utf-8"
 _FOR_EVER = "public, max-age=31536000, immutable"
 _ASK = "no-cache"  # a browser asks each time whether what it keeps is still so
 
-_FIRST = "two-spheres-with-vectors"
-"""The example that a first visit shows."""
+GHOST = """\
+title Two spheres collide
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find velocity(A), velocity(B)
+"""
+"""A whole statement, which an empty editor shows in grey."""
+
+_KINDS = {
+    "wall": "One wall",
+    "walls": "Two walls",
+    "spheres": "Two spheres",
+    "chain": "Spheres, then a wall",
+}
+"""What may happen in a question that the form writes."""
 
 
 def _told() -> dict[str, Any]:
@@ -61,6 +76,16 @@ def routes() -> list[Route]:
 
         return Route("/" if template == "solve" else f"/{template}", show)
 
+    def guide(address: str) -> Route:
+        title, content = rendered(GUIDES[address].text())
+        more = {"title": title, "content": content, "name": address, "guides": GUIDES}
+        kept = stored(written("guide", "../", **more), _HTML)
+
+        async def show(request: Request) -> Response:
+            return kept.reply(request, _ASK)
+
+        return Route(f"/guides/{address}", show)
+
     async def file(request: Request) -> Response:
         path = request.path_params["path"]
         if path not in found:
@@ -77,9 +102,16 @@ def routes() -> list[Route]:
         return Response(status_code=308, headers={"Location": "../lab"})
 
     return [
-        page("solve", told=_told(), example=examples.statement(_FIRST).strip()),
+        page(
+            "solve",
+            told=_told(),
+            ghost=GHOST.strip(),
+            kinds=_KINDS,
+            topics={topic: names[0] for topic, names in TOPICS.items()},
+        ),
         page("lab"),
         Route("/lab/", without_slash),
+        *map(guide, GUIDES),
         Route("/static/{digest}/{path:path}", file),
         Route("/{path:path}", missing),
     ]

@@ -1,5 +1,7 @@
 // The address holds the statement, so that a link shares it and Back restores it.
 
+import { keep, kept } from "../kept.js";
+
 const LONGEST = 6000; // characters of an address that people can still send to each other
 const DRAFT = "restitution statement";
 
@@ -13,24 +15,16 @@ export function told() {
 
 // What was typed last in this tab, or null.
 export function draft() {
-  try {
-    return sessionStorage.getItem(DRAFT);
-  } catch {
-    return null; // the browser keeps nothing
-  }
+  return kept(DRAFT);
 }
 
 // This entry of the history, or with `push` a new one, holds a statement from now on.
-export function hold(text, { push = false, silent = false } = {}) {
-  const address = silent ? location.pathname : linkable(text) ? fragment(text) : "#";
+// Null is none: then the page shows the ways to begin.
+export function hold(text, { push = false } = {}) {
+  const address = text === null || !linkable(text) ? "#" : fragment(text);
   if (push) history.pushState({ statement: text }, "", address);
   else history.replaceState({ statement: text }, "", address);
-  if (silent) return;
-  try {
-    sessionStorage.setItem(DRAFT, text);
-  } catch {
-    // The address and the history still hold it.
-  }
+  keep(DRAFT, text ?? "");
 }
 
 export const linkable = (text) => fragment(text).length <= LONGEST;

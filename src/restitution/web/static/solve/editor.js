@@ -119,8 +119,30 @@ export function makeEditor(root, words, { onInput }) {
       field.setSelectionRange(before + start, before + end);
       layer.children[line - 1]?.scrollIntoView({ block: "nearest" });
     },
+    // The edits of a cure, made as if they were typed, the last one in the text first.
+    mend(fix) {
+      const { value } = field;
+      const stretches = (fix.edits ?? [fix]).map((edit) => [
+        edit.start ?? offsetOf(value, edit.line, edit.column),
+        edit.end ?? offsetOf(value, edit.end_line, edit.end_column),
+        edit.text,
+      ]);
+      for (const [start, end, text] of stretches.sort(([a], [b]) => b - a)) {
+        field.focus();
+        field.setSelectionRange(start, end);
+        type(field, text);
+      }
+      list.close();
+    },
     focus: () => field.focus(),
   };
+}
+
+// Where a place stands in a text; lines and columns count from 1, columns in characters.
+function offsetOf(text, line, column) {
+  const lines = text.split("\n");
+  const before = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+  return before + [...(lines[line - 1] ?? "")].slice(0, column - 1).join("").length;
 }
 
 // Text put in as if it were typed, so that it can be undone.

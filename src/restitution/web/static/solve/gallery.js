@@ -33,7 +33,7 @@ export function mountGallery(element, { onChoose }) {
     const sections = Map.groupBy(examples, (each) => each.topic);
     for (const [topic, members] of sections) {
       const cards = members.map(card);
-      const section = html("section", {},
+      const section = html("section", { "data-topic": topic },
         html("h3", {}, topic), html("ul", { class: "cards" }, ...cards.map((each) => each.item)));
       shown.push({ section, cards });
       topics.append(section);
@@ -72,5 +72,18 @@ export function mountGallery(element, { onChoose }) {
   }
 
   element.append(root);
-  load();
+  const loaded = load();
+
+  return {
+    // A topic at the top, its first example at hand; null is the list as it stands.
+    async go(topic) {
+      if (topic === null) return;
+      field.value = "";
+      await loaded;
+      narrow();
+      const found = [...topics.children].find((each) => each.dataset.topic === topic);
+      found?.scrollIntoView();
+      found?.querySelector("button").focus({ preventScroll: true });
+    },
+  };
 }

@@ -4,9 +4,10 @@ import { draft, hold, linkable, onReturn, told } from "./address.js";
 import { makeEditor } from "./editor.js";
 import { makeMotion } from "./motion.js";
 import { makeNotice } from "./notice.js";
+import { makeOpening } from "./opening.js";
 import { lazily, makeFold, makePanel } from "./panels.js";
 import { makePictures } from "./pictures.js";
-import { answersOf, failure, mistakes, spoken } from "./results.js";
+import { answersOf, failure, mistakes, numbered, spoken } from "./results.js";
 import { keepReachable } from "./scrolling.js";
 import { makeShare } from "./share.js";
 import { makeSolver } from "./solver.js";
@@ -19,7 +20,6 @@ const SETTLED = 500; // ms after the last key at which the address is written
 const PATIENCE = 500; // ms for which mistakes are not shown while one types on
 const SLOW = 1200; // ms after which it is said that the solution takes its time
 
-const example = $("statement").defaultValue;
 const results = $("results");
 const editor = makeEditor($("editor"), words, { onInput: typed });
 const pictures = makePictures($("pictures"));
@@ -29,6 +29,9 @@ const solver = makeSolver(show);
 const notice = makeNotice($("notice"), () => solver.solve(editor.text));
 const look = keepReachable($("answers"), "li");
 const share = makeShare($("share"), now, { sheet, say });
+const opening = makeOpening($("opening"), $("solve"), {
+  onKind: fillIn, onWrite: write, onTopic: (topic) => browse(topic),
+});
 let solved = null; // the last { text, reply }
 let settling = 0;
 let pending = 0;
@@ -47,7 +50,8 @@ function settle(text) {
 
 // Another statement in the place of this one, which Back brings back.
 function replace(text) {
-  settle(editor.text);
+  if (!opening.open) settle(editor.text);
+  opening.show(false);
   if (text !== editor.text) hold(text, { push: true });
   editor.put(text);
   $("long").hidden = linkable(text);
@@ -88,14 +92,16 @@ function showNothing() {
 }
 
 function showMistakes({ errors }) {
+  $("start").hidden = true;
   // Whoever is still typing the word need not be told.
   pending = setTimeout(mark, document.activeElement === $("statement") ? PATIENCE : 0, errors);
 }
 
 function mark(errors) {
   editor.mark(errors);
-  $("mistakes").replaceChildren(...mistakes(errors, editor.goTo));
-  $("mistakes").hidden = !errors.length;
+  $("mistakes").replaceChildren(...mistakes(errors, editor));
+  $("wrong-heading").textContent = numbered(errors.length);
+  $("wrong").hidden = !errors.length;
 }
 
 function showRefusal({ error }) {
@@ -146,6 +152,12 @@ const examples = makePanel("Examples", "examples", lazily(
   ({ mountGallery }, body, close) =>
     mountGallery(body, { onChoose: (_, text) => chosen(text, close) }),
 ));
+
+async function browse(topic) {
+  const gallery = await examples();
+  gallery?.go(topic);
+}
+
 const form = makeFold($("form"), $("filling"), lazily(
   "form.css",
   () => import("./form.js"),
@@ -173,7 +185,27 @@ function written(text) {
   writing = true;
 }
 
-$("examples").addEventListener("click", examples);
+// --- ways to begin -------------------------------------------------------------------------------
+
+function write() {
+  opening.show(false);
+  hold("", { push: true });
+  editor.focus();
+}
+
+async function fillIn(kind) {
+  write();
+  writing = true;
+  if ($("filling").hidden) await form();
+  $("filling").querySelector(`input[name="kind"][value="${kind}"]`)?.click();
+}
+
+$("begin").addEventListener("click", () => {
+  settle(editor.text);
+  hold(null, { push: true });
+  start(null);
+});
+$("examples").addEventListener("click", () => browse(null));
 $("form").addEventListener("click", () => {
   writing = false;
   form();
@@ -194,21 +226,21 @@ $("new").addEventListener("click", () => {
 
 // --- the start -----------------------------------------------------------------------------------
 
-onReturn((text) => {
+// The choice of ways to begin where nothing is stated, else the editor.
+function start(text) {
   clearTimeout(settling);
-  editor.put(text ?? example);
-  solver.solve(text ?? example);
-});
+  opening.show(text === null);
+  editor.put(text ?? "");
+  solver.solve(text ?? "");
+}
+
+onReturn(start);
 
 function begin() {
   const text = told() ?? draft();
-  if (text === null) hold(example, { silent: true });
-  else {
-    editor.put(text);
-    settle(text);
-  }
   $("sharing").open = matchMedia("(min-width: 60em)").matches;
-  solver.solve(editor.text);
+  start(text?.trim() ? text : null);
+  if (!opening.open) settle(text);
 }
 
 begin();

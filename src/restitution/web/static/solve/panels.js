@@ -5,8 +5,10 @@ import { button, html } from "../player/elements.js";
 import { style } from "../styles.js";
 
 // A dialog, filled by `fill(body)` once, when it is first opened; returns what opens it.
+// A call of that opens it, and gives what `fill` made of it, or nothing where it could not.
 export function makePanel(title, className, fill) {
   let dialog = null;
+  let made = null;
 
   async function build() {
     const heading = html("h2", { id: `${className}-heading` }, title);
@@ -21,8 +23,9 @@ export function makePanel(title, className, fill) {
     document.body.append(dialog);
     dialog.showModal();
     try {
-      await fill(body, () => dialog.close());
+      made = await fill(body, () => dialog.close());
     } catch {
+      made = null;
       body.replaceChildren(lost());
       dialog.addEventListener("close", () => {
         dialog.remove();
@@ -31,7 +34,11 @@ export function makePanel(title, className, fill) {
     }
   }
 
-  return () => (dialog ? dialog.showModal() : build());
+  return async () => {
+    if (dialog) dialog.showModal();
+    else await build();
+    return made;
+  };
 }
 
 // A fold below its button, filled once, when it is first opened.
@@ -58,5 +65,5 @@ const lost = () =>
 export const lazily = (sheet, load, mount) => async (body, close) => {
   const [module] = await Promise.all([load(), sheet && style(sheet)]);
   body.replaceChildren();
-  mount(module, body, close);
+  return mount(module, body, close);
 };

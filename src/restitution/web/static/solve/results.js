@@ -93,9 +93,17 @@ export function spoken({ answer }) {
   return said.length ? said.slice(0, 8).join("; ") : answer.error?.message ?? "";
 }
 
-// The first lines of what is wrong with the text, each a button that goes there.
-export const mistakes = (errors, goTo) =>
-  errors.map(({ message, line, column }) => {
+export const numbered = (count) =>
+  count === 1 ? "One thing to mend first" : `${count} things to mend first`;
+
+// What is wrong with the text: a button that goes there, and one for each cure.
+export const mistakes = (errors, editor) =>
+  errors.map(({ message, line, column, fixes }) => {
     const said = [html("b", {}, line ? `Line ${line}` : "Text"), ` ${message}`];
-    return html("li", {}, button(said, () => goTo(line ?? 1, column)));
+    return html("li", {},
+      button(said, () => editor.goTo(line ?? 1, column), { class: "mistake" }),
+      cures(fixes, editor));
   });
+
+const cures = (fixes, editor) =>
+  (fixes ?? []).map((fix) => button(fix.label, () => editor.mend(fix), { class: "cure" }));
