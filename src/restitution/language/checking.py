@@ -262,7 +262,7 @@ def _place_of(value: Any) -> Place | None:
 
 
 def _scalar(bodies: _Bodies, value: Any, what: str) -> Iterator[StatementError]:
-    if _is_vector(value):
+    if _is_vector(value) or (isinstance(value, Expression) and _is_made_of_units(value)):
         yield _error(f"expected a number after '{what}', not a vector", _place_of(value))
     yield from _in(bodies, value, _NOTHING)
 

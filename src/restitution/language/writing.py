@@ -163,7 +163,7 @@ def _step(kinds: Mapping[str, str], step: Step) -> str:
         case Unknown(letters):
             return f"unknown {', '.join(map(_letter, letters))}"
         case Find(items):
-            line = f"find {', '.join(_item(each) for each in items)}"
+            line = f"find {', '.join(item_text(each) for each in items)}"
             return line + _terms(step.in_terms_of)
         case Show():
             return f"show {_shown(kinds, step)}" + _terms(step.in_terms_of)
@@ -210,7 +210,8 @@ def _relation(kinds: Mapping[str, str], relation: Relation) -> str:
             return f"{first.name} {word} {second.name} again"
 
 
-def _item(item: Item) -> str:
+def item_text(item: Item) -> str:
+    """What is asked, as a statement has it."""
     match item:
         case Value(expression):
             text = write_expression(expression)
@@ -223,11 +224,11 @@ def _item(item: Item) -> str:
 
 def _shown(kinds: Mapping[str, str], show: Show) -> str:
     if isinstance(show.subject, Range):
-        return f"{_item(show.subject)}: {_relation(kinds, show.relation)}"
+        return f"{item_text(show.subject)}: {_relation(kinds, show.relation)}"
     if isinstance(show.subject, Extremum):
         relation = show.relation
         if not isinstance(relation, Compare) or relation.operators != ("=",):
             raise StatementError("a maximum or minimum is shown to equal a value")
-        text = f"{_item(show.subject)} = {write_expression(relation.operands[1])}"
+        text = f"{item_text(show.subject)} = {write_expression(relation.operands[1])}"
         return text + (f" to {relation.figures} s.f." if relation.figures is not None else "")
     return _relation(kinds, show.relation)

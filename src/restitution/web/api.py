@@ -64,11 +64,14 @@ _TASKS = {
 }
 
 
+_READ: Mapping[str, Callable[[str], Made]] = {"check": work.checked, "outline": work.outlined}
+
+
 def routes() -> list[Route]:
     """Where the API is found."""
     return [
         Route("/health", _health),
-        Route("/api/check", _check, methods=["POST"]),
+        *(Route(f"/api/{name}", _reading(read), methods=["POST"]) for name, read in _READ.items()),
         *(Route(f"/api/{name}", _doing(task), methods=["POST"]) for name, task in _TASKS.items()),
         Route("/api/{path:path}", _unknown, methods=_METHODS),
     ]
@@ -99,20 +102,25 @@ async def _health(request: Request) -> Response:
 
 
 async def _unknown(request: Request) -> Response:
-    if request.path_params["path"] in {"check", *_TASKS}:
+    if request.path_params["path"] in {*_READ, *_TASKS}:
         raise HTTPException(405, headers={"Allow": "POST"})
     raise HTTPException(404)
 
 
-async def _check(request: Request) -> Response:
-    staff: Staff = request.app.state.staff
+def _reading(read: Callable[[str], Made]) -> Callable[[Request], Awaitable[Response]]:
+    """What is done by those who read statements while others solve."""
 
-    async def reply() -> Made:
-        told = await asked(request, "statement", {}, staff.settings)
-        made = staff.clerks.run(work.checked, told["statement"], limit=_CHECKING)
-        return await _while_wanted(request, made)
+    async def do(request: Request) -> Response:
+        staff: Staff = request.app.state.staff
 
-    return await _answered(request, reply)
+        async def reply() -> Made:
+            told = await asked(request, "statement", {}, staff.settings)
+            made = staff.clerks.run(read, told["statement"], limit=_CHECKING)
+            return await _while_wanted(request, made)
+
+        return await _answered(request, reply)
+
+    return do
 
 
 def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:

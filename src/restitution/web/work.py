@@ -42,6 +42,16 @@ def checked(statement: str) -> Made:
         return _json(contract.checked(FILE, None, mistake))
 
 
+def outlined(statement: str) -> Made:
+    """The pieces of a statement, for a form; null with all its mistakes where it cannot be read."""
+    from restitution.export.outline import outline
+
+    try:
+        return _json({"outline": outline(parse(statement)), "errors": []})
+    except RestitutionError as mistake:
+        return _json({"outline": None, "errors": contract.mistakes(mistake)})
+
+
 def solved(statement: str, limit: float, part: str | None = None) -> Made:
     """The object of ``restitution solve --format json``."""
     return _made(statement, Writing("json", part), limit)

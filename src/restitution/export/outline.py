@@ -1,0 +1,281 @@
+"""A problem taken apart into the pieces of which a form is made: the page's form reads these.
+
+Every expression is text, which reads back as an equal tree; nothing here loads SymPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from restitution.expression.quantities import SIGNATURES
+from restitution.expression.tree import (
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.language.writing import item_text, relation_text
+from restitution.problem import (
+    Arrival,
+    AtRest,
+    Compare,
+    Find,
+    Given,
+    Impact,
+    Item,
+    Kick,
+    Meets,
+    Problem,
+    Relation,
+    Show,
+    Sphere,
+    Step,
+    Value,
+    Wall,
+)
+
+Object = dict[str, Any]
+
+
+def outline(problem: Problem) -> Object:
+    """The pieces of a problem, as JSON::
+
+        {"title", "parts": [label or null],
+         "spheres": [{"name", "line", "mass", "radius", "placed", "velocity": VELOCITY or null}],
+         "walls": [{"name", "line", "along": DIRECTION or null, "placed"}], "points": [name],
+         "steps": [STEP]}
+
+    VELOCITY is ``{"way": "rest"}``, ``{"way": "components", "x", "y"}``, ``{"way": "polar",
+    "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is ``{"way":
+    "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind`` and ``line``: an ``impact``
+    its ``first``, ``second``, ``e``, ``along`` and ``offset``; ``given`` and ``show`` their
+    ``relations``, ``find`` its ``items``, each with ``text`` as it stands, and ``staged``, the same
+    with every stage told by its number (null where that cannot be). A relation ``left = right`` has
+    ``left``, ``sign`` and ``right``, staged too.
+    """
+    told = _Told(problem)
+    return {
+        "title": problem.title,
+        "parts": [part.label for part in problem.parts],
+        "spheres": [_sphere(each) for each in problem.spheres],
+        "walls": [_wall(each) for each in problem.walls],
+        "points": [each.name for each in problem.points],
+        "steps": list(told.steps()),
+    }
+
+
+def _text(value: Any) -> str | None:
+    return write_expression(value) if isinstance(value, Expression) else None
+
+
+def _line(step: Any) -> int | None:
+    return step.place.line if step.place is not None else None
+
+
+def _sphere(sphere: Sphere) -> Object:
+    return {
+        "name": sphere.name,
+        "line": _line(sphere),
+        "mass": _text(sphere.mass),
+        "radius": _text(sphere.radius),
+        "placed": sphere.position is not None,
+        "velocity": _velocity(sphere.velocity),
+    }
+
+
+def _wall(wall: Wall) -> Object:
+    elsewhere = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
+    return {
+        "name": wall.name,
+        "line": _line(wall),
+        "along": _direction(wall.along),
+        "placed": any(each is not None for each in elsewhere),
+    }
+
+
+def _velocity(tree: Any) -> Object | None:
+    if not isinstance(tree, Expression):
+        return None
+    if isinstance(tree, Polar):
+        return {
+            "way": "polar",
+            "size": _text(tree.size),
+            "angle": _text(tree.angle),
+            "origin": _text(tree.origin),
+            "wall": _text(tree.wall),
+            "text": _text(tree),
+        }
+    if isinstance(tree, Pair):
+        zero = all(isinstance(each, Number) and not each.value for each in (tree.x, tree.y))
+        if zero:
+            return {"way": "rest"}
+        return {"way": "components", "x": _text(tree.x), "y": _text(tree.y)}
+    found = _components(tree)
+    if found is None:
+        return {"way": "vector", "text": _text(tree)}
+    x, y = found
+    return {"way": "components", "x": _text(x) or "0", "y": _text(y) or "0"}
+
+
+def _components(tree: Expression) -> tuple[Expression | None, Expression | None] | None:
+    """The factors of **i** and **j** in a sum of their multiples; None for any other vector."""
+    match tree:
+        case Unit(axis):
+            one = _number(1)
+            return (one, None) if axis == "i" else (None, one)
+        case Negate(operand):
+            inner = _components(operand)
+            return None if inner is None else (_negative(inner[0]), _negative(inner[1]))
+        case Binary("*", left, Unit(axis)) if not any(isinstance(n, Unit) for n in walk(left)):
+            return (left, None) if axis == "i" else (None, left)
+        case Binary("+" | "-", left, right):
+            first, second = _components(left), _components(right)
+            if first is None or second is None:
+                return None
+            if tree.op == "-":
+                second = (_negative(second[0]), _negative(second[1]))
+            if any(a is not None and b is not None for a, b in zip(first, second, strict=True)):
+                return None
+            return (first[0] or second[0], first[1] or second[1])
+    return None
+
+
+def _number(value: int) -> Expression:
+    from fractions import Fraction
+
+    return Number(Fraction(value))
+
+
+def _negative(tree: Expression | None) -> Expression | None:
+    if tree is None:
+        return None
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+
+
+def _direction(tree: Any) -> Object | None:
+    if not isinstance(tree, Expression):
+        return None
+    if isinstance(tree, Unit):
+        return {"way": tree.axis, "text": tree.axis}
+    is_vector = any(
+        isinstance(each, Unit | Pair | Polar)
+        or (isinstance(each, Quantity) and each.kind in ("velocity", "line_of_centres"))
+        for each in walk(tree)
+    )
+    is_angle = not is_vector and not any(isinstance(each, Name) for each in walk(tree))
+    return {"way": "angle" if is_angle else "vector", "text": _text(tree)}
+
+
+class _Told:
+    """The steps of a problem in order, and which events each body takes part in."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._bodies: dict[str, list[int]] = {each.name: [] for each in problem.spheres}
+        self._now = 0
+
+    def steps(self) -> Iterator[Object]:
+        for part, step in self._problem.steps():
+            kind = type(step).__name__.lower()
+            made = {"kind": kind, "part": part.label, "line": _line(step), "after": self._now}
+            yield {**made, **self._step(step)}
+
+    def _step(self, step: Step) -> Object:
+        match step:
+            case Impact():
+                self._event(step.first, step.second)
+                return {
+                    "first": step.first,
+                    "second": step.second,
+                    "e": _text(step.e),
+                    "along": _direction(step.along),
+                    "offset": _text(step.offset),
+                }
+            case Kick() | Arrival():
+                self._event(step.body)
+            case Given():
+                return {"relations": [self._relation(each) for each in step.relations]}
+            case Find():
+                return {
+                    "items": [self._item(each) for each in step.items],
+                    "in_terms_of": _letters(step.in_terms_of),
+                }
+            case Show():
+                return {
+                    "relations": [self._relation(step.relation)],
+                    "subject": None if step.subject is None else item_text(step.subject),
+                    "in_terms_of": _letters(step.in_terms_of),
+                }
+        return {}
+
+    def _event(self, *bodies: str) -> None:
+        self._now += 1
+        for body in bodies:
+            self._bodies.setdefault(body, []).append(self._now)
+
+    def _item(self, item: Item) -> Object:
+        staged = self._staged(item)
+        return {
+            "text": item_text(item),
+            "staged": item_text(staged),
+            "value": _text(staged.expression) if isinstance(staged, Value) else None,
+            "percentage": item.percentage,
+        }
+
+    def _relation(self, relation: Relation) -> Object:
+        made: Object = {"text": relation_text(self._problem, relation), "staged": None}
+        if isinstance(relation, AtRest | Meets):
+            return made
+        staged = self._staged(relation)
+        made["staged"] = relation_text(self._problem, staged)
+        if isinstance(staged, Compare) and len(staged.operands) == 2:
+            left, right = staged.operands
+            figures = "" if staged.figures is None else f" to {staged.figures} s.f."
+            made |= {"left": _text(left), "sign": staged.operators[0]}
+            made["right"] = f"{_text(right)}{figures}"
+            made["degrees"] = isinstance(right, Degrees)
+        return made
+
+    def _staged(self, value: Any) -> Any:
+        """The same with the stage of each quantity told by the number of its event."""
+        if isinstance(value, tuple):
+            return tuple(map(self._staged, value))
+        if not is_dataclass(value) or isinstance(value, type | AtTime):
+            return value
+        changes = {
+            each.name: self._staged(getattr(value, each.name))
+            for each in fields(value)
+            if each.name not in ("place", "stage")
+        }
+        made = replace(value, **changes)
+        if not isinstance(made, Quantity) or not SIGNATURES[made.kind].staged:
+            return made
+        if any(isinstance(n, Name) and n.name not in self._bodies for n in made.arguments):
+            return made  # the direction of a wall
+        return replace(made, stage=self._stage(made))
+
+    def _stage(self, quantity: Quantity) -> Any:
+        if isinstance(quantity.stage, AtTime):
+            return quantity.stage
+        told = quantity.stage
+        last = told if isinstance(told, int) else self._now
+        own: Sequence[int] = range(1, last + 1)
+        if len(quantity.arguments) == 1 and isinstance(quantity.arguments[0], Name):
+            own = [n for n in self._bodies.get(quantity.arguments[0].name, []) if n <= last]
+        latest = own[-1] if own else 0
+        return max(latest - 1, 0) if told == "before" else latest
+
+
+def _letters(letters: Sequence[str] | None) -> str | None:
+    return ", ".join(letters) if letters else None
