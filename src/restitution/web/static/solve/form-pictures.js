@@ -59,6 +59,35 @@ const DRAWN = {
   ],
 };
 
+const LENGTH = 24;
+const TURNED = { i: 0, j: 90 }; // degrees; any other line is drawn aslant
+
+// Two spheres on their line of centres, and how one of them moves: towards the other or away from
+// it, to the left or the right of the line as one looks from A to B.
+export function moving(line, role, way, names) {
+  const turn = ((TURNED[line] ?? 25) * Math.PI) / 180;
+  const place = (along, across) => [
+    52 + along * Math.cos(turn) - across * Math.sin(turn),
+    31 - along * Math.sin(turn) - across * Math.cos(turn),
+  ];
+  const [sense, side] = way.split("-");
+  const ahead = (sense === "towards") === (role === "A") ? 1 : -1;
+  const up = side === "left" ? 1 : -1;
+  const gap = line === "j" ? 17 : 22;
+  const at = role === "A" ? -gap : gap;
+  const reach = (length) => place(at + ahead * length * 0.77, up * length * 0.64);
+  const named = (name, along) => {
+    const [x, y] = place(along, 0);
+    return [disc(x, y), word(x - 2.8, y + 3.2, name, "name")];
+  };
+  return svg("svg", SEEN, [
+    line_(place(-52, 0), place(52, 0)), named(names.A ?? "A", -gap), named(names.B ?? "B", gap),
+    arrow(...reach(7), ...reach(LENGTH)),
+  ].flat(2));
+}
+
+const line_ = ([x1, y1], [x2, y2]) => line(x1, y1, x2, y2, "dashed");
+
 const SEEN = {
   viewBox: "0 0 104 62", class: "hint-picture", "aria-hidden": "true", focusable: "false",
 };

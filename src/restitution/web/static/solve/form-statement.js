@@ -3,159 +3,49 @@
 // A line is a list of pieces, each a text or [field, text], so that a mistake in it can be shown
 // at the field that it came from.
 
-export const KINDS = [
-  ["wall", "One wall"],
-  ["walls", "Two walls"],
-  ["spheres", "Two spheres"],
-  ["chain", "Spheres, then a wall"],
-];
+import { bracketed, inDegrees, isSum } from "./form-angle.js";
+import {
+  countOf, eventsOf, isAway, isPlainWho, isToLine, nameOf, spheresOf,
+} from "./form-model.js";
+import { objection } from "./form-objections.js";
+import { factsOf, isPercentage, PERCENT, quantitiesOf } from "./form-quantities.js";
 
-const EVENTS = {
-  wall: [["P", "W"]],
-  walls: [["P", "AB"], ["P", "BC"]],
-  spheres: [["A", "B"]],
-  chain: [["A", "B"], ["B", "W"]],
-};
-const TIMES = ["after the first impact", "after the second impact"];
+export { emptyOf } from "./form-model.js";
 
-export const spheresOf = ({ kind }) => (kind === "wall" || kind === "walls" ? ["P"] : ["A", "B"]);
-export const eventsOf = ({ kind }) => EVENTS[kind];
+const FILL = "Fill this in, with a letter if it is not known.";
+const CALLED = /(?:sqrt|√|sin|cos|tan|cot|sec|abs)(?!\s*\()|[*/^]\s*$|\d\s*[A-Za-z]+\s?(?:\/|s\b)/;
 
-// A question of each kind that can be solved as it stands.
-export function defaultsOf(kind) {
-  const moving = { Mass: "2", Velocity: "components", X: "5", Y: "-3", Speed: "u", Angle: "60°" };
-  const own = (name, values) => {
-    const told = Object.entries({ ...moving, ...values });
-    return Object.fromEntries(told.map(([key, value]) => [name + key, value]));
+// Reads the fields: what is in them, what is missing, and what cannot stand in a statement.
+function reader(answers) {
+  const missing = [];
+  const wrong = [];
+  const read = (text, field, kind) => {
+    const typed = (text ?? "").trim();
+    const said = typed && objection(typed, kind);
+    if (said) wrong.push([field, said]);
+    return typed;
   };
-  const shared = { kind, known: [{ what: "", value: "" }], letters: "", e1: "1/2", e2: "1/2" };
-  const wall = { wall: "i", wallVector: "3i + 4j", wallAngle: "30°" };
-  const spheres = {
-    ...own("A", { X: "3", Y: "-4" }), ...own("B", { Mass: "3", X: "2", Y: "3" }),
-    line: "j", lineVector: "3i + 4j", lineAngle: "30°", offset: "r", radius: "r", e1: "3/7",
+  return {
+    missing,
+    wrong,
+    miss: (field, text = FILL) => missing.push([field, text]),
+    blame: (field, text) => wrong.push([field, text]),
+    optional: (field, kind = "number") => read(answers[field], field, kind),
+    // What has to be there: it is asked for where it is not.
+    needed(field, kind = "number", text = answers[field]) {
+      const typed = read(text, field, kind);
+      if (typed === "") missing.push([field, FILL]);
+      return typed;
+    },
   };
-  switch (kind) {
-    case "wall":
-      return { ...shared, ...wall, ...own("P"), asked: ["velocity(P)", "impulse", "energy_lost"] };
-    case "walls":
-      return {
-        ...shared, first: "i", firstAngle: "30°", second: "between", between: "120°",
-        secondVector: "3i + 4j", secondAngle: "60°", ...own("P", { Mass: "", Velocity: "wall" }),
-        asked: ["speed(P, 1)", "speed(P)"],
-      };
-    case "spheres":
-      return { ...shared, ...spheres, asked: ["velocity(A)", "velocity(B)", "impulse"] };
-    case "chain":
-      return {
-        ...shared, ...spheres, ...wall,
-        ...own("A", { X: "4", Y: "0" }), ...own("B", { Mass: "3", Velocity: "rest" }),
-        line: "i", wall: "j", e1: "1/2",
-        asked: ["velocity(A, 1)", "velocity(B)", "total_energy_lost"],
-      };
-  }
-}
-
-// Quantities that can be asked for, or known afterwards; `fixed` ones can only be asked for.
-export function quantitiesOf(answers) {
-  const events = eventsOf(answers);
-  const found = [];
-  const put = (item, label, rest = {}) => found.push({ item, label, ...rest });
-  events.forEach(([first, second], index) => {
-    const last = index === events.length - 1;
-    const stage = last ? "" : `, ${index + 1}`;
-    const when = events.length === 1 ? "afterwards" : TIMES[index];
-    const bodies = spheresOf(answers).includes(second) ? [first, second] : [first];
-    for (const body of bodies) {
-      put(`velocity(${body}${stage})`, `velocity of ${body} ${when}`, { vector: true });
-      put(`speed(${body}${stage})`, `speed of ${body} ${when}`);
-    }
-    if (bodies.length === 1) {
-      const label = `angle of ${first}’s path to ${second} ${when}`;
-      put(`angle(velocity(${first}${stage}), ${second})`, label, { angle: true });
-    }
-    for (const body of bodies) {
-      if (index > 0 || answers[`${body}Velocity`] !== "rest") {
-        const which = events.length === 1 ? "" : last ? ", second impact" : ", first impact";
-        const label = `angle of deflection of ${body}${which}`;
-        put(`deflection(${body}${stage})`, label, { angle: true });
-      }
-    }
-    const number = last ? "" : `(${index + 1})`;
-    const ordinal = last ? "second" : "first";
-    const which = events.length === 1 ? "" : ` at the ${ordinal} impact`;
-    put(`impulse${number}`, `magnitude of the impulse${which}`);
-    put(`energy_lost${number}`, `kinetic energy lost${which}`);
-  });
-  const total = events.length === 1 ? "energy_lost" : "total_energy_lost";
-  if (events.length > 1) put(total, "kinetic energy lost in all");
-  const share = `${total}/energy(0) as a percentage`;
-  put(share, "kinetic energy lost, as a percentage", { fixed: true });
-  const es = events.map((_, index) => clean(answers[`e${index + 1}`]));
-  if (es.includes("")) put("e", "coefficient of restitution e", { fixed: true });
-  for (const body of spheresOf(answers)) {
-    if (!clean(answers[`${body}Mass`])) put(`mass(${body})`, `mass of ${body}`, { fixed: true });
-    if (answers[`${body}Velocity`] === "unknown") {
-      put(`velocity(${body}, 0)`, `velocity of ${body} before`, { fixed: true });
-    }
-  }
-  if (answers.line === "unknown" || answers.line === "offset") {
-    put("line_of_centres(1)", "line of centres", { fixed: true });
-  }
-  if (answers.wall === "unknown") put("direction(W)", "direction of the wall", { fixed: true });
-  return found;
-}
-
-// What else may be known, that is no quantity with a value.
-export function factsOf(answers) {
-  const found = [];
-  if (spheresOf(answers).length > 1) {
-    found.push([
-      "velocity(A, 1) perpendicular to velocity(B, 1)",
-      "A and B move at right angles after their impact",
-    ]);
-    for (const body of ["A", "B"]) {
-      const label = `${body} is at rest after the impact of the spheres`;
-      found.push([`velocity(${body}, 1) = 0i`, label]);
-    }
-  }
-  if (answers.kind === "chain") {
-    found.push(["A and B collide again", "A and B collide again"]);
-    found.push(["A and B do not collide again", "A and B do not collide again"]);
-  }
-  return found;
-}
-
-const SIGNS = /[#:\\\n]/;
-const UNITS = /\d\s*(kg|m ?\/ ?s|m ?s ?(\^ ?-? ?1|⁻¹)|N ?s|J|rad)\s*$/;
-
-// Why a field cannot go into a statement as it is, or null.
-export function objection(text) {
-  if (SIGNS.test(text ?? "")) {
-    return "Leave out the signs # : and \\, which mean something else in a statement.";
-  }
-  if (UNITS.test(text ?? "")) return "Leave out the unit: all is in kg, m/s, N s and J.";
-  return null;
-}
-
-const clean = (text) => (objection(text) ? "" : (text ?? "").trim());
-// A number alone is meant in degrees; the language would read it in radians.
-const angle = (text) => (/^\d+(\.\d+)?$/.test(clean(text)) ? `${clean(text)}°` : clean(text));
-
-// Whether a text has a plus or minus outside brackets.
-function isSum(text) {
-  let depth = 0;
-  for (const sign of text) {
-    if (sign === "(") depth += 1;
-    else if (sign === ")") depth -= 1;
-    else if (depth === 0 && "+-−".includes(sign)) return true;
-  }
-  return false;
 }
 
 function component(text) {
-  const size = text.replace(/^[-−]\s*/, "");
+  const size = text.replace(/^[-−–]\s*/, "");
   // −a + b is not −(a + b): a sum goes into brackets whole, with its sign.
-  return isSum(size) ? { negative: false, size: `(${text})` } : { negative: size !== text, size };
+  if (isSum(size)) return { negative: false, size: `(${text})` };
+  // `sin 2` before i would be the sine of 2i.
+  return { negative: size !== text, size: CALLED.test(size) ? `(${size})` : size };
 }
 
 function along(size, axis) {
@@ -163,136 +53,249 @@ function along(size, axis) {
   return /^[\d.]+$/.test(size) ? size + axis : `${size} ${axis}`;
 }
 
+function components(answers, role, fields) {
+  const both = [["X", "i"], ["Y", "j"]];
+  const typed = both.map(([key, axis]) => [role + key, fields.needed(role + key, "component"), axis]);
+  if (typed.some(([, text]) => text === "")) return [];
+  const shown = typed.filter(([, text]) => !/^0(\.0*)?$/.test(text));
+  if (shown.length === 0) return ["velocity ", [`${role}X`, "0i"]];
+  return ["velocity ", ...shown.map(([field, text, axis], index) => {
+    const { negative, size } = component(text);
+    const sign = index === 0 ? (negative ? "-" : "") : negative ? " - " : " + ";
+    return [field, sign + along(size, axis)];
+  })];
+}
+
+// Speed and angle as pieces of a vector; `behind` names what the angle is measured from.
+function polar(fields, [speedField, speed], [angleField, angle], behind = "") {
+  const size = fields.needed(speedField, "size", speed);
+  const turned = fields.needed(angleField, "angle", angle);
+  if (size === "" || turned === "") return [];
+  if (behind && /\b(from|to)\b/.test(turned)) {
+    fields.blame(angleField, "Leave out what the angle is measured from: it is chosen already.");
+  }
+  return [[speedField, size], " at ", [angleField, inDegrees(turned)], behind];
+}
+
+// The angle to the line of centres as one from a direction: that of the line, first to second, or
+// the contrary one, from which the left of the line lies clockwise.
+function turnedFromLine(answers, way, role, typed) {
+  const [sense, side] = way.split("-");
+  const isOnwards = (sense === "towards") === (role === "A");
+  const angle = inDegrees(typed);
+  const isPositive = (side === "left") === isOnwards;
+  const turned = isPositive ? angle : `-${bracketed(angle)}`;
+  switch (answers.line) {
+    case "i":
+      return isOnwards ? turned : `${turned} from -i`;
+    case "angle": {
+      const start = inDegrees(answers.lineAngle.trim()) + (isOnwards ? "" : " + 180°");
+      return `${start} ${isPositive ? `+ ${angle}` : turned.replace("-", "- ")}`;
+    }
+    default: {
+      const origin = answers.line === "j" ? "j" : `(${answers.lineVector.trim()})`;
+      return `${turned} from ${isOnwards ? "" : "-"}${origin}`;
+    }
+  }
+}
+
+function toLine(answers, fields, role, way, [speedField, speed], [angleField, angle]) {
+  if (answers.line === "unknown" || answers.line === "offset") {
+    fields.miss("line", "An angle to the line of centres needs its direction: along i, if none is told.");
+    return [];
+  }
+  const size = fields.needed(speedField, "size", speed);
+  const turned = fields.needed(angleField, "number", angle);
+  const bad = turned && objection(turned, "acute");
+  if (bad) fields.blame(angleField, bad);
+  if (size === "" || turned === "") return [];
+  return [[speedField, size], " at ", [angleField, turnedFromLine(answers, way, role, turned)]];
+}
+
 // The pieces of a velocity, or [] where it is not known.
-function velocity(answers, body, notes) {
-  const told = (key) => clean(answers[body + key]);
-  const [x, y, speed, turned] = ["X", "Y", "Speed", "Angle"].map(told);
-  switch (answers[`${body}Velocity`]) {
+function velocity(answers, role, fields) {
+  const [speed, angle] = ["Speed", "Angle"].map((key) => [role + key, answers[role + key]]);
+  const put = (pieces) => (pieces.length ? ["velocity ", ...pieces] : []);
+  switch (answers[`${role}Velocity`]) {
     case "rest":
       return ["at rest"];
-    case "components": {
-      const both = [["X", x, "i"], ["Y", y, "j"]];
-      const shown = both.filter(([, text]) => text !== "" && text !== "0");
-      if (shown.length === 0) return x === "" && y === "" ? [] : ["velocity ", [`${body}X`, "0i"]];
-      const pieces = shown.map(([key, text, axis], index) => {
-        const { negative, size } = component(text);
-        const sign = index === 0 ? (negative ? "-" : "") : negative ? " - " : " + ";
-        return [body + key, sign + along(size, axis)];
-      });
-      return ["velocity ", ...pieces];
+    case "components":
+      return components(answers, role, fields);
+    case "vector": {
+      const typed = fields.needed(`${role}Vector`, "vector");
+      const [size, turned] = typed.split(/\s+at\s+/);
+      const text = turned === undefined ? typed : `${size} at ${inDegrees(turned)}`;
+      return put(typed && [[`${role}Vector`, text]]);
     }
     case "speed":
-    case "wall": {
-      if (speed === "" || turned === "") {
-        const field = body + (speed === "" ? "Speed" : "Angle");
-        notes.push([field, "Fill this in too, with a letter if it is not known."]);
-        return [];
-      }
-      const [[, struck]] = eventsOf(answers);
-      const towards = answers[`${body}Velocity`] === "wall" ? ` to ${struck}` : "";
-      const turn = [`${body}Angle`, angle(turned) + towards];
-      return ["velocity ", [`${body}Speed`, speed], " at ", turn];
-    }
+      return put(polar(fields, speed, angle));
+    case "wall":
+      return put(polar(fields, speed, angle, ` to ${nameOf(answers, eventsOf(answers)[0][1])}`));
+    case "line":
+      return put(toLine(answers, fields, role, answers[`${role}Way`], speed, angle));
   }
   return [];
 }
 
-function direction(mode, answers, prefix, notes) {
+function direction(mode, fields, prefix) {
   if (mode === "i" || mode === "j") return [`along ${mode}`];
-  if (mode !== "vector" && mode !== "angle") return [];
-  const field = prefix + (mode === "vector" ? "Vector" : "Angle");
-  const text = mode === "vector" ? clean(answers[field]) : angle(answers[field]);
-  if (text === "") {
-    notes.push([field, "Fill this in, or choose another way to say it."]);
-    return [];
+  if (mode === "vector") {
+    const text = fields.needed(`${prefix}Vector`, "vector");
+    return text && ["along ", [`${prefix}Vector`, text]];
   }
-  return ["along ", [field, text]];
+  if (mode === "angle") {
+    const text = fields.needed(`${prefix}Angle`, "number");
+    return text && ["along ", [`${prefix}Angle`, inDegrees(text)]];
+  }
+  return [];
 }
 
 // Properties behind a colon, with commas; without any the colon falls away.
 function line(head, properties) {
-  const told = properties.filter((each) => each.length > 0);
-  return [head, ...told.flatMap((each, index) => [index === 0 ? ": " : ", ", ...each])];
+  const shown = properties.filter((each) => each.length > 0);
+  return [head, ...shown.flatMap((each, index) => [index === 0 ? ": " : ", ", ...each])];
 }
 
-function walls(answers, notes) {
-  if (answers.kind === "walls") {
-    const first = direction(answers.first, answers, "first", notes);
-    if (answers.second !== "between") {
-      const second = direction(answers.second, answers, "second", notes);
-      return [line("wall AB", [first]), line("wall BC", [second])];
-    }
-    const turned = angle(answers.firstAngle);
-    const start = { i: "", j: "90° + ", angle: turned && `${turned} + ` }[answers.first];
-    const between = angle(answers.between);
-    if (between === "") notes.push(["between", "Fill in the angle between the walls."]);
-    const whole = ["between", isSum(between) ? `(${between})` : between];
-    const second = between === "" ? [] : [`along ${start}180° - `, whole];
-    return [line("wall AB", [first]), line("wall BC", [second])];
+function walls(answers, fields) {
+  const head = (role) => `wall ${nameOf(answers, role)}`;
+  if (answers.kind !== "walls") {
+    if (answers.wall === undefined) return [];
+    return [line(head("W"), [direction(answers.wall, fields, "wall")])];
   }
-  if (answers.wall === undefined) return [];
-  return [line("wall W", [direction(answers.wall, answers, "wall", notes)])];
+  const first = line(head("AB"), [direction(answers.first, fields, "first")]);
+  if (answers.second !== "between") {
+    return [first, line(head("BC"), [direction(answers.second, fields, "second")])];
+  }
+  const between = inDegrees(fields.needed("between"));
+  const turned = inDegrees(answers.firstAngle.trim());
+  const start = { i: "", j: "90° + ", angle: turned && `${turned} + ` }[answers.first];
+  if (start === undefined) {
+    fields.miss("second", "Choose how BC runs: beside a wall along a vector it has a direction.");
+  }
+  const second = between ? [`along ${start}180° - `, ["between", bracketed(between)]] : [];
+  return [first, line(head("BC"), [second])];
 }
 
-function impact(answers, index, notes) {
-  const [first, second] = eventsOf(answers)[index];
-  const e = clean(answers[`e${index + 1}`]);
+function impact(answers, index, fields) {
+  const [first, second] = eventsOf(answers)[index].map((role) => nameOf(answers, role));
   const properties = [];
   if (index === 0 && answers.line !== undefined) {
-    const apart = clean(answers.offset);
-    if (answers.line !== "offset") properties.push(direction(answers.line, answers, "line", notes));
-    else if (apart === "") notes.push(["offset", "Fill in the distance between the paths."]);
-    else properties.push(["offset ", ["offset", apart]]);
+    if (answers.line === "offset") {
+      const apart = fields.needed("offset");
+      properties.push(apart && ["offset ", ["offset", apart]]);
+    } else properties.push(direction(answers.line, fields, "line"));
+    if (isPlainWho(answers) && isAway(answers, "A") && isAway(answers, "B")) {
+      fields.blame("BWay", "Both move away from each other: they cannot meet.");
+    }
   }
+  const e = fields.optional(`e${index + 1}`);
   if (e !== "") properties.push(["e = ", [`e${index + 1}`, e]]);
   return line(`${first} hits ${second}`, properties);
 }
 
-function known(answers, notes) {
-  const quantities = new Map(quantitiesOf(answers).map((each) => [each.item, each]));
-  const facts = new Set(factsOf(answers).map(([fact]) => fact));
-  return answers.known.flatMap(({ what, value }, index) => {
+// What a value of a quantity is, as it goes into the statement.
+function valued(quantity, typed, field, fields, kind = null) {
+  const wanted = quantity?.percent ? "percentage"
+    : quantity?.vector ? "vector" : quantity?.angle ? "angle" : "number";
+  const said = typed && objection(typed, kind ?? wanted);
+  if (said) fields.blame(field, said);
+  if (quantity?.angle) return inDegrees(typed);
+  if (quantity?.percent && !typed.includes("%")) return `${typed}%`;
+  return typed;
+}
+
+function known(answers, fields) {
+  const quantities = new Map(quantitiesOf(answers).map((each) => [each.key, each]));
+  const facts = new Set(factsOf(answers).map(({ key }) => key));
+  return answers.known.flatMap(({ what, value, speed, angle, way }, index) => {
     const field = `known${index}`;
+    if (what === "") return [];
     if (facts.has(what)) return [["given ", [field, what]]];
-    const text = quantities.get(what)?.angle ? angle(value) : clean(value);
-    if (what !== "fact" && !quantities.has(what)) return [];
-    if (text === "") {
-      notes.push([field, "Fill in what it is."]);
+    const [, mode, of] = /^(polar|line) (.*)$/.exec(what) ?? [];
+    if (mode) {
+      const quantity = quantities.get(of);
+      if (!quantity) return [];
+      const both = [[`${field}speed`, speed], [`${field}angle`, angle]];
+      const role = spheresOf(answers).find((each) => of.includes(`(${nameOf(answers, each)},`));
+      const pieces = mode === "polar"
+        ? polar(fields, ...both) : toLine(answers, fields, role, way, ...both);
+      return pieces.length ? [[`given ${quantity.item} = `, ...pieces]] : [];
+    }
+    const quantity = quantities.get(what);
+    if (what !== "fact" && !quantity) return [];
+    const typed = value.trim();
+    if (typed === "") {
+      fields.miss(field);
       return [];
     }
-    return [what === "fact" ? ["given ", [field, text]] : [`given ${what} = `, [field, text]]];
+    const text = valued(quantity, typed, field, fields, what === "fact" ? "fact" : null);
+    return [what === "fact" ? ["given ", [field, text]] : [`given ${quantity.item} = `, [field, text]]];
   });
 }
 
-// The lines, and notes [field, text] on what is still missing.
-export function linesOf(answers) {
-  const notes = [];
-  const lines = walls(answers, notes);
-  for (const body of spheresOf(answers)) {
-    const mass = clean(answers[`${body}Mass`]);
-    const radius = answers.line === "offset" ? clean(answers.radius) : "";
-    if (answers.line === "offset" && radius === "") {
-      notes.push(["radius", "An offset needs the radius of the spheres."]);
+function shown(answers, fields) {
+  const quantities = new Map(quantitiesOf(answers).map((each) => [each.key, each]));
+  const facts = new Set(factsOf(answers).map(({ key }) => key));
+  return answers.shows.flatMap(({ what, sign, value }, index) => {
+    const field = `shown${index}`;
+    if (what === "") return [];
+    if (facts.has(what)) return [["show ", [field, what]]];
+    const quantity = quantities.get(what);
+    if (what !== "relation" && !quantity) return [];
+    const typed = value.trim();
+    if (typed === "") {
+      fields.miss(field, "Fill in what is to be shown.");
+      return [];
     }
-    lines.push(line(`sphere ${body}`, [
-      mass ? ["mass ", [`${body}Mass`, mass]] : [],
-      velocity(answers, body, notes),
+    if (what === "relation") {
+      const said = objection(typed, "fact");
+      if (said) fields.blame(field, said);
+      return [["show ", [field, typed]]];
+    }
+    const text = valued(quantity, typed, field, fields, quantity.percent ? null : "shown");
+    return [[`show ${quantity.item} ${sign} `, [field, text]]];
+  });
+}
+
+function found(answers, fields) {
+  const offered = quantitiesOf(answers);
+  const asked = offered.filter(({ key }) => answers.asked.includes(key));
+  const also = fields.optional("also", "items");
+  const letters = fields.optional("terms", "items");
+  const terms = letters ? [" in terms of ", ["terms", letters]] : [];
+  const lines = [];
+  // A percentage goes with all that stands before it on its line, so it has a line to itself.
+  const together = asked.filter(({ key }) => !isPercentage(key)).map(({ item }) => item);
+  if (together.length) lines.push([["asked", `find ${together.join(", ")}`], ...terms]);
+  for (const { item, key } of asked) {
+    if (isPercentage(key)) lines.push([["asked", `find ${item}${PERCENT}`], ...terms]);
+  }
+  if (also) lines.push(["find ", ["also", also], ...terms]);
+  return lines;
+}
+
+// The lines, what is `missing`, and what is `wrong`, both as [field, text].
+export function linesOf(answers) {
+  const fields = reader(answers);
+  const title = fields.optional("title", "title");
+  const lines = title ? [["title ", ["title", title]]] : [];
+  lines.push(...walls(answers, fields));
+  const radius = answers.line === "offset" ? fields.needed("radius") : "";
+  for (const role of spheresOf(answers)) {
+    const mass = fields.optional(`${role}Mass`);
+    lines.push(line(`sphere ${nameOf(answers, role)}`, [
+      mass ? ["mass ", [`${role}Mass`, mass]] : [],
+      velocity(answers, role, fields),
       radius ? ["radius ", ["radius", radius]] : [],
     ]));
   }
-  eventsOf(answers).forEach((_, index) => lines.push(impact(answers, index, notes)));
-  lines.push(...known(answers, notes));
-  const offered = quantitiesOf(answers).map(({ item }) => item);
-  const asked = offered.filter((item) => answers.asked.includes(item));
-  const letters = clean(answers.letters);
-  // A percentage goes with all that stands before it on its line, so it has a line to itself.
-  const alone = asked.filter((item) => item.endsWith("percentage"));
-  const together = asked.filter((item) => !alone.includes(item));
-  if (together.length > 0) lines.push([["asked", `find ${together.join(", ")}`]]);
-  for (const item of alone) lines.push([["asked", `find ${item}`]]);
-  if (letters) lines.push(["find ", ["letters", letters]]);
-  if (asked.length === 0 && !letters) notes.push(["asked", "Choose at least one thing to find."]);
-  return { lines, notes };
+  for (let index = 0; index < countOf(answers); index += 1) lines.push(impact(answers, index, fields));
+  lines.push(...known(answers, fields));
+  const finds = found(answers, fields);
+  const shows = shown(answers, fields);
+  lines.push(...finds, ...shows);
+  if (finds.length + shows.length === 0) fields.miss("asked", "Choose at least one thing to find.");
+  return { lines, missing: fields.missing, wrong: fields.wrong };
 }
 
 const textOf = (pieces) =>

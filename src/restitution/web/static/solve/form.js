@@ -1,30 +1,43 @@
 // A form that writes the statement, for those who would rather not type a language.
+//
+// What is typed into it is either the question that is solved, or it is told that it is not: a field
+// that is missing or cannot be read leaves the last good statement as it is.
 
 import { ask, sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
 import {
-  KINDS, defaultsOf, eventsOf, factsOf, fieldAt, linesOf, objection, quantitiesOf, spheresOf,
-  statementOf,
-} from "./form-statement.js";
-import { picture } from "./form-pictures.js";
+  KINDS, countOf, emptyOf, eventsOf, isPlainWho, nameOf, noFact, noResult, spheresOf,
+} from "./form-model.js";
+import { moving, picture } from "./form-pictures.js";
+import { factsOf, quantitiesOf } from "./form-quantities.js";
+import { answersOf } from "./form-reading.js";
+import { fieldAt, linesOf, statementOf } from "./form-statement.js";
 
-const PAUSE = 400; // ms after the last key until the server reads the statement
+const PAUSE = 250; // ms after the last key until the server reads the statement
+const nothing = () => {};
 
-// `onStatement(text)` is told the statement at each change.
-export function mountForm(element, { onStatement }) {
-  const answers = new Map(KINDS.map(([kind]) => [kind, defaultsOf(kind)]));
+// `onStatement(text)` is told each statement that can be read; `onState(state)` that the fields are
+// being read, are all read, or that some are not: { kind, problems: [{ field, label, said }] }.
+// `current()` is the text in the editor.
+export function mountForm(element, { onStatement, onState = nothing, current = () => "" }) {
+  const filled = new Map(KINDS.map(([kind]) => [kind, emptyOf(kind)]));
   let kind = KINDS[0][0];
   let waiting = null;
   let asking = new AbortController();
-  const now = () => answers.get(kind);
+  let own = ""; // the text of the editor that these fields stand for
+  let ready = null; // the statement that waits until it may replace another
+  let problems = [];
+  const now = () => filled.get(kind);
 
   const body = html("div", { class: "fields" });
   const text = html("code", {});
   const trouble = html("p", { class: "trouble", role: "status" });
+  const beside = html("div", { class: "beside", role: "status" });
   const root = html("form", { class: "filling", autocomplete: "off", novalidate: true },
     html("p", { class: "intro" },
-      "Fill in what the question tells; the statement grows as you do, and goes into the editor. ",
-      "The form starts afresh each time: it does not read what stands in the editor."),
+      "Fill in what the question tells; the statement goes into the editor as soon as all of it can ",
+      "be read. Grey words are examples, and count for nothing."),
+    beside,
     html("div", { class: "layout" },
       body,
       html("section", { class: "written", "aria-labelledby": "form-written" },
@@ -35,7 +48,11 @@ export function mountForm(element, { onStatement }) {
 
   root.addEventListener("submit", (event) => {
     event.preventDefault();
-    onStatement(statementOf(now()));
+    if (problems.length || waiting !== null || ready !== null) {
+      event.stopPropagation(); // the form stays open
+      goTo(problems[0]?.field);
+      if (ready !== null) beside.querySelector("button").focus();
+    } else onStatement(statementOf(now()));
   });
   root.addEventListener("input", (event) => {
     keep(event.target);
@@ -45,19 +62,25 @@ export function mountForm(element, { onStatement }) {
   // What a field holds goes into the answers; what changes the fields themselves shows them anew.
   function keep(field) {
     const { name, value, type, checked } = field;
-    const row = /^(what|known)(\d+)$/.exec(name);
+    const row = /^(known|shown)(\d+)(what|sign|speed|angle|way)?$/.exec(name);
     if (name === "kind") kind = value;
     else if (name === "asked") {
       const others = now().asked.filter((item) => item !== value);
       now().asked = checked ? [...others, value] : others;
-    } else if (row) now().known[row[2]][row[1] === "what" ? "what" : "value"] = value;
-    else now()[name] = value;
+    } else if (row) {
+      const rows = row[1] === "known" ? now().known : now().shows;
+      rows[row[2]][row[3] ?? "value"] = value;
+    } else now()[name] = value;
     if (type === "radio" || field.tagName === "SELECT") show(field);
     else refresh();
   }
 
   function show(from = null) {
+    const open = new Set([...body.querySelectorAll("details[open]")].map(({ id }) => id));
     body.replaceChildren(...fieldsets(now()));
+    for (const each of body.querySelectorAll("details")) {
+      each.open = open.has(each.id) || each.querySelector(":checked") !== null;
+    }
     if (!from) return;
     const wanted = `[name="${from.name}"]${from.type === "radio" ? `[value="${from.value}"]` : ""}`;
     body.querySelector(wanted)?.focus();
@@ -71,36 +94,79 @@ export function mountForm(element, { onStatement }) {
   }
 
   function changed() {
+    const { missing, wrong } = linesOf(now());
     const statement = statementOf(now());
-    write(statement);
-    onStatement(statement);
-    clearTimeout(waiting);
-    asking.abort();
-    waiting = setTimeout(() => check(statement), PAUSE);
-  }
-
-  function write(statement) {
     text.textContent = statement;
-    mark(linesOf(now()).notes);
+    clearTimeout(waiting);
+    waiting = null;
+    asking.abort();
+    mark(missing, wrong);
+    if (missing.length + wrong.length) return tell("unread");
+    tell("reading");
+    waiting = setTimeout(check, PAUSE, statement);
   }
 
   async function check(statement) {
-    asking = new AbortController();
+    const mine = new AbortController();
+    asking = mine;
     try {
-      const { errors } = await ask("check", { statement }, { signal: asking.signal });
-      const told = errors.map(({ message, line, column }) =>
-        [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]);
-      mark(linesOf(now()).notes, told);
-    } catch {
-      // Gone on typing, or a server that is busy: the editor tells that.
+      const { errors } = await ask("check", { statement }, { signal: mine.signal });
+      mark([], errors.map(({ message, line, column }) =>
+        [line ? fieldAt(now(), line, column ?? 1) : null, sentence(message)]));
+    } catch (error) {
+      if (error.name === "AbortError") return; // gone on typing
+      // The server is busy: whoever solves the statement tells that.
     }
+    if (mine.signal.aborted) return;
+    waiting = null;
+    if (problems.length) tell("unread");
+    else put(statement);
+  }
+
+  // The statement goes into the editor, but never unasked over what somebody typed there.
+  function put(statement) {
+    const typed = current();
+    if (typed.trim() && typed !== own && typed !== statement) {
+      ready = statement;
+      offer();
+      tell("waiting");
+      return;
+    }
+    settled(statement);
+    onStatement(statement);
+  }
+
+  function settled(statement) {
+    own = statement;
+    ready = null;
+    beside.replaceChildren();
+    tell("read");
+  }
+
+  function offer() {
+    if (beside.querySelector("button")) return;
+    beside.replaceChildren(
+      html("p", {}, "The editor holds a statement that was not written here. Put this question in ",
+        "its place? The browser’s Back brings it back."),
+      button("Replace it", () => {
+        const statement = ready;
+        if (statement === null) return;
+        settled(statement);
+        onStatement(statement);
+      }, { class: "main" }));
+  }
+
+  function tell(state) {
+    if (state !== "waiting") {
+      ready = null;
+      if (beside.querySelector("button")) beside.replaceChildren();
+    }
+    onState({ kind: state, problems: state === "unread" ? problems : [], goTo });
   }
 
   // Shows what is missing and what is wrong, each as [field, text], at its field; what belongs to
   // no field stands below the statement.
-  function mark(missing, wrong = []) {
-    const objections = [...body.querySelectorAll("input[type=text]")]
-      .map((field) => [field.name, objection(field.value)]).filter(([, said]) => said);
+  function mark(missing, wrong) {
     for (const place of body.querySelectorAll(".problem")) {
       place.textContent = "";
       place.classList.remove("missing");
@@ -109,196 +175,374 @@ export function mountForm(element, { onStatement }) {
       each.removeAttribute("aria-invalid");
     }
     const rest = [];
-    const put = ([name, message], isWrong) => {
+    problems = [];
+    const put = ([name, said], isWrong) => {
       const place = name && body.querySelector(`#problem-${name}`);
-      if (!place) {
-        if (isWrong) rest.push(message);
-      } else if (!place.textContent) {
-        place.textContent = message;
+      problems.push({ field: place ? name : null, label: place ? labelOf(name) : null, said, isWrong });
+      if (!place) rest.push(said);
+      else if (!place.textContent) {
+        place.textContent = said;
         place.classList.toggle("missing", !isWrong);
         const typed = isWrong && body.querySelector(`input[type=text][name="${name}"]`);
         if (typed) typed.setAttribute("aria-invalid", "true");
       }
     };
-    for (const each of [...objections, ...wrong]) put(each, true);
+    for (const each of wrong) put(each, true);
     for (const each of missing) put(each, false);
     trouble.textContent = rest.join(" ");
   }
 
+  // What a field is called, with the group that it stands in.
+  function labelOf(name) {
+    const place = body.querySelector(`#problem-${name}`);
+    const group = place.closest("fieldset").querySelector("legend").textContent;
+    const label = place.closest(".field")?.querySelector("label")?.firstChild.textContent;
+    return label ? `${group}: ${label}` : group;
+  }
+
+  function goTo(name) {
+    const place = name && body.querySelector(`#problem-${name}`);
+    const field = place?.parentElement.querySelector("input, select");
+    field?.focus();
+  }
+
   show();
-  write(statementOf(now()));
+  text.textContent = statementOf(now());
   element.append(root);
+
+  // --- reading what stands in the editor ----------------------------------------------------------
+
+  let reading = new AbortController();
+
+  // The fields are filled in from a statement, where they can hold it.
+  async function read(statement) {
+    reading.abort();
+    if (statement === own) return repeat();
+    clearTimeout(waiting);
+    waiting = null;
+    asking.abort();
+    if (!statement.trim()) {
+      filled.set(kind, emptyOf(kind));
+      return fill(statement);
+    }
+    const mine = new AbortController();
+    reading = mine;
+    let outline = null;
+    try {
+      ({ outline } = await ask("outline", { statement }, { signal: mine.signal }));
+    } catch {
+      return;
+    }
+    if (mine.signal.aborted) return;
+    const { answers, reason, line } = outline === null
+      ? { reason: "it cannot be read yet" } : answersOf(outline, statement);
+    if (answers) {
+      kind = answers.kind;
+      filled.set(kind, answers);
+      fill(statement);
+    } else {
+      own = null;
+      tell("apart");
+      const where = line ? ` (line ${line})` : "";
+      beside.replaceChildren(html("p", {}, "These fields are not filled in from the editor: ",
+        `${reason}${where}. What stands there is left as it is until you say otherwise.`));
+    }
+  }
+
+  function fill(statement) {
+    show();
+    mark([], []);
+    text.textContent = statementOf(now());
+    settled(statement);
+  }
+
+  function repeat() {
+    if (problems.length) tell("unread");
+  }
+
+  return { read };
 
   // --- fields ---------------------------------------------------------------------------------
 
-  function fieldsets(told) {
-    const [first] = eventsOf(told);
-    const many = eventsOf(told).length > 1;
+  function fieldsets(answers) {
     return [
-      kinds(),
-      ...(told.kind === "walls" ? [twoWalls(told)] : told.wall === undefined ? [] : [wall(told)]),
-      ...spheresOf(told).map((name) => sphere(told, name)),
-      ...(told.line === undefined ? [] : [centres(told)]),
-      restitution(told, first, many),
-      knownFields(told),
-      askedFields(told),
+      kinds(answers),
+      ...(answers.kind === "walls"
+        ? [twoWalls(answers)] : answers.wall === undefined ? [] : [wall(answers)]),
+      ...(answers.line === undefined ? [] : [centres(answers)]),
+      ...spheresOf(answers).map((role) => sphere(answers, role)),
+      restitution(answers),
+      knownFields(answers),
+      askedFields(answers),
+      shownFields(answers),
     ];
   }
 
-  function kinds() {
-    return group("What happens?", html("div", { class: "kinds" }, ...KINDS.map(([value, label]) =>
-      html("label", { class: "kind" },
-        html("input", { type: "radio", name: "kind", value, checked: value === kind }),
-        picture(value), html("span", {}, label)))));
+  function kinds(answers) {
+    return group("What happens?",
+      html("div", { class: "kinds" }, ...KINDS.map(([value, label]) =>
+        html("label", { class: "kind" },
+          html("input", { type: "radio", name: "kind", value, checked: value === kind }),
+          picture(value), html("span", {}, label)))),
+      field(answers, "title", "Title", { optional: true, example: "such as Exercise 5, question 3" }));
   }
 
-  function wall(told) {
+  function wall(answers) {
     const more = [["unknown", "not known"]];
-    return group("The wall W",
-      choice(told, "wall", "It runs", [...WAYS, ...more]), ...way(told, "wall", told.wall));
+    return group(`The wall ${nameOf(answers, "W")}`,
+      choice(answers, "wall", "It runs", [...WAYS, ...more]), ...way(answers, "wall", answers.wall));
   }
 
-  function twoWalls(told) {
-    return group("The walls AB and BC",
+  function twoWalls(answers) {
+    const [first, second] = ["AB", "BC"].map((role) => nameOf(answers, role));
+    const turned = [["between", `at an angle to ${first}`]];
+    return group(`The walls ${first} and ${second}`,
       picture("between"),
-      choice(told, "first", "AB runs", WAYS.filter(([value]) => value !== "vector")),
-      ...way(told, "first", told.first),
-      choice(told, "second", "BC runs", [["between", "at an angle to AB"], ...WAYS]),
-      ...(told.second === "between"
-        ? [field(told, "between", "Angle ABC between the walls", { hint: "such as 120°" })]
-        : way(told, "second", told.second)));
+      choice(answers, "first", `${first} runs`, WAYS), ...way(answers, "first", answers.first),
+      choice(answers, "second", `${second} runs`,
+        answers.first === "vector" && answers.second !== "between" ? WAYS : [...turned, ...WAYS]),
+      ...(answers.second === "between"
+        ? [field(answers, "between", "Angle between the walls, where the sphere is",
+          { example: "such as 120" })]
+        : way(answers, "second", answers.second)));
   }
 
-  function way(told, prefix, mode) {
+  function way(answers, prefix, mode) {
     if (mode === "vector") {
-      return [field(told, `${prefix}Vector`, "Direction", { hint: "such as 3i + 4j" })];
+      return [field(answers, `${prefix}Vector`, "Direction", { example: "such as 3i + 4j" })];
     }
     if (mode !== "angle") return [];
-    const hint = "anticlockwise, such as 30° or theta";
-    return [field(told, `${prefix}Angle`, "Angle from i", { hint })];
+    return [field(answers, `${prefix}Angle`, "Angle from i, in degrees",
+      { hint: "anticlockwise", example: "such as 30, or theta" })];
   }
 
-  function sphere(told, name) {
-    const [, struck] = eventsOf(told)[0];
-    const toWall = spheresOf(told).length === 1;
+  function sphere(answers, role) {
+    const name = nameOf(answers, role);
+    const struck = nameOf(answers, eventsOf(answers)[0][1]);
+    const toWall = spheresOf(answers).length === 1;
     const ways = [
       ["components", "by its i and j components"],
-      ...(toWall ? [["wall", `by its speed and angle to ${struck}`]] : []),
-      ["speed", "by its speed and direction"],
+      ...(toWall ? [["wall", `by its speed and angle to ${struck}`]]
+        : [["line", "by its speed and angle to the line of centres"]]),
+      ["speed", "by its speed and direction from i"],
+      ["vector", "by a vector in one piece"],
       ...(toWall ? [] : [["rest", "at rest"]]),
       ["unknown", "not known"],
     ];
-    const mode = told[`${name}Velocity`];
-    const speedAnd = (label, hint) =>
-      row(field(told, `${name}Speed`, "Speed"), field(told, `${name}Angle`, label, { hint }));
-    const by = {
+    const mode = answers[`${role}Velocity`];
+    const speedAnd = (label, options) =>
+      row(field(answers, `${role}Speed`, "Speed", { example: "such as 5, or u" }),
+        field(answers, `${role}Angle`, label, options));
+    const fields = {
       components: () => [row(...["i", "j"].map((axis) =>
-        field(told, name + (axis === "i" ? "X" : "Y"), [html("b", {}, axis), " component"])))],
-      wall: () => [
-        picture("angle", struck), speedAnd(`Angle to ${struck}`, "such as 60° or alpha"),
-      ],
-      speed: () => [speedAnd("Direction from i", "anticlockwise: 60°, -alpha, or alpha from -i")],
+        field(answers, role + (axis === "i" ? "X" : "Y"), [html("b", {}, axis), " component"],
+          { example: axis === "i" ? "such as 3, or u" : "such as -4, or 0" })))],
+      wall: () => [picture("angle", struck),
+        speedAnd(`Angle to ${struck}, in degrees`, { example: "such as 60, or alpha" })],
+      line: () => [
+        speedAnd("Angle to the line of centres, in degrees", { example: "such as 60, or alpha" }),
+        senses(answers, `${role}Way`, role, answers[`${role}Way`])],
+      speed: () => [speedAnd("Direction from i, in degrees",
+        { hint: "anticlockwise; or from another vector", example: "such as 60, or alpha from -i" })],
+      vector: () => [field(answers, `${role}Vector`, "Velocity",
+        { example: "such as 2(3i - 4j), or u at 60 from -j" })],
     }[mode];
-    const hint = "a number or a letter, such as 2 or 3m";
     return group(`Sphere ${name}`,
-      field(told, `${name}Mass`, "Mass", { optional: true, hint }),
-      choice(told, `${name}Velocity`, "Velocity before", ways), ...(by ? by() : []));
+      field(answers, `${role}Mass`, "Mass", { optional: true, example: "such as 2, or 3m" }),
+      choice(answers, `${role}Velocity`, "Velocity before", ways), ...(fields ? fields() : []));
   }
 
-  function centres(told) {
+  // How a sphere moves along the line of centres, and to which side, chosen on a picture.
+  function senses(answers, name, role, chosen) {
+    const body_ = nameOf(answers, role);
+    const other = nameOf(answers, role === "A" ? "B" : "A");
+    const sides = SIDES[answers.line] ?? SIDES.other;
+    const options = ["towards-left", "towards-right", "away-left", "away-right"].map((value) => {
+      const [sense, side] = value.split("-");
+      const along = sense === "towards" ? `towards ${other}` : `away from ${other}`;
+      const label = `${along}, ${sides[side]}`;
+      return html("label", { class: "kind" },
+        html("input", { type: "radio", name, value, checked: value === chosen }),
+        moving(answers.line, role, value, answers.names), html("span", {}, label));
+    });
+    return html("div", { class: "field", role: "radiogroup", "aria-label": `How ${body_} moves` },
+      html("div", { class: "kinds senses" }, ...options),
+      html("p", { class: "problem", id: `problem-${name}` }));
+  }
+
+  function centres(answers) {
     const ways = [
       ...WAYS, ["offset", "as the distance between the paths tells"], ["unknown", "not known"],
     ];
-    const apart = told.line === "offset";
-    const hint = "positive where B lies to the left";
+    const apart = answers.line === "offset";
+    const [a, b] = ["A", "B"].map((role) => nameOf(answers, role));
+    const who = isPlainWho(answers) ? [] : [choice(answers, "order", "Which strikes the other", [
+      ["AB", `${a} hits ${b}`], ["BA", `${b} hits ${a}`]],
+    "where both move the same way along the line of centres, the faster one")];
     return group("The line of centres", picture(apart ? "offset" : "line"),
-      choice(told, "line", "It lies", ways), ...way(told, "line", told.line),
+      choice(answers, "line", "It lies", ways,
+        "along i, drawn from left to right, where the question names no vectors"),
+      ...way(answers, "line", answers.line),
       ...(apart
-        ? [row(field(told, "offset", "Distance between the paths", { hint }),
-          field(told, "radius", "Radius of both spheres"))]
-        : []));
+        ? [row(field(answers, "offset", "Distance between the paths",
+          { hint: "positive where the one struck lies to the left", example: "such as 1.6r" }),
+        field(answers, "radius", "Radius of both spheres", { example: "such as r" }))]
+        : []), ...who);
   }
 
-  function restitution(told, [first, second], many) {
-    const label = (index) => {
-      const [a, b] = eventsOf(told)[index];
-      return many ? `e where ${a} hits ${b}` : "e";
-    };
-    const one = `${first} hits ${second}: coefficient of restitution`;
-    const more = { optional: true, hint: "left out, it is the letter e" };
-    return group(many ? "Coefficients of restitution" : one,
-      row(...eventsOf(told).map((_, i) => field(told, `e${i + 1}`, label(i), more))));
+  function restitution(answers) {
+    const many = countOf(answers) > 1;
+    const hits = eventsOf(answers).map((event) =>
+      event.map((role) => nameOf(answers, role)).join(" hits "));
+    const hint = many ? "left out, it is the letter e at both" : "left out, it is the letter e";
+    const fields = hits.map((each, index) => field(answers, `e${index + 1}`,
+      many ? `e where ${each}` : "e", { optional: true, hint, example: "such as 1/2" }));
+    return group(many ? "Coefficients of restitution" : `${hits[0]}: coefficient of restitution`,
+      row(...fields));
   }
 
-  function knownFields(told) {
-    const quantities = quantitiesOf(told).filter((each) => !each.fixed);
-    const rows = told.known.map(({ what, value }, index) => {
-      const chosen = quantities.find(({ item }) => item === what);
-      const [whats, values] = [`what${index}`, `known${index}`];
+  function knownFields(answers) {
+    const quantities = quantitiesOf(answers).filter((each) => !each.fixed);
+    const facts = factsOf(answers);
+    const rows = answers.known.map((each, index) => {
+      const name = `known${index}`;
       const begins = index === 0 ? "It is known that" : "and that";
-      const select = choice({ [whats]: what }, whats, begins, [
-        ["", "nothing more"], ...quantities.map(({ item, label }) => [item, label]),
-        ...factsOf(told), ["fact", "another fact, such as tan(alpha) = 3/4"],
-      ]);
-      if (what === "fact") {
-        const hint = "such as tan(alpha) = 3/4, or k > 1";
-        return [select, field({ [values]: value }, values, "The fact", { hint })];
-      }
-      if (!chosen) return [select];
-      const hint = chosen.vector ? "such as 4i + 2j" : chosen.angle ? "such as 90°" : null;
-      return [select, field({ [values]: value }, values, "is equal to", { hint })];
+      const pairs = quantities.filter(({ vector }) => vector).flatMap(({ key, label, group: of }) => {
+        const speed = label.replace("velocity", "speed and direction");
+        const line = label.replace("velocity", "speed and angle to the line of centres");
+        const withLine = of.startsWith("P ") || !key.endsWith(", 1)") || answers.line === undefined;
+        return [{ key: `polar ${key}`, label: `${speed}, from i`, group: of },
+          ...(withLine ? [] : [{ key: `line ${key}`, label: line, group: of }])];
+      });
+      const options = [["", "nothing more"], ["fact", "another fact, such as tan(alpha) = 3/4"],
+        ...grouped([...quantities, ...pairs, ...facts])];
+      const select = choice({ [`${name}what`]: each.what }, `${name}what`, begins, options);
+      return [select, ...valueFields(answers, each, name, quantities)];
     });
-    const another = button("Another fact", () => {
-      told.known.push({ what: "", value: "" });
-      show({ name: `what${told.known.length - 1}` });
-    });
-    const full = told.known.at(-1).what !== "";
-    return group("What else is known", ...rows.flat(), full ? another : null);
+    const full = answers.known.at(-1).what !== "";
+    return group("What else is known", ...rows.flat(), full ? button("Another fact", () => {
+      answers.known.push(noFact());
+      show({ name: `known${answers.known.length - 1}what` });
+    }) : null);
   }
 
-  function askedFields(told) {
-    const offered = quantitiesOf(told);
-    const boxes = offered.map(({ item, label }) => {
-      const checked = told.asked.includes(item);
-      return html("label", { class: "box" },
-        html("input", { type: "checkbox", name: "asked", value: item, checked }),
-        html("span", {}, label));
-    });
+  function valueFields(answers, each, name, quantities) {
+    const { what } = each;
+    const put = (end, label, options) =>
+      field({ [name + end]: each[end || "value"] }, name + end, label, options);
+    if (what === "fact") {
+      return [put("", "The fact", { example: "such as tan(alpha) = 3/4, or k > 1" })];
+    }
+    const [, mode, key] = /^(polar|line) (.*)$/.exec(what) ?? [];
+    const speed = () => put("speed", "Speed", { example: "such as 2, or v" });
+    if (mode === "polar") {
+      return [row(speed(), put("angle", "Direction from i, in degrees",
+        { hint: "anticlockwise", example: "such as 30" }))];
+    }
+    if (mode === "line") {
+      const role = spheresOf(answers).find((one) => key.includes(`(${nameOf(answers, one)},`));
+      const angle = put("angle", "Angle to the line of centres, in degrees", { example: "such as 30" });
+      return [row(speed(), angle), senses(answers, `${name}way`, role, each.way)];
+    }
+    const chosen = quantities.find((one) => one.key === what);
+    return chosen ? [put("", "is equal to", exampleOf(chosen))] : [];
+  }
+
+  function askedFields(answers) {
+    const offered = quantitiesOf(answers);
+    const groups = [...Map.groupBy(offered, (each) => each.group)].map(([name, members]) =>
+      html("div", { class: "boxes", role: "group", "aria-label": name },
+        html("p", { class: "name", "aria-hidden": "true" }, name),
+        ...members.map(({ key, label }) => html("label", { class: "box" },
+          html("input", {
+            type: "checkbox", name: "asked", value: key, checked: answers.asked.includes(key),
+          }),
+          html("span", {}, label)))));
     const made = group("What is to be found?",
-      html("div", { class: "boxes" }, ...boxes),
+      ...groups,
       html("p", { class: "problem", id: "problem-asked" }),
-      field(told, "letters", "Letters to be found", { hint: "such as alpha, k" }));
+      field(answers, "also", "Also to be found", {
+        hint: "letters, or quantities of the language", example: "such as alpha, k, range of e" }),
+      field(answers, "terms", "In terms of", { optional: true, example: "such as u, e" }));
     made.classList.add("asked");
-    made.dataset.offered = offered.map((each) => each.item).join();
+    made.dataset.offered = offered.map((each) => each.key).join();
     return made;
+  }
+
+  function shownFields(answers) {
+    const quantities = quantitiesOf(answers).filter(({ vector, fixed }) => !vector && !fixed);
+    const rows = answers.shows.map((each, index) => {
+      const name = `shown${index}`;
+      const options = [["", "nothing more"], ["relation", "another result, such as tan(beta) = e"],
+        ...grouped([...quantities, ...factsOf(answers)])];
+      const select = choice({ [`${name}what`]: each.what }, `${name}what`,
+        index === 0 ? "Show that" : "and that", options);
+      if (each.what === "relation") {
+        const value = { [name]: each.value };
+        return [select, field(value, name, "The result", { example: "such as e = 1/3" })];
+      }
+      const chosen = quantities.find(({ key }) => key === each.what);
+      if (!chosen) return [select];
+      return [select, row(
+        choice({ [`${name}sign`]: each.sign }, `${name}sign`, "is", SIGNS),
+        field({ [name]: each.value }, name, "this", exampleOf(chosen)))];
+    });
+    const full = answers.shows.at(-1).what !== "";
+    return group("What is to be shown?", ...rows.flat(), full ? button("Another result", () => {
+      answers.shows.push(noResult());
+      show({ name: `shown${answers.shows.length - 1}what` });
+    }) : null);
   }
 }
 
 const WAYS = [
   ["i", "along i"], ["j", "along j"], ["vector", "along another vector"], ["angle", "at an angle"],
 ];
+const SIDES = {
+  i: { left: "up", right: "down" },
+  j: { left: "to the left", right: "to the right" },
+  other: { left: "to its left", right: "to its right" },
+};
+const SIGNS = [["=", "equal to"], ["<", "less than"], ["<=", "at most"], [">", "more than"],
+  [">=", "at least"]];
+
+const exampleOf = ({ vector, angle, percent }) => ({
+  example: vector ? "such as 4i + 2j" : angle ? "such as 90, in degrees"
+    : percent ? "such as 60, in per cent" : "such as 3, or u/2",
+});
 
 const group = (legend, ...inside) => html("fieldset", {}, html("legend", {}, legend), ...inside);
 const row = (...fields) => html("div", { class: "row" }, ...fields);
 
-function field(told, name, label, { hint = null, optional = false } = {}) {
+// Options by the groups that they belong to.
+const grouped = (members) =>
+  [...Map.groupBy(members, (each) => each.group)].map(([label, each]) =>
+    ({ label, options: each.map(({ key, label: said }) => [key, said]) }));
+
+function field(answers, name, label, { hint = null, optional = false, example = null } = {}) {
   const id = `form-${name}`;
   const described = [hint && `hint-${name}`, `problem-${name}`].filter(Boolean).join(" ");
   return html("div", { class: "field" },
     html("label", { for: id }, label,
       optional ? html("span", { class: "quiet" }, " (if told)") : null),
     html("input", {
-      id, name, type: "text", value: told[name], maxlength: 80, spellcheck: "false",
+      id, name, type: "text", value: answers[name], spellcheck: "false",
       autocapitalize: "off", autocomplete: "off", "aria-describedby": described,
+      placeholder: example,
     }),
     hint ? html("p", { class: "hint", id: `hint-${name}` }, hint) : null,
     html("p", { class: "problem", id: `problem-${name}` }));
 }
 
-function choice(told, name, label, ways) {
+function choice(answers, name, label, ways, hint = null) {
   const id = `form-${name}`;
+  const option = ([value, said]) =>
+    html("option", { value, selected: answers[name] === value }, said);
   return html("div", { class: "field" },
     html("label", { for: id }, label),
-    html("select", { id, name }, ways.map(([value, said]) =>
-      html("option", { value, selected: told[name] === value }, said))));
+    html("select", { id, name, "aria-describedby": hint && `hint-${name}` }, ways.map((each) =>
+      Array.isArray(each) ? option(each)
+        : html("optgroup", { label: each.label }, each.options.map(option)))),
+    hint ? html("p", { class: "hint", id: `hint-${name}` }, hint) : null,
+    html("p", { class: "problem", id: `problem-${name}` }));
 }

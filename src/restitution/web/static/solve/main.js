@@ -2,6 +2,7 @@
 
 import { draft, hold, linkable, onReturn, told } from "./address.js";
 import { makeEditor } from "./editor.js";
+import { makeForeign } from "./foreign.js";
 import { makeMotion } from "./motion.js";
 import { makeNotice } from "./notice.js";
 import { makeOpening } from "./opening.js";
@@ -21,12 +22,13 @@ const PATIENCE = 500; // ms for which mistakes are not shown while one types on
 const SLOW = 1200; // ms after which it is said that the solution takes its time
 
 const results = $("results");
-const editor = makeEditor($("editor"), words, { onInput: typed });
+const editor = makeEditor($("editor"), words, { onInput: byHand });
 const pictures = makePictures($("pictures"));
 const working = makeWorking($("working"));
 const motion = makeMotion($("motion"));
 const solver = makeSolver(show);
 const notice = makeNotice($("notice"), () => solver.solve(editor.text));
+const foreign = makeForeign($("foreign"), results);
 const look = keepReachable($("answers"), "li");
 const share = makeShare($("share"), now, { sheet, say });
 const opening = makeOpening($("opening"), $("solve"), {
@@ -40,6 +42,11 @@ function typed(text) {
   clearTimeout(settling);
   settling = setTimeout(settle, SETTLED, text);
   solver.typed(text);
+}
+
+function byHand(text) {
+  typed(text);
+  readIntoForm();
 }
 
 function settle(text) {
@@ -56,6 +63,12 @@ function replace(text) {
   editor.put(text);
   $("long").hidden = linkable(text);
   solver.solve(text);
+}
+
+// The same from elsewhere than the form, which reads it.
+function replaceAll(text) {
+  replace(text);
+  readIntoForm(0);
 }
 
 // --- what is shown -------------------------------------------------------------------------------
@@ -152,6 +165,8 @@ const examples = makePanel("Examples", "examples", lazily(
   ({ mountGallery }, body, close) =>
     mountGallery(body, { onChoose: (_, text) => chosen(text, close) }),
 ));
+let fields = null; // the form, once it has been opened
+let reading = 0;
 
 async function browse(topic) {
   const gallery = await examples();
@@ -161,7 +176,12 @@ async function browse(topic) {
 const form = makeFold($("form"), $("filling"), lazily(
   "form.css",
   () => import("./form.js"),
-  ({ mountForm }, body) => mountForm(body, { onStatement: written }),
+  ({ mountForm }, body) => {
+    fields = mountForm(body, {
+      onStatement: written, onState: foreign.put, current: () => editor.text,
+    });
+    fields.read(editor.text);
+  },
 ));
 const help = makePanel("The language", "language", lazily(
   null,
@@ -171,7 +191,7 @@ const help = makePanel("The language", "language", lazily(
 
 function chosen(text, close) {
   close();
-  replace(text);
+  replaceAll(text);
   editor.focus();
 }
 
@@ -206,9 +226,19 @@ $("begin").addEventListener("click", () => {
   start(null);
 });
 $("examples").addEventListener("click", () => browse(null));
+// What is typed by hand goes into the form as well, while it is open.
+function readIntoForm(pause = PATIENCE) {
+  clearTimeout(reading);
+  if (!fields || $("filling").hidden) return;
+  foreign.put({ kind: "read", problems: [] });
+  reading = setTimeout(() => fields.read(editor.text), pause);
+}
+
 $("form").addEventListener("click", () => {
   writing = false;
   form();
+  if ($("filling").hidden) foreign.put({ kind: "read", problems: [] });
+  else readIntoForm(0);
 });
 $("unfold").addEventListener("click", () => {
   const open = !$("question").classList.toggle("folded");
@@ -220,7 +250,7 @@ $("filling").addEventListener("submit", () => {
   editor.focus();
 });
 $("new").addEventListener("click", () => {
-  replace("");
+  replaceAll("");
   editor.focus();
 });
 
@@ -232,6 +262,7 @@ function start(text) {
   opening.show(text === null);
   editor.put(text ?? "");
   solver.solve(text ?? "");
+  readIntoForm(0);
 }
 
 onReturn(start);
