@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from restitution.draw import figure
 from restitution.draw.svg import to_svg
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.explain import explain, to_latex
@@ -51,6 +52,7 @@ class Pieces:
 
         {"question": tree or null,
          "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
+         "figure": what the question tells, a picture, or null,
          "working": [{"label", "marks", "asked": [text],
                       "answers": [{"item": tree, "values": [tree], "equal", "holds", "undecided",
                                    "counterexample": {letter: text} or null, "error",
@@ -67,6 +69,7 @@ class Pieces:
     question: Tree | None = None
     pictures: Sequence[Object] = ()
     pictures_error: str | None = None
+    figure: Object | None = None
     working: Sequence[Object] = ()
     working_error: str | None = None
     latex: str | None = None
@@ -94,6 +97,7 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     worded = clock.spare("question", lambda: tree(to_body(question(solution.problem))))
     names = clock.spare("wording of the items", lambda: _names(solution))
     drawn, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
+    figured, _ = clock.piece("figure", _PICTURES, lambda: _figure(solution))
     explanation, unexplained = clock.piece("working", _WORKING, lambda: explain(solution))
     told: list[Object] | None = None
     latex: str | None = None
@@ -111,6 +115,7 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     pieces = Pieces(
         worded,
         **(drawn or {"pictures_error": undrawn}),
+        figure=figured,
         working=told if told is not None else _without_steps(solution, names or {}),
         working_error=unexplained,
         latex=latex,
@@ -173,6 +178,12 @@ def pictured(solution: Solution, event: int | None = None) -> Object:
         return {"pictures": [_picture(s) for s in chosen(solution, event)], "pictures_error": None}
     except RestitutionError as error:
         return {"pictures": [], "pictures_error": error.message}
+
+
+def _figure(solution: Solution) -> Object | None:
+    """What the question tells, and nothing of its answers."""
+    scene = figure(solution)
+    return None if scene is None else _picture(scene)
 
 
 def _picture(scene: Scene) -> Object:

@@ -57,7 +57,12 @@ _TASKS = {
     "explain": _Task(work.explained),
     "sheet": _Task(
         work.on_a_sheet,
-        {"solutions": (bool, False), "diagrams": (bool, True), "title": (str, None)},
+        {
+            "solutions": (bool, False),
+            "diagrams": (bool, True),
+            "title": (str, None),
+            "room": (bool, True),
+        },
     ),
     "simulate": _Task(work.simulated, about="scene"),
     "statement": _Task(work.put_as_a_question, about="impact"),

@@ -74,12 +74,17 @@ def explained(statement: str, limit: float) -> Made:
 
 
 def on_a_sheet(
-    statement: str, limit: float, solutions: bool, diagrams: bool, title: str | None
+    statement: str,
+    limit: float,
+    solutions: bool,
+    diagrams: bool,
+    title: str | None,
+    room: bool,
 ) -> Made:
     """A PDF; or the error, as JSON, of a statement that cannot be set."""
     from restitution.export.sheet import Options, to_pdf
 
-    options = Options(solutions, diagrams)
+    options = Options(solutions, diagrams, None if room else 0.0)
     try:
         reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
         return Made(to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired)

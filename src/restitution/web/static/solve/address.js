@@ -5,12 +5,27 @@ import { keep, kept } from "../kept.js";
 const LONGEST = 6000; // characters of an address that people can still send to each other
 const DRAFT = "restitution statement";
 
-const fragment = (text) => `#${new URLSearchParams({ statement: text })}`;
+const HIDDEN = { answers: "hidden" };
+let hiding = false; // whether the address hides the answers
+
+const fragment = (text, hidden = hiding) =>
+  `#${new URLSearchParams({ statement: text, ...(hidden ? HIDDEN : {}) })}`;
 
 // The statement of the address or of this entry of the history, or null.
 export function told() {
   const given = new URLSearchParams(location.hash.slice(1)).get("statement");
   return given ?? history.state?.statement ?? null;
+}
+
+// Whether the address hides the answers.
+export function hides() {
+  hiding = new URLSearchParams(location.hash.slice(1)).get("answers") === HIDDEN.answers;
+  return hiding;
+}
+
+// From now on it does, or does not.
+export function keepHidden(on) {
+  hiding = on;
 }
 
 // What was typed last in this tab, or null.
@@ -29,7 +44,8 @@ export function hold(text, { push = false } = {}) {
 
 export const linkable = (text) => fragment(text).length <= LONGEST;
 
-export const link = (text) => new URL(fragment(text), location.href).href;
+export const link = (text, { hidden = false } = {}) =>
+  new URL(fragment(text, hidden), location.href).href;
 
 // Calls back with the statement whenever Back, Forward or another fragment is chosen.
 export function onReturn(go) {

@@ -16,6 +16,7 @@ export function makeForeign(root, results) {
     results.setAttribute("aria-label", isForeign ? `${label}, not of the question in the form` : label);
     if (kind === "reading") results.classList.add("stale");
     else if (isForeign) results.classList.remove("stale");
+    root.classList.toggle("early", results.hidden);
     root.replaceChildren(...(isForeign ? said(kind, problems, goTo) : []));
   }
 
@@ -27,13 +28,15 @@ export function makeForeign(root, results) {
       return [html("p", {}, html("strong", {}, head), ` ${of} waits for you to say whether it may `,
         "replace what was typed in the editor.")];
     }
-    const state = problems.some(({ isWrong }) => isWrong)
-      ? "cannot be read" : "is not filled in yet";
-    const rest = problems.length - MOST;
+    const wrong = problems.filter(({ isWrong }) => isWrong);
+    const shown = wrong.length ? wrong : problems;
+    const state = wrong.length ? "cannot be read" : "is not filled in yet. Still missing";
+    const words = ({ label, said }) => (wrong.length || !label ? `${label ?? "Text"}: ${said}` : label);
+    const rest = shown.length - MOST;
     return [
-      html("p", {}, html("strong", {}, head), ` ${of} ${state}.`),
-      html("ul", {}, problems.slice(0, MOST).map((each) => html("li", {}, each.field
-        ? button(`${each.label}: ${each.said}`, () => goTo(each.field)) : each.said))),
+      html("p", {}, html("strong", {}, head), ` ${of} ${state}:`),
+      html("ul", {}, shown.slice(0, MOST).map((each) => html("li", {}, each.field
+        ? button(words(each), () => goTo(each.field)) : words(each)))),
       ...(rest > 0 ? [html("p", {}, `and ${rest} more`)] : []),
     ];
   }

@@ -196,8 +196,10 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
   function labelOf(name) {
     const place = body.querySelector(`#problem-${name}`);
     const group = place.closest("fieldset").querySelector("legend").textContent;
-    const label = place.closest(".field")?.querySelector("label")?.firstChild.textContent;
-    return label ? `${group}: ${label}` : group;
+    const label = place.closest(".field")?.querySelector("label");
+    const words = [...(label?.childNodes ?? [])].filter((each) => !each.classList?.contains("quiet"));
+    const title = words.map((each) => each.textContent).join("");
+    return title ? `${group}, ${title}` : group;
   }
 
   function goTo(name) {

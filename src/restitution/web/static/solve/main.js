@@ -1,12 +1,14 @@
 // The page that solves: what is typed on the left, what follows from it on the right.
 
-import { draft, hold, linkable, onReturn, told } from "./address.js";
+import { draft, hides, hold, keepHidden, linkable, onReturn, told } from "./address.js";
 import { makeEditor } from "./editor.js";
 import { makeForeign } from "./foreign.js";
+import { makeHiding } from "./hiding.js";
 import { makeMotion } from "./motion.js";
 import { makeNotice } from "./notice.js";
 import { makeOpening } from "./opening.js";
 import { lazily, makeFold, makePanel } from "./panels.js";
+import { makePaper } from "./paper.js";
 import { makePictures } from "./pictures.js";
 import { answersOf, failure, mistakes, numbered, spoken } from "./results.js";
 import { keepReachable } from "./scrolling.js";
@@ -24,7 +26,17 @@ const SLOW = 1200; // ms after which it is said that the solution takes its time
 const results = $("results");
 const editor = makeEditor($("editor"), words, { onInput: byHand });
 const pictures = makePictures($("pictures"));
-const working = makeWorking($("working"));
+const hiding = makeHiding({
+  results, answers: $("answers"), note: $("hidden"), tools: $("hiding"), working: $("working"),
+  worked: $("worked"), motion: $("moving"), question: $("wording"), unfold: $("unfold"),
+}, { onChange: hidden, stepwise: () => working.stepwise() });
+const working = makeWorking($("working"), {
+  onLine(line) {
+    hiding.follow(line);
+    seePictures();
+  },
+});
+const paper = makePaper($("figure"), $("withheld"));
 const motion = makeMotion($("motion"));
 const solver = makeSolver(show);
 const notice = makeNotice($("notice"), () => solver.solve(editor.text));
@@ -80,6 +92,7 @@ function now() {
     title: solved?.reply.answer.title,
     reply: current ? solved.reply : null,
     picture: current ? pictures.shown : null,
+    hidden: hiding.hidden,
   };
 }
 
@@ -134,17 +147,37 @@ async function showSolved({ text, reply }) {
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
+  hiding.put(reply);
   working.put(reply.working);
   reason("working", working.empty ? reply.working_error : null);
-  $("working").hidden = working.empty;
   $("worked").hidden = working.empty && !reply.working_error;
   reason("pictures", reply.pictures.length ? null : reply.pictures_error);
-  $("pictures").hidden = !reply.pictures.length;
-  $("pictured").hidden = !reply.pictures.length && !reply.pictures_error;
   motion.put(reply);
-  $("spoken").textContent = spoken(reply);
-  await pictures.put(reply.pictures);
+  $("spoken").textContent = hiding.hidden ? "Solved. The answers are hidden." : spoken(reply);
+  paper.put(reply);
+  await seePictures();
+}
+
+async function seePictures() {
+  const { reply } = solved;
+  const seen = hiding.pictures(reply);
+  $("pictures").hidden = !seen.length;
+  $("pictured").hidden = !seen.length && (hiding.hidden || !reply.pictures_error);
+  const withheld = seen.length < reply.pictures.length;
+  if (withheld || $("withheld").firstChild) paper.withhold(withheld ? reply.pictures : []);
+  await pictures.put(seen);
   share.update();
+}
+
+function hidden() {
+  keepHidden(hiding.hidden);
+  settle(editor.text);
+  hiding.update();
+  if (solved) {
+    $("spoken").textContent = hiding.hidden ? "" : spoken(solved.reply);
+    seePictures();
+  }
+  say(hiding.hidden ? "The answers are hidden." : "The answers are shown.");
 }
 
 function reason(what, said) {
@@ -265,13 +298,20 @@ function start(text) {
   readIntoForm(0);
 }
 
-onReturn(start);
+onReturn((text) => {
+  // What is hidden stays so: an address from before shows nothing.
+  if (hides()) hiding.begin(true);
+  else keepHidden(hiding.hidden);
+  start(text);
+});
 
 function begin() {
+  const hide = hides();
   const text = told() ?? draft();
   $("sharing").open = matchMedia("(min-width: 60em)").matches;
   start(text?.trim() ? text : null);
   if (!opening.open) settle(text);
+  hiding.begin(hide);
 }
 
 begin();

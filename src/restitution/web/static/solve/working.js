@@ -4,28 +4,32 @@ import { allow, button, html } from "../player/elements.js";
 import { keepReachable } from "./scrolling.js";
 import { grown } from "./trees.js";
 
-// The sections, and for each line the elements that appear with it: a heading or a sentence comes
+// The sections, of each step what it is about and how many lines there are by its end, and for each line the elements that appear with it: a heading or a sentence comes
 // with what follows it.
 function laid(working) {
   const sections = [];
+  const steps = [];
   const lines = [[]];
   const put = (node, ends = true) => {
     lines.at(-1).push(node);
     if (ends) lines.push([]);
     return node;
   };
-  for (const part of working) {
+  for (const [index, part] of working.entries()) {
     if (!part.steps.length) continue;
     const section = html("section", { class: "part" });
     const heading = part.label && html("h3", {}, `(${part.label})`, worth(part.marks));
     if (heading) section.append(put(heading, false));
     const level = part.label ? "h4" : "h3";
-    for (const step of part.steps) section.append(...stepped(step, put, level));
+    for (const step of part.steps) {
+      section.append(...stepped(step, put, level));
+      steps.push({ part: index, item: step.item, event: step.event, until: lines.length - 1 });
+    }
     sections.push(section);
   }
   const last = lines.pop();
   lines.at(-1)?.push(...last);
-  return { sections, lines };
+  return { sections, lines, steps };
 }
 
 const worth = (marks) =>
@@ -71,7 +75,8 @@ function why(of, about) {
 const isLater = (node) => node.classList.contains("later");
 const hideWith = (node, within) => node.classList.toggle("later", [...within].every(isLater));
 
-export function makeWorking(root) {
+// `onLine({ byLine, shown, total, steps })` is told how much of it is seen.
+export function makeWorking(root, { onLine }) {
   const whole = button("Whole", () => setMode(false), { "aria-pressed": "true" });
   const stepwise = button("Line by line", () => setMode(true), { "aria-pressed": "false" });
   const marks = html("input", { type: "checkbox", checked: true });
@@ -92,6 +97,7 @@ export function makeWorking(root) {
   let byLine = false;
   let shown = 0;
   let given = null;
+  let steps = [];
 
   function setMode(on) {
     byLine = on;
@@ -121,6 +127,7 @@ export function makeWorking(root) {
     allow(next, shown < lines.length);
     progress.textContent = `line ${shown} of ${lines.length}`;
     look();
+    onLine({ byLine, shown, total: lines.length, steps });
     if (byLine && follow) lines[shown - 1]?.at(-1).scrollIntoView({ block: "nearest" });
   }
 
@@ -140,9 +147,11 @@ export function makeWorking(root) {
       given = working;
       const made = laid(working);
       lines = made.lines.filter((nodes) => nodes.length);
+      steps = made.steps;
       body.replaceChildren(...made.sections);
       show(byLine ? 1 : lines.length, false);
     },
+    stepwise: () => setMode(true),
     get empty() {
       return !lines.length;
     },
