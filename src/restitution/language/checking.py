@@ -327,6 +327,15 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
             yield from _quantity(bodies, node)
         elif isinstance(node, Binary) and node.op in "+-":
             yield from _sum(bodies, node)
+        elif (
+            isinstance(node, Binary)
+            and node.op == "*"
+            and all(map(_is_made_of_units, (node.left, node.right)))
+        ):
+            yield _error(
+                "two vectors cannot be multiplied: dot(…, …) is their product",
+                _place_of(node.right) or node.place,
+            )
         elif isinstance(node, Pair):
             for each in filter(_is_made_of_units, (node.x, node.y)):
                 yield _error(

@@ -20,7 +20,7 @@ export const nameOf = ({ names }, role) => names[role] ?? role;
 export const countOf = ({ kind }) => EVENTS[kind].length;
 
 // Whether a sphere is told by its speed and its angle to the line of centres.
-export const isToLine = (answers, role) => answers[`${role}Velocity`] === "line";
+const isToLine = (answers, role) => answers[`${role}Velocity`] === "line";
 export const isAway = (answers, role) =>
   isToLine(answers, role) && answers[`${role}Way`].startsWith("away");
 
@@ -33,9 +33,11 @@ export function eventsOf(answers) {
   return spheresOf(answers).length > 1 && turned ? [["B", "A"], ...events.slice(1)] : events;
 }
 
+// How a sphere moves along the line of centres, and to which side of it.
+const WAY = "towards-left";
+
 export const noFact = () => ({ what: "", value: "", speed: "", angle: "", way: WAY });
 export const noResult = () => ({ what: "", sign: "=", value: "" });
-export const WAY = "towards-left";
 
 // An empty form: nothing is asked but the velocities afterwards.
 export function emptyOf(kind) {

@@ -10,6 +10,11 @@ const WORDS = {
   shown: /\b(at|from|in|as|of|and|again)\b/,
 };
 const UNIT_VECTOR = /(?<![A-Za-z_])[ij](?![A-Za-z_(])/;
+// Units that a velocity, or an angle, surely has not; of the others the server judges.
+const STRANGE = {
+  component: [/[\d)]\s*(kg|N\s?s|J|rad|deg\w*|°)(?!\w)/, "a velocity is in m/s"],
+  angle: [/[\d)]\s*(kg|[kc]?m\s?\/\s?[sh]|m\s?s|ms|N\s?s|J)(?!\w)/, "an angle is in degrees"],
+};
 const NUMBER = /^\d+(\.\d+)?\s*%?$/;
 
 // `kind` is what the field is to hold: a title, a number, component, angle, vector, percentage,
@@ -32,6 +37,8 @@ export function objection(text, kind) {
   }
   const word = WORDS[kind === "component" || kind === "size" ? "number" : kind]?.exec(text);
   if (word) return `Leave out the word “${word[0]}”: this field takes one value.`;
+  const strange = STRANGE[kind]?.[0].exec(text);
+  if (strange) return `Leave out “${strange[1]}”: ${STRANGE[kind][1]}.`;
   if (kind === "component" && UNIT_VECTOR.test(text)) {
     return `Leave out ${UNIT_VECTOR.exec(text)[0]}: the field says already which component it is.`;
   }

@@ -4,16 +4,15 @@
 // at the field that it came from.
 
 import { bracketed, inDegrees, isSum } from "./form-angle.js";
-import {
-  countOf, eventsOf, isAway, isPlainWho, isToLine, nameOf, spheresOf,
-} from "./form-model.js";
+import { countOf, eventsOf, isAway, isPlainWho, nameOf, spheresOf } from "./form-model.js";
 import { objection } from "./form-objections.js";
 import { factsOf, isPercentage, PERCENT, quantitiesOf } from "./form-quantities.js";
 
-export { emptyOf } from "./form-model.js";
-
 const FILL = "Fill this in, with a letter if it is not known.";
-const CALLED = /(?:sqrt|√|sin|cos|tan|cot|sec|abs)(?!\s*\()|[*/^]\s*$|\d\s*[A-Za-z]+\s?(?:\/|s\b)/;
+const CALLED = /(?:sqrt|√|sin|cos|tan|cot|sec|abs)(?!\s*\()|[*/^]\s*$/;
+// A unit behind a number is judged as one where it ends what stands in brackets.
+const MEASURED = /[\d)]\s*(?:kg|[kcm]?m\s*\/|ms|m\s*s|[kcm]m|N\s*s|rad\b)/;
+const measured = (text) => (MEASURED.test(text) ? `(${text})` : text);
 
 // Reads the fields: what is in them, what is missing, and what cannot stand in a statement.
 function reader(answers) {
@@ -43,9 +42,10 @@ function reader(answers) {
 function component(text) {
   const size = text.replace(/^[-−–]\s*/, "");
   // −a + b is not −(a + b): a sum goes into brackets whole, with its sign.
-  if (isSum(size)) return { negative: false, size: `(${text})` };
+  if (size === "" || isSum(size)) return { negative: false, size: `(${text})` };
   // `sin 2` before i would be the sine of 2i.
-  return { negative: size !== text, size: CALLED.test(size) ? `(${size})` : size };
+  const whole = CALLED.test(size) ? `(${size})` : measured(size);
+  return { negative: size !== text, size: whole };
 }
 
 function along(size, axis) {
@@ -74,7 +74,8 @@ function polar(fields, [speedField, speed], [angleField, angle], behind = "") {
   if (behind && /\b(from|to)\b/.test(turned)) {
     fields.blame(angleField, "Leave out what the angle is measured from: it is chosen already.");
   }
-  return [[speedField, size], " at ", [angleField, inDegrees(turned)], behind];
+  const text = inDegrees(turned);
+  return [[speedField, size], " at ", [angleField, behind ? measured(text) : text], behind];
 }
 
 // The angle to the line of centres as one from a direction: that of the line, first to second, or

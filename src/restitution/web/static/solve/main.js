@@ -163,7 +163,7 @@ async function seePictures() {
   const seen = hiding.pictures(reply);
   $("pictures").hidden = !seen.length;
   $("pictured").hidden = !seen.length && (hiding.hidden || !reply.pictures_error);
-  const withheld = seen.length < reply.pictures.length;
+  const withheld = seen !== reply.pictures;
   if (withheld || $("withheld").firstChild) paper.withhold(withheld ? reply.pictures : []);
   await pictures.put(seen);
   share.update();

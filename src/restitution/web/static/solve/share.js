@@ -16,7 +16,7 @@ export function makeShare(root, now, { sheet, say }) {
   const papers = sheet ? 2 : 1; // buttons, the last ones
   const buttons = [
     ["link", "Copy link", () => copyLink()],
-    ["bare", "Copy link without answers", () => copyLink({ hidden: true })],
+    ["bare", "Link without answers", () => copyLink({ hidden: true })],
     ["statement", "Copy statement", () => copied(now().text, "statement")],
     ["latex", "Copy LaTeX", () => copied(now().reply.latex, "LaTeX")],
     ["svg", "Copy diagram as SVG", () => copied(now().picture.svg, "SVG")],
