@@ -40,18 +40,41 @@ FILLED: dict[str, dict[str, Any]] = {
     "wall": {"PMass": "2", "PX": "5", "PY": "-3", "e1": "1/2"},
     "walls": {"between": "120", "PSpeed": "u", "PAngle": "60", "e1": "1/2", "e2": "1/2"},
     "spheres": {
-        **{"AMass": "2", "AX": "3", "AY": "-4", "BMass": "3", "BX": "2", "BY": "3"},
-        **{"line": "j", "e1": "3/7"},
+        "AMass": "2",
+        "AX": "3",
+        "AY": "-4",
+        "BMass": "3",
+        "BX": "2",
+        "BY": "3",
+        "line": "j",
+        "e1": "3/7",
     },
     "chain": {
-        **{"AMass": "2", "AX": "4", "AY": "0", "BMass": "3", "BVelocity": "rest"},
-        **{"e1": "1/2", "e2": "1/2"},
+        "AMass": "2",
+        "AX": "4",
+        "AY": "0",
+        "BMass": "3",
+        "BVelocity": "rest",
+        "e1": "1/2",
+        "e2": "1/2",
     },
 }
 OTHERS = {
-    **{"PSpeed": "v", "PAngle": "60", "PVector": "2(3i - 4j)", "ASpeed": "v", "AAngle": "alpha"},
-    **{"BSpeed": "w", "BAngle": "30", "AVector": "u i", "BVector": "u at 60 from -j"},
-    **{"BX": "2", "BY": "3", "PX": "5", "PY": "-3", "offset": "r", "radius": "r"},
+    "PSpeed": "v",
+    "PAngle": "60",
+    "PVector": "2(3i - 4j)",
+    "ASpeed": "v",
+    "AAngle": "alpha",
+    "BSpeed": "w",
+    "BAngle": "30",
+    "AVector": "u i",
+    "BVector": "u at 60 from -j",
+    "BX": "2",
+    "BY": "3",
+    "PX": "5",
+    "PY": "-3",
+    "offset": "r",
+    "radius": "r",
     **{f"{each}Vector": "3i + 4j" for each in ("wall", "first", "second", "line")},
     **{f"{each}Angle": "30" for each in ("wall", "first", "second", "line")},
 }
@@ -269,7 +292,11 @@ def test_what_is_filled_in_in_full_is_solved(writer, kind, change, answers) -> N
 
 def test_what_is_unknown_is_found(writer) -> None:
     change = {
-        **{"e1": "", "PVelocity": "wall", "PSpeed": "u", "PAngle": "60", "asked": ["e"]},
+        "e1": "",
+        "PVelocity": "wall",
+        "PSpeed": "u",
+        "PAngle": "60",
+        "asked": ["e"],
         "known": [{"what": "deflection(P, 1)", "value": "90"}],
     }
     (text,) = texts(writer.written("wall", [change]))
@@ -342,8 +369,15 @@ def test_a_velocity_by_its_angle_to_the_line_of_centres(writer, typed: str) -> N
     cases = list(itertools.product(LINES, WAYS, WAYS))
     changes = [
         {
-            **{"line": line, "AVelocity": "line", "ASpeed": "2", "AAngle": typed, "AWay": own},
-            **{"BVelocity": "line", "BSpeed": "3", "BAngle": typed, "BWay": other},
+            "line": line,
+            "AVelocity": "line",
+            "ASpeed": "2",
+            "AAngle": typed,
+            "AWay": own,
+            "BVelocity": "line",
+            "BSpeed": "3",
+            "BAngle": typed,
+            "BWay": other,
         }
         for line, own, other in cases
     ]

@@ -57,9 +57,9 @@ def outline(problem: Problem) -> Object:
          "steps": [STEP]}
 
     VELOCITY is ``{"way": "rest"}``, ``{"way": "components", "x", "y"}``, ``{"way": "polar",
-    "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is ``{"way":
-    "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind`` and ``line``: an ``impact``
-    its ``first``, ``second``, ``e``, ``along`` and ``offset``; ``given`` and ``show`` their
+    "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is
+    ``{"way": "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind`` and ``line``: an
+    ``impact`` its ``first``, ``second``, ``e``, ``along`` and ``offset``; ``given`` and ``show`` their
     ``relations``, ``find`` its ``items``, each with ``text`` as it stands, and ``staged``, the same
     with every stage told by its number (null where that cannot be). A relation ``left = right`` has
     ``left``, ``sign`` and ``right``, staged too.

@@ -3,7 +3,7 @@
 // A line is a list of pieces, each a text or [field, text], so that a mistake in it can be shown
 // at the field that it came from.
 
-import { bracketed, inDegrees, isSum } from "./form-angle.js";
+import { bracketed, inDegrees, isSum, plainDegrees } from "./form-angle.js";
 import { countOf, eventsOf, isAway, isPlainWho, nameOf, spheresOf } from "./form-model.js";
 import { objection } from "./form-objections.js";
 import { factsOf, isPercentage, PERCENT, quantitiesOf } from "./form-quantities.js";
@@ -138,6 +138,9 @@ function velocity(answers, role, fields) {
   return [];
 }
 
+// A sum of decimals without what binary fractions add to it.
+const exactly = (value) => String(Number(value.toFixed(9)));
+
 function direction(mode, fields, prefix) {
   if (mode === "i" || mode === "j") return [`along ${mode}`];
   if (mode === "vector") {
@@ -173,7 +176,10 @@ function walls(answers, fields) {
   if (start === undefined) {
     fields.miss("second", "Choose how BC runs: beside a wall along a vector it has a direction.");
   }
-  const second = between ? [`along ${start}180° - `, ["between", bracketed(between)]] : [];
+  const numbers = [{ i: 0, j: 90, angle: plainDegrees(turned) }[answers.first], plainDegrees(between)];
+  const sum = numbers.includes(null)
+    ? `${start}180° - ${bracketed(between)}` : `${exactly(numbers[0] + 180 - numbers[1])}°`;
+  const second = between ? ["along ", ["between", sum]] : [];
   return [first, line(head("BC"), [second])];
 }
 
