@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
@@ -41,6 +42,7 @@ from restitution.problem import (
     Show,
     Sphere,
     Step,
+    Unknown,
     Value,
     Wall,
 )
@@ -60,7 +62,7 @@ def outline(problem: Problem) -> Object:
     "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is
     ``{"way": "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind`` and ``line``: an
     ``impact`` its ``first``, ``second``, ``e``, ``along`` and ``offset``; ``given`` and ``show`` their
-    ``relations``, ``find`` its ``items``, each with ``text`` as it stands, and ``staged``, the same
+    ``relations``, ``unknown`` its ``letters``, ``find`` its ``items``, each with ``text`` as it stands, and ``staged``, the same
     with every stage told by its number (null where that cannot be). A relation ``left = right`` has
     ``left``, ``sign`` and ``right``, staged too.
     """
@@ -204,6 +206,8 @@ class _Told:
                 }
             case Kick() | Arrival():
                 self._event(step.body)
+            case Unknown(letters):
+                return {"letters": _letters(letters)}
             case Given():
                 return {"relations": [self._relation(each) for each in step.relations]}
             case Find():
@@ -278,4 +282,4 @@ class _Told:
 
 
 def _letters(letters: Sequence[str] | None) -> str | None:
-    return ", ".join(letters) if letters else None
+    return ", ".join(write_expression(Letter(each)) for each in letters) if letters else None

@@ -42,7 +42,7 @@ export const noResult = () => ({ what: "", sign: "=", value: "" });
 // An empty form: nothing is asked but the velocities afterwards.
 export function emptyOf(kind) {
   const shared = {
-    kind, names: {}, title: "", e1: "", e2: "", also: "", terms: "", known: [noFact()],
+    kind, names: {}, title: "", e1: "", e2: "", also: "", terms: "", unknown: "", known: [noFact()],
     shows: [noResult()],
   };
   const velocity = (role, way) => {

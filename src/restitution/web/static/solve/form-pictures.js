@@ -59,13 +59,20 @@ const DRAWN = {
   ],
 };
 
-const LENGTH = 24;
-const TURNED = { i: 0, j: 90 }; // degrees; any other line is drawn aslant
+const [GAP, SIZE, REACH] = [25, 9, 33]; // of the spheres from the middle, of one, of an arrow
+const TILT = (38 * Math.PI) / 180; // of an arrow to the line
+// How a line of centres is drawn: turned by so many degrees, in a frame that holds it.
+const DRAWN_LINES = {
+  i: { turned: 0, viewBox: "-4 2 112 58" },
+  j: { turned: 90, viewBox: "-4 -24 112 110" },
+  other: { turned: 25, viewBox: "-6 -12 116 86" },
+};
 
 // Two spheres on their line of centres, and how one of them moves: towards the other or away from
 // it, to the left or the right of the line as one looks from A to B.
 export function moving(line, role, way, names) {
-  const turn = ((TURNED[line] ?? 25) * Math.PI) / 180;
+  const { turned, viewBox } = DRAWN_LINES[line] ?? DRAWN_LINES.other;
+  const turn = (turned * Math.PI) / 180;
   const place = (along, across) => [
     52 + along * Math.cos(turn) - across * Math.sin(turn),
     31 - along * Math.sin(turn) - across * Math.cos(turn),
@@ -73,16 +80,19 @@ export function moving(line, role, way, names) {
   const [sense, side] = way.split("-");
   const ahead = (sense === "towards") === (role === "A") ? 1 : -1;
   const up = side === "left" ? 1 : -1;
-  const gap = line === "j" ? 17 : 22;
-  const at = role === "A" ? -gap : gap;
-  const reach = (length) => place(at + ahead * length * 0.77, up * length * 0.64);
+  const at = role === "A" ? -GAP : GAP;
+  const reach = (length, tilt = TILT) =>
+    place(at + ahead * length * Math.cos(tilt), up * length * Math.sin(tilt));
   const named = (name, along) => {
     const [x, y] = place(along, 0);
-    return [disc(x, y), word(x - 2.8, y + 3.2, name, "name")];
+    return [disc(x, y, SIZE), word(x - 2.8, y + 3.2, name, "name")];
   };
-  return svg("svg", SEEN, [
-    line_(place(-52, 0), place(52, 0)), named(names.A ?? "A", -gap), named(names.B ?? "B", gap),
-    arrow(...reach(7), ...reach(LENGTH)),
+  // The angle, from the line to the arrow.
+  const arc = [0, 0.5, 1].map((share) => reach(18, share * TILT).join(" "));
+  return svg("svg", { ...SEEN, viewBox }, [
+    line_(place(-50, 0), place(50, 0)), named(names.A ?? "A", -GAP), named(names.B ?? "B", GAP),
+    arrow(...reach(SIZE), ...reach(REACH)),
+    svg("path", { d: `M${arc[0]}Q${arc[1]} ${arc[2]}`, class: "thin" }),
   ].flat(2));
 }
 

@@ -36,7 +36,7 @@ function read(outline, text) {
   const answers = story(outline, impacts);
   answers.title = outline.title ?? "";
   for (const step of outline.steps) {
-    const take = { impact: () => {}, given, find, show }[step.kind];
+    const take = { impact: () => {}, given, unknown, find, show }[step.kind];
     if (!take) throw new Beyond("the form has no field for this line", step.line);
     take(answers, step);
   }
@@ -156,6 +156,10 @@ function given(answers, step) {
       answers.known.push({ ...noFact(), what: quantity.key, value: relation.right });
     } else answers.known.push({ ...noFact(), what: "fact", value: text });
   }
+}
+
+function unknown(answers, { letters }) {
+  answers.unknown += (answers.unknown ? ", " : "") + letters;
 }
 
 function find(answers, step) {

@@ -298,6 +298,8 @@ export function linesOf(answers) {
   }
   for (let index = 0; index < countOf(answers); index += 1) lines.push(impact(answers, index, fields));
   lines.push(...known(answers, fields));
+  const unknown = fields.optional("unknown", "items");
+  if (unknown) lines.push(["unknown ", ["unknown", unknown]]);
   const finds = found(answers, fields);
   const shows = shown(answers, fields);
   lines.push(...finds, ...shows);

@@ -323,10 +323,10 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     const struck = nameOf(answers, eventsOf(answers)[0][1]);
     const toWall = spheresOf(answers).length === 1;
     const ways = [
-      ["components", "by its i and j components"],
-      ...(toWall ? [["wall", `by its speed and angle to ${struck}`]]
-        : [["line", "by its speed and angle to the line of centres"]]),
-      ["speed", "by its speed and direction from i"],
+      ["components", "by i and j components"],
+      ...(toWall ? [["wall", `by speed and angle to ${struck}`]]
+        : [["line", "by speed and angle to the line of centres"]]),
+      ["speed", "by speed and direction from i"],
       ["vector", "by a vector in one piece"],
       ...(toWall ? [] : [["rest", "at rest"]]),
       ["unknown", "not known"],
@@ -425,7 +425,9 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     return group("What else is known", ...rows.flat(), full ? button("Another fact", () => {
       answers.known.push(noFact());
       show({ name: `known${answers.known.length - 1}what` });
-    }) : null);
+    }) : null,
+    field(answers, "unknown", "Letters that are unknown, and not asked for",
+      { optional: true, example: "such as v, theta" }));
   }
 
   function valueFields(answers, each, name, quantities) {

@@ -4,26 +4,36 @@
 import { html } from "../player/elements.js";
 
 const [LEAST, MOST] = [6, 18]; // centimetres of room
+const LOADED = 10_000; // ms after which a picture that is gone is surely loaded, or not wanted
+
+// The pictures in an element, made anew only where they are others.
+function imagesIn(root) {
+  let shown = [];
+  let addresses = [];
+  return (pictures, ...more) => {
+    const same = pictures.length === shown.length &&
+      pictures.every(({ svg }, k) => svg === shown[k].svg);
+    if (same && !more.length) return;
+    addresses.forEach((each) => setTimeout(() => URL.revokeObjectURL(each), LOADED));
+    addresses = pictures.map(({ svg }) =>
+      URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })));
+    shown = pictures;
+    const images = pictures.map(({ description }, k) =>
+      html("img", { alt: description, src: addresses[k] }));
+    root.replaceChildren(...images, ...more);
+  };
+}
 
 export function makePaper(figure, withheld) {
-  const addresses = new Map([[figure, []], [withheld, []]]);
-
-  function images(root, pictures) {
-    addresses.get(root).forEach((each) => URL.revokeObjectURL(each));
-    const made = pictures.map(({ svg }) =>
-      URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })));
-    addresses.set(root, made);
-    return pictures.map(({ description }, k) => html("img", { alt: description, src: made[k] }));
-  }
-
+  const putFigure = imagesIn(figure);
   return {
     // A centimetre of room for each mark.
     put({ figure: told, working }) {
       const marks = working.reduce((sum, part) => sum + part.marks, 0);
       const room = html("div", { class: "room" });
       room.style.height = `${Math.min(Math.max(marks, LEAST), MOST)}cm`;
-      figure.replaceChildren(...images(figure, told ? [told] : []), room);
+      putFigure(told ? [told] : [], room);
     },
-    withhold: (pictures) => withheld.replaceChildren(...images(withheld, pictures)),
+    withhold: imagesIn(withheld),
   };
 }
