@@ -639,11 +639,24 @@ def test_what_is_printed(open_):
     assert page.locator("#working tr").last.is_visible()
 
 
+def test_no_equation_is_parted_from_its_group_on_paper(open_):
+    page = open_(CORNER)
+    page.emulate_media(media="print")
+    groups = page.locator("#working .rows").all()
+    assert any(group.locator("tr").count() > 1 for group in groups)
+    for group in groups:
+        assert group.evaluate("node => getComputedStyle(node).breakInside") == "avoid"
+        before = group.locator("xpath=preceding-sibling::*[1]")
+        if before.count() and "said" in (before.get_attribute("class") or ""):
+            assert before.evaluate("node => getComputedStyle(node).breakAfter") == "avoid"
+
+
 # --- when the server cannot -----------------------------------------------------------------------
 
 
 def test_a_slow_question_is_said_to_be_solved(open_):
     page = open_(WALL)
+    assert "e =" in page.locator("#spoken").text_content()
     held = []
 
     def hold(route):
@@ -653,9 +666,108 @@ def test_a_slow_question_is_said_to_be_solved(open_):
     page.locator("#statement").fill(CORNER)
     page.locator("#notice", has_text="Solving").wait_for()
     assert "speedofP" not in answers(page)
+    # Nothing is told of an earlier question.
+    assert page.locator("#spoken").text_content() == ""
     held.pop().continue_()
     page.locator("#answers", has_text="speed of P").wait_for()
     assert page.locator("#notice").is_hidden()
+    assert "speed(P)" in page.locator("#spoken").text_content()
+
+
+# As the server does where the working takes long: the answers stand in a line of their own.
+SLOWLY = """() => {
+  const fetched = window.fetch;
+  window.fetch = async (address, options) => {
+    if (address !== "api/explain") return fetched(address, options);
+    const reply = await (await fetched(address, options)).json();
+    const early = { ...reply, motion: null, latex: null };
+    early.working = reply.working.map((part) => ({ ...part, steps: [] }));
+    const lines = [early, reply].map((each) => new TextEncoder().encode(JSON.stringify(each)));
+    return new Response(new ReadableStream({
+      async start(out) {
+        out.enqueue(lines[0].slice(0, 100));
+        out.enqueue(lines[0].slice(100));
+        out.enqueue(new TextEncoder().encode("\\n"));
+        await new Promise((go) => { window.go = go; });
+        if (!window.cut) out.enqueue(lines[1]);
+        out.close();
+      },
+    }));
+  };
+}"""
+
+
+def test_answers_and_diagrams_come_before_a_slow_working(open_):
+    page = open_(WALL)
+    page.evaluate(SLOWLY)
+    page.locator("#statement").fill(CORNER)
+    page.locator("#notice", has_text="The working is being written").wait_for()
+    assert "speedofP" in answers(page)
+    assert page.locator("#pictures img:visible").count() == 1
+    assert page.locator("#worked").is_hidden()
+    assert page.locator("#motion").is_hidden()
+    assert page.locator("#results").get_attribute("aria-busy") == "true"
+    assert page.locator("#results:not(.stale)").count() == 1
+    accessible(page)
+    page.evaluate("() => window.go()")
+    solved(page)
+    assert page.locator("#working tr").count() > 5
+    assert page.locator("#notice").is_hidden()
+
+
+def test_a_reply_that_breaks_off_is_told(open_):
+    page = open_(WALL)
+    page.evaluate(SLOWLY)
+    page.evaluate("() => { window.cut = true; }")
+    page.locator("#statement").fill(CORNER)
+    page.locator("#notice", has_text="The working is being written").wait_for()
+    page.evaluate("() => window.go()")
+    page.locator("#notice", has_text="The connection to the server is lost.").wait_for()
+
+
+def test_a_server_that_comes_back_is_noticed(open_, complaints):
+    page = open_(WALL)
+    page.route(re.compile("/health$|/api/"), lambda route: route.abort())
+    page.locator("#statement").fill(CORNER)
+    page.locator("#notice", has_text="The connection to the server is lost.").wait_for()
+    assert typed(page) == CORNER
+    page.unroute(re.compile("/health$|/api/"))
+    page.locator("#answers", has_text="speed of P").wait_for()
+    assert page.locator("#notice").is_hidden()
+    complaints[:] = [said for said in complaints if "ERR_FAILED" not in said]
+
+
+def test_the_motion_of_an_earlier_question_is_not_kept(open_):
+    page = open_(WALL)
+    motion = page.locator("#motion")
+    motion.scroll_into_view_if_needed()
+    motion.locator(".stage circle").first.wait_for()
+    motion.get_by_role("button", name="Next impact").click()
+    live = motion.locator("[aria-live]")
+    expect(live).to_contain_text("1: P hits W")
+    page.locator("#statement").scroll_into_view_if_needed()
+    page.set_viewport_size({"width": 400, "height": 300})
+    page.evaluate("() => scrollTo(0, 0)")
+    page.locator("#statement").fill(CORNER)
+    page.locator("#answers", has_text="speed of P").wait_for()
+    assert live.is_hidden() or live.text_content() == ""
+
+
+def test_each_diagram_is_told_as_it_is_turned_to(open_):
+    page = open_(CORNER)
+    told = page.locator("#pictures [role=status]")
+    assert told.text_content() == "1 of 3: Path of P"
+    page.get_by_role("button", name="Next", exact=True).click()
+    assert told.text_content() == "2 of 3: Before and after: P hits AB"
+
+
+def test_words_and_mathematics_have_one_face(open_):
+    page = open_(CORNER)
+    page.evaluate("() => document.fonts.ready")
+    face = "node => getComputedStyle(node).fontFamily.split(',')[0]"
+    words = page.locator("#working .said").first.evaluate(face)
+    assert words == page.locator("#working math").first.evaluate(face) == '"STIX Two Math"'
+    assert page.evaluate("() => [...document.fonts].every((each) => each.status === 'loaded')")
 
 
 def test_a_busy_server_is_asked_again(open_, complaints):

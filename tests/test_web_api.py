@@ -13,20 +13,23 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
+from unittest import mock
 
 import httpx
 import pytest
 from hosts import static_of
 from loops import completed
 from pypdf import PdfReader
+from serving import serving
 from test_hostile import STATEMENTS as HOSTILE
 
 from restitution import examples
 from restitution.export.tree import tree, trees
 from restitution.killable import LostError
-from restitution.web import Settings
+from restitution.web import Settings, api
 from restitution.web.pool import BusyError, pool
 from restitution.web.replies import Replies
 from restitution.web.serving import listening, reach
@@ -150,6 +153,53 @@ def test_everything_a_page_shows(client):
     assert [each["name"] for each in shown["motion"]["motions"][0]["spheres"]] == ["A", "B"]
     errors = ("pictures_error", "working_error", "motion_error")
     assert [shown[name] for name in errors] == [None] * 3
+
+
+def slowly(statement: str, limit: float, early: str) -> Made:
+    """As the page is explained; the working waits for a file that the statement names."""
+    from restitution.explain import explain
+    from restitution.export import working
+    from restitution.web import work
+
+    door = Path(statement.rpartition("# ")[2].strip())
+
+    def patient(*arguments: object) -> object:
+        while not door.exists():
+            time.sleep(0.01)
+        return explain(*arguments)
+
+    with mock.patch.object(working, "explain", patient):
+        return work.explained(statement, limit, early)
+
+
+def test_what_is_there_before_the_working_comes_first(monkeypatch, tmp_path):
+    own = replace(api._EXPLAINING, function=slowly)
+    monkeypatch.setattr(api, "_EXPLAINING", own)
+    body = {"statement": f"{STATEMENT}\n# {tmp_path}/door\n"}
+    with (
+        serving(Settings(workers=1, time_limit=60)) as address,
+        httpx.Client(base_url=address, timeout=100) as client,
+        client.stream("POST", "/api/explain", json={**body, "early": True}) as reply,
+        ThreadPoolExecutor(1) as threads,
+    ):
+        lines = reply.iter_lines()
+        early = json.loads(next(lines))
+        # Whoever asks just the same meanwhile, and wants it whole, has the same work done.
+        whole = threads.submit(client.post, "/api/explain", json=body)
+        (tmp_path / "door").touch()
+        last = json.loads(next(lines))
+        assert list(lines) == []
+        assert whole.result().json() == last
+        # What is at hand comes at once, and is one line.
+        again = client.post("/api/explain", json={**body, "early": True})
+        assert again.json() == last
+        assert again.headers["content-type"] == "application/json"
+    late = {"working", "motion", "latex", "warnings"}
+    assert {name for name in last if last[name] != early[name]} <= late
+    assert [part["answers"] for part in early["working"]] == [p["answers"] for p in last["working"]]
+    assert not any(part["steps"] for part in early["working"])
+    assert any(part["steps"] for part in last["working"])
+    assert early["pictures"]
 
 
 def test_rejected_roots_come_with_their_reasons(client):

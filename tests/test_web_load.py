@@ -29,13 +29,13 @@ ORDINARY = ("corner", "two-spheres-with-vectors", "rejected-root", "find-e-at-a-
 SLOW = examples.text("corner").replace("title ", "title Slow: ", 1)
 
 
-def explained(statement: str, limit: float) -> Made:
+def explained(statement: str, limit: float, early: str | None = None) -> Made:
     """As the page has it; but over a question called slow each look at a clock takes a second."""
     if "title Slow: " not in statement:
-        return work.explained(statement, limit)
+        return work.explained(statement, limit, early)
     clock = SimpleNamespace(monotonic=count().__next__)
     with mock.patch("restitution.work.time", clock):
-        return work.explained(statement, limit)
+        return work.explained(statement, limit, early)
 
 
 def ordinary() -> AbstractContextManager[str]:
@@ -57,8 +57,7 @@ def answer(name: str) -> dict:
 @pytest.fixture(autouse=True)
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
     """One question is slow."""
-    task = replace(api._TASKS["explain"], function=explained)
-    monkeypatch.setitem(api._TASKS, "explain", task)
+    monkeypatch.setattr(api, "_EXPLAINING", replace(api._EXPLAINING, function=explained))
 
 
 def kinds(shown: dict[str, Any]) -> list[str | None]:

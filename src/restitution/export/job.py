@@ -8,6 +8,7 @@ from __future__ import annotations
 import gc
 import time
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
@@ -76,7 +77,12 @@ class Picturing:
 
 @dataclass(frozen=True)
 class Showing:
-    """Everything that a page shows: answers, wording, pictures, working, motion."""
+    """Everything that a page shows: answers, wording, pictures, working, motion.
+
+    ``early`` is given the same without working and motion, as soon as that is there.
+    """
+
+    early: Callable[[dict[str, Any]], None] | None = None
 
 
 Task: TypeAlias = Writing | Drawing | Playing | Setting | Picturing | Showing
@@ -205,14 +211,19 @@ def serve(job: Job) -> Reply:
 
             drawn = {**found, **pictured(solution, event)}
             return Reply(drawn, answered, errors, tuple(found["warnings"]), tired=tired)
-        case Showing():
-            from restitution.export.working import shown
+        case Showing(early):
+            from restitution.export.working import Pieces, shown
 
             left = None
             if job.limit is not None:
                 spent = time.monotonic() - began
                 left = max(job.limit * _SHOWING - spent, job.limit * _WRITING)
-            page = shown(solution, left)
+
+            def seen(pieces: Pieces) -> None:
+                if early is not None:
+                    early({"answer": found, **vars(pieces)})
+
+            page = shown(solution, left, seen)
             found["warnings"] += page.left_out
             warnings = [*page.pieces.warnings, *late]
             content = {"answer": found, **vars(page.pieces), "warnings": warnings}

@@ -91,13 +91,22 @@ class Shown:
     left_out: Sequence[str] = ()
 
 
-def shown(solution: Solution, seconds: float | None = None) -> Shown:
-    """The pieces of a page, made within so many ``seconds`` (None is no limit)."""
+def shown(
+    solution: Solution,
+    seconds: float | None = None,
+    early: Callable[[Pieces], None] = lambda _: None,
+) -> Shown:
+    """The pieces of a page, made within so many ``seconds`` (None is no limit).
+
+    ``early`` is given those that come before the working: question, answers, pictures.
+    """
     clock = _Clock(seconds)
     worded = clock.spare("question", lambda: tree(to_body(question(solution.problem))))
     names = clock.spare("wording of the items", lambda: _names(solution))
-    drawn, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
+    pictures, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
     figured, _ = clock.piece("figure", _PICTURES, lambda: _figure(solution))
+    drawn: Object = {**(pictures or {"pictures_error": undrawn}), "figure": figured}
+    early(Pieces(worded, **drawn, working=_without_steps(solution, names or {})))
     explanation, unexplained = clock.piece("working", _WORKING, lambda: explain(solution))
     told: list[Object] | None = None
     latex: str | None = None
@@ -114,8 +123,7 @@ def shown(solution: Solution, seconds: float | None = None) -> Shown:
     warnings = solution.warnings if explanation is None else explanation.warnings
     pieces = Pieces(
         worded,
-        **(drawn or {"pictures_error": undrawn}),
-        figure=figured,
+        **drawn,
         working=told if told is not None else _without_steps(solution, names or {}),
         working_error=unexplained,
         latex=latex,

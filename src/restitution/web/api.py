@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import asyncio
 import gzip
+import hashlib
 import json
 import logging
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from restitution.killable import LostError
@@ -34,12 +36,24 @@ _CHECKING = 5.0
 
 @dataclass(frozen=True)
 class Staff:
-    """Who does the work: ``clerks`` read statements while ``solvers`` are busy."""
+    """Who does the work: ``clerks`` read statements while ``solvers`` are busy.
+
+    In the folder ``desk`` lies what is finished of work under way.
+    """
 
     settings: Settings
     solvers: Pool
     clerks: Pool
     replies: Replies
+    desk: Path
+
+
+@dataclass(frozen=True)
+class _Begun:
+    """A reply of which the first part is there: what a page shows before the working."""
+
+    early: bytes
+    rest: asyncio.Future[Made]
 
 
 @dataclass(frozen=True)
@@ -54,7 +68,6 @@ class _Task:
 _TASKS = {
     "solve": _Task(work.solved, {"part": (str, None)}),
     "draw": _Task(work.drawn, {"event": (int, None)}),
-    "explain": _Task(work.explained),
     "sheet": _Task(
         work.on_a_sheet,
         {
@@ -71,12 +84,21 @@ _TASKS = {
 
 _READ: Mapping[str, Callable[[str], Made]] = {"check": work.checked, "outline": work.outlined}
 
+_EXPLAINING = _Task(work.explained)
+
+_UNASKED = 0.5
+"""Seconds in which most work is done: until then nobody looks what is finished of it."""
+
+_LOOK = 0.1
+"""Seconds between two looks."""
+
 
 def routes() -> list[Route]:
     """Where the API is found."""
     return [
         Route("/health", _health),
         *(Route(f"/api/{name}", _reading(read), methods=["POST"]) for name, read in _READ.items()),
+        Route("/api/explain", _explain, methods=["POST"]),
         *(Route(f"/api/{name}", _doing(task), methods=["POST"]) for name, task in _TASKS.items()),
         Route("/api/{path:path}", _unknown, methods=_METHODS),
     ]
@@ -107,7 +129,7 @@ async def _health(request: Request) -> Response:
 
 
 async def _unknown(request: Request) -> Response:
-    if request.path_params["path"] in {*_READ, *_TASKS}:
+    if request.path_params["path"] in {"explain", *_READ, *_TASKS}:
         raise HTTPException(405, headers={"Allow": "POST"})
     raise HTTPException(404)
 
@@ -147,6 +169,39 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
     return do
 
 
+async def _explain(request: Request) -> Response:
+    staff: Staff = request.app.state.staff
+    task = _EXPLAINING
+
+    async def reply() -> Made | _Begun:
+        told = await asked(request, task.about, {"early": bool}, staff.settings)
+        statement = told[task.about]
+        early = staff.desk / hashlib.sha256(statement.encode()).hexdigest()
+
+        async def once() -> Made:
+            try:
+                return await _worked(staff, task, statement, (str(early),))
+            finally:
+                early.unlink(missing_ok=True)
+
+        made = staff.replies.get((task.function.__name__, statement), once)
+        if not told.get("early"):
+            return await _while_wanted(request, made)
+        rest = asyncio.ensure_future(_while_wanted(request, made))
+        try:
+            await asyncio.wait({rest}, timeout=_UNASKED)
+            while not rest.done():
+                if early.exists():
+                    return _Begun(early.read_bytes(), rest)
+                await asyncio.wait({rest}, timeout=_LOOK)
+        except asyncio.CancelledError:
+            rest.cancel()
+            raise
+        return await rest
+
+    return await _answered(request, reply)
+
+
 async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]) -> Made:
     """The work done; where its process was lost, what can be said without it."""
     limit = staff.settings.time_limit
@@ -162,9 +217,12 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
     return await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
 
 
-async def _answered(request: Request, reply: Callable[[], Awaitable[Made]]) -> Response:
+async def _answered(request: Request, reply: Callable[[], Awaitable[Made | _Begun]]) -> Response:
     try:
         made = await reply()
+        if isinstance(made, _Begun):
+            # A proxy is not to wait for all of it.
+            return StreamingResponse(_lines(request, made), headers={"X-Accel-Buffering": "no"})
     except RefusedError as error:
         return refusal(error.status, error.kind, error.message, {})
     except BusyError as error:
@@ -188,6 +246,21 @@ async def _answered(request: Request, reply: Callable[[], Awaitable[Made]]) -> R
         return Response(gzip.decompress(made.content), made.status, headers, made.kind)
     headers["Content-Encoding"] = "gzip"
     return Response(made.content, made.status, headers, made.kind)
+
+
+async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:
+    """What is there at once, and in another line the whole, or why it does not come."""
+    yield begun.early + b"\n"
+
+    async def rest() -> Made:
+        return await begun.rest
+
+    try:
+        reply = await _answered(request, rest)
+    finally:
+        begun.rest.cancel()
+    packed = reply.headers.get("Content-Encoding") == "gzip"
+    yield gzip.decompress(bytes(reply.body)) if packed else bytes(reply.body)
 
 
 async def _while_wanted(request: Request, making: Awaitable[Made]) -> Made:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
@@ -29,7 +31,8 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
                 await stack.enter_async_context(pool(number, chosen.waiting, chosen.patience))
                 for number in (chosen.workers, _CLERKS)
             ]
-            app.state.staff = api.Staff(chosen, solvers, clerks, Replies(chosen.kept))
+            desk = Path(stack.enter_context(TemporaryDirectory(prefix="restitution-")))
+            app.state.staff = api.Staff(chosen, solvers, clerks, Replies(chosen.kept), desk)
             yield
 
     app = Starlette(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError, UnsupportedError
@@ -68,9 +69,19 @@ def drawn(statement: str, limit: float, event: int | None = None) -> Made:
     return _made(statement, Picturing(event), limit, **_NO_PICTURES)
 
 
-def explained(statement: str, limit: float) -> Made:
-    """All that a page shows, the object of the contract as its ``answer``."""
-    return _made(statement, Showing(), limit)
+def explained(statement: str, limit: float, early: str | None = None) -> Made:
+    """All that a page shows, the object of the contract as its ``answer``.
+
+    What comes before the working is written into the file ``early``, as soon as it is there.
+    """
+
+    def write(content: contract.Object) -> None:
+        if early is not None:
+            growing = Path(f"{early}.part")
+            growing.write_bytes(contract.to_json(content).encode())
+            growing.replace(early)
+
+    return _made(statement, Showing(write), limit)
 
 
 def on_a_sheet(

@@ -29,9 +29,31 @@ async function post(what, body, signal) {
   throw new Refused(reply.status, told.error?.message ?? `the server says ${reply.status}`, wait);
 }
 
-export async function ask(what, body, { signal } = {}) {
+// The reply, whole; `onEarly` is told what of it is there before, where that takes its time: then the
+// reply has two lines.
+export async function ask(what, body, { signal, onEarly } = {}) {
   const reply = await post(what, body, signal);
-  return reply.json().catch(unreachable);
+  if (!onEarly) return reply.json().catch(unreachable);
+  const reader = reply.body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  let whole = 0; // where the last line begins
+  for (;;) {
+    const { value, done } = await reader.read().catch(unreachable);
+    if (done) break;
+    text += value;
+    const end = whole ? -1 : text.indexOf("\n");
+    if (end < 0) continue;
+    whole = end + 1;
+    onEarly(JSON.parse(text.slice(0, end)));
+  }
+  let made;
+  try {
+    made = JSON.parse(text.slice(whole));
+  } catch (error) {
+    unreachable(error); // cut short
+  }
+  if (made.answer) return made;
+  throw new Refused(503, made.error?.message ?? "the server broke off", null);
 }
 
 // The same for a file.

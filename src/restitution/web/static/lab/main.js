@@ -107,7 +107,7 @@ class Lab {
     this.views = html("div", { class: "views", role: "group", "aria-label": "View" },
       button("+", () => this.zoom(1.25), named("Nearer")),
       button("−", () => this.zoom(0.8), named("Further away")),
-      button("Fit", () => this.fit(), named("See all of the table")));
+      button("Fit", () => this.fit(), named("Fit: see all of the table")));
     this.slow = check("Slow motion at impacts", "S", true);
     this.shows = SHOWS.map(([key, label, letter]) =>
       ({ key, letter, ...check(label, letter, false) }));
@@ -346,6 +346,7 @@ class Lab {
     this.bars.lay(motion);
     this.values.lay(this.initial());
     this.card.key = null;
+    clearTimeout(this.untold);
     this.live.textContent = "";
     const all = motion.spheres.map(({ name }) => name);
     const told = all.length > CROWD ? `${all.length} spheres` : all.join(", ");
@@ -428,7 +429,12 @@ class Lab {
 
   announce(event) {
     const now = performance.now();
-    if (this.clock.playing && !this.clock.slow && now - this.announced < CALM) return;
+    clearTimeout(this.untold);
+    const soon = this.announced + CALM - now;
+    if (this.clock.playing && !this.clock.slow && soon > 0) {
+      this.untold = setTimeout(() => this.announce(event), soon);
+      return;
+    }
     this.announced = now;
     this.live.textContent = spoken(event, this.clock.motion.events.indexOf(event) + 1);
   }

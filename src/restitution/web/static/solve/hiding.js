@@ -11,6 +11,7 @@ export function makeHiding(elements, { onChange, stepwise }) {
   const { results, answers, note, working, worked, motion, question, unfold } = elements;
   let hidden = false;
   let given = null;
+  let unfinished = false;
   let line = null; // { byLine, shown, total, steps } of the working
 
   const toggle = button("Hide answers", () => set(!hidden), { "aria-pressed": "false" });
@@ -60,7 +61,7 @@ export function makeHiding(elements, { onChange, stepwise }) {
     working.hidden = hidden || isEmpty();
     covered.hidden = !hidden;
     lines.hidden = isEmpty();
-    motion.hidden = hidden || (byLine && line.shown < line.total);
+    motion.hidden = hidden || unfinished || (byLine && line.shown < line.total);
     question.hidden = hidden && given.question === null;
     let coming = 0;
     const items = given.working.flatMap((part, index) =>
@@ -87,8 +88,10 @@ export function makeHiding(elements, { onChange, stepwise }) {
     begin(on) {
       if (on) set(true);
     },
-    put(reply) {
+    // With its motion still to come, where it is unfinished.
+    put(reply, early = false) {
       given = reply;
+      unfinished = early;
       update();
     },
     // Another line of the working, or another way to show it.

@@ -21,7 +21,7 @@ const $ = (id) => document.getElementById(id);
 const { words, sheet } = JSON.parse($("told").textContent);
 const SETTLED = 500; // ms after the last key at which the address is written
 const PATIENCE = 500; // ms for which mistakes are not shown while one types on
-const SLOW = 1200; // ms after which it is said that the solution takes its time
+const SLOW = 2000; // ms after which it is said what takes its time
 
 const results = $("results");
 const editor = makeEditor($("editor"), words, { onInput: byHand });
@@ -98,12 +98,16 @@ function now() {
 
 function show(state) {
   clearTimeout(pending);
-  results.setAttribute("aria-busy", String(state.kind === "waiting"));
-  results.classList.toggle("stale", state.kind !== "solved" && state.kind !== "empty");
-  if (state.kind === "waiting") pending = setTimeout(notice.solving, SLOW);
+  const { kind } = state;
+  results.setAttribute("aria-busy", String(kind === "waiting" || kind === "early"));
+  results.classList.toggle("stale", !["solved", "early", "empty"].includes(kind));
+  if (kind !== "solved") $("spoken").textContent = ""; // of an earlier question
+  if (kind === "waiting") pending = setTimeout(notice.doing, SLOW, "Solving the question …");
+  else if (kind === "early") notice.doing("The answers are there. The working is being written …");
   else notice.clear();
   const shows = {
-    empty: showNothing, wrong: showMistakes, solved: showSolved, refused: showRefusal,
+    empty: showNothing, wrong: showMistakes, early: showSolved, solved: showSolved,
+    refused: showRefusal,
   };
   shows[state.kind]?.(state);
   share.update();
@@ -134,7 +138,7 @@ function showRefusal({ error }) {
   notice.refused(error);
 }
 
-async function showSolved({ text, reply }) {
+async function showSolved({ kind, text, reply }) {
   solved = { text, reply };
   const { answer } = reply;
   mark([]);
@@ -147,13 +151,13 @@ async function showSolved({ text, reply }) {
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
-  hiding.put(reply);
+  hiding.put(reply, kind === "early");
   working.put(reply.working);
   reason("working", working.empty ? reply.working_error : null);
   $("worked").hidden = working.empty && !reply.working_error;
   reason("pictures", reply.pictures.length ? null : reply.pictures_error);
   motion.put(reply);
-  $("spoken").textContent = hiding.hidden ? "Solved. The answers are hidden." : spoken(reply);
+  if (kind === "solved") $("spoken").textContent = hiding.hidden ? "Solved. The answers are hidden." : spoken(reply);
   paper.put(reply);
   await seePictures();
 }

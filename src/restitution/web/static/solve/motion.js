@@ -50,6 +50,10 @@ export function makeMotion(root) {
   return {
     put(reply) {
       given = reply;
+      if (!seen) { // what was played before is not of this question
+        stage.hidden = true;
+        player?.pause();
+      }
       update();
     },
   };

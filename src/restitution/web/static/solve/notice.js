@@ -3,6 +3,8 @@
 import { sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
 
+const KNOCK = 4000; // ms between two looks for a server that is lost
+
 export function makeNotice(root, again) {
   let timer = 0;
 
@@ -17,6 +19,13 @@ export function makeNotice(root, again) {
     root.hidden = false;
   }
 
+  // Whether the server is there again.
+  async function knock() {
+    const mine = timer;
+    const reply = await fetch("health").catch(() => null);
+    if (reply?.ok && mine === timer && !root.hidden) retry();
+  }
+
   function retry() {
     clear();
     again();
@@ -24,9 +33,10 @@ export function makeNotice(root, again) {
 
   return {
     clear,
-    solving() {
+    // What is being done, where it takes its time.
+    doing(said) {
       clear();
-      root.append(html("p", {}, "Solving …"));
+      root.append(html("p", {}, said));
       root.hidden = false;
     },
     refused({ status, message, wait }) {
@@ -43,8 +53,9 @@ export function makeNotice(root, again) {
           else count();
         }, 1000);
       } else if (status === 0) {
-        const hint = "Your work is kept; try again when you are back on the network.";
-        put(`There is no answer from the server. ${hint}`, "Try again");
+        const hint = "Your work is kept, and goes on as soon as it is back.";
+        put(`The connection to the server is lost. ${hint}`, "Try again");
+        timer = setInterval(knock, KNOCK);
       } else {
         put(`${sentence(message)} Your work is kept.`, "Try again");
       }

@@ -20,7 +20,10 @@ export function makePictures(root) {
     turning.hidden = pictures.length < 2;
     allow(previous, at > 0);
     allow(next, at < pictures.length - 1);
-    count.textContent = `${at + 1} of ${pictures.length}`;
+    const title = pictures[at]?.title ?? "";
+    count.replaceChildren(
+      `${at + 1} of ${pictures.length}`, html("span", { class: "unseen" }, `: ${title}`),
+    );
   }
 
   // A picture in a window of its own size, to be turned with the arrows.

@@ -7,8 +7,8 @@ const PAUSE = 150; // ms after the last key
 const KEPT = 60; // replies
 
 // What is told of the statement, each with its text:
-//   { kind: "empty" }  { kind: "waiting" }  { kind: "wrong", errors }  { kind: "solved", reply }
-//   { kind: "refused", error }
+//   { kind: "empty" }  { kind: "waiting" }  { kind: "wrong", errors }  { kind: "refused", error }
+//   { kind: "early", reply }  where the working takes its time  { kind: "solved", reply }
 export function makeSolver(tell) {
   const kept = new Map();
   let current = "";
@@ -24,9 +24,17 @@ export function makeSolver(tell) {
   async function find(text, signal) {
     const { errors } = await ask("check", { statement: text }, { signal });
     if (errors.length) return keep(text, { kind: "wrong", text, errors });
-    const reply = await ask("explain", { statement: text }, { signal });
-    const passing = reply.answer.error?.kind === "time limit";
-    const told = { kind: "solved", text, reply };
+    let early = null;
+    const onEarly = (found) => {
+      early = found;
+      if (current === text) tell({ kind: "early", text, reply: early });
+    };
+    const reply = await ask("explain", { statement: text, early: true }, { signal, onEarly });
+    const { error } = reply.answer;
+    const passing = error?.kind === "time limit";
+    // What was there before its process was ended stays.
+    const kept = passing && early && !early.answer.error;
+    const told = { kind: "solved", text, reply: kept ? { ...early, working_error: error.message } : reply };
     return passing ? told : keep(text, told);
   }
 
