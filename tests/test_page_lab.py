@@ -7,6 +7,7 @@ import re
 
 import pytest
 from pages import SCREENS, accessible, enlarge_text, minding, still, too_wide
+from playwright.sync_api import expect
 
 HEAD_ON = "spheres=A,2,0.1,0.5,0.5,2,0;B,1,0.1,1.5,0.5,0,0&e=0.5&seconds=2"
 """A, 2 kg at 2 m/s, strikes B, 1 kg at rest, e = 1/2: by hand A goes on at 1, B at 2 m/s.
@@ -340,6 +341,19 @@ def test_impacts_are_announced_and_nothing_else(lab):
     assert live.inner_text() == ""
     page.keyboard.press("ArrowRight")
     assert live.inner_text().startswith("1: A hits B at 0.40 s")
+
+
+def test_the_last_of_impacts_that_follow_fast_is_announced(lab):
+    page = lab("spheres=A,1,0.1,0.5,0.5,2,0;B,1,0.1,1,0.5,0,0;C,1,0.1,1.25,0.5,0,0&e=1&seconds=2")
+    page.get_by_label("Slow motion at impacts").uncheck()
+    page.get_by_role("button", name="Play", exact=True).click()
+    expect(page.locator("[aria-live]")).to_contain_text(re.compile("^2: B hits C"))
+
+
+def test_names_of_the_views_begin_with_what_stands_on_them(lab):
+    page = lab(HEAD_ON)
+    fit = page.get_by_role("button", name="Fit: see all of the table")
+    assert fit.inner_text() == "Fit"
 
 
 def test_numbers_before_and_after_stand_beside_the_picture(lab):
