@@ -91,7 +91,7 @@ def changed(text: str) -> str:
 
 def edits(browser: Browser, address: str) -> None:
     page = browser.new_page()
-    page.goto(f"{address}/#{urlencode({'statement': ''})}")
+    page.goto(f"{address}/#{urlencode({'statement': 'title Begun'})}")
     page.wait_for_load_state("networkidle")
     kinds: dict[str, list[float]] = {"put in": [], "a number changed": [], "a comment added": []}
     slow: list[tuple[float, str]] = []
@@ -102,8 +102,8 @@ def edits(browser: Browser, address: str) -> None:
             kinds[kind].append(took)
             if kind == "a number changed":
                 slow.append((took, name))
-    print("\n| key to solution, ms | median | 95 % | longest | within 300 |")
-    print("|---|---:|---:|---:|---:|")
+    print("\n| key to solution, ms | median | 95 % | 99 % | longest | within 300 |")
+    print("|---|---:|---:|---:|---:|---:|")
     for kind, times in kinds.items():
         within = sum(each <= 300 for each in times) / len(times)
         print(f"| {kind} | {web.figures([each / 1e3 for each in times])} | {within:.0%} |")

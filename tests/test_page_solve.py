@@ -858,6 +858,84 @@ def test_the_keyboard_alone(open_):
     assert page.locator("#working .progress").inner_text().startswith("line 2 of ")
 
 
+def test_the_keyboard_alone_from_the_choice_on(opening):
+    page = opening
+
+    def tab_to(name: str) -> None:
+        for _ in range(60):
+            page.keyboard.press("Tab")
+            if page.evaluate("() => document.activeElement.textContent").strip() == name:
+                return
+        raise AssertionError(f"{name} cannot be reached")
+
+    tab_to("Skip to the content")
+    page.keyboard.press("Enter")
+    tab_to("Greatest and least values")
+    page.keyboard.press("Enter")
+    gallery = page.get_by_role("dialog", name="Examples")
+    expect(gallery.locator("[data-topic='Greatest and least values'] button").first).to_be_focused()
+    page.keyboard.press("Escape")
+    assert (
+        page.evaluate("() => document.activeElement.dataset.topic") == "Greatest and least values"
+    )
+    page.keyboard.press("Shift+Tab")
+    page.keyboard.press("Enter")
+    expect(gallery.locator("[data-topic='Ranges of values'] button").first).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    solved(page)
+    assert page.evaluate("() => document.activeElement.id") == "statement"
+    page.keyboard.press("Control+Home")
+    page.keyboard.type("spher ")
+    page.keyboard.press("Escape")
+    page.locator("#mistakes button").wait_for()
+    tab_to(page.locator("#mistakes button").text_content().strip())
+    page.keyboard.press("Enter")
+    page.keyboard.press("Delete")
+    page.keyboard.press("Delete")
+    solved(page)
+
+
+def test_fingers_alone(browser, served):
+    with browser.new_context(
+        has_touch=True, is_mobile=True, viewport={"width": 390, "height": 844}
+    ) as touched:
+        page = touched.new_page()
+        with minding(page, served):
+            page.goto(served + "/")
+            page.get_by_role("button", name="Two spheres", exact=True).first.tap()
+            page.locator("#filling form").wait_for()
+            page.go_back()
+            page.get_by_role("button", name="Impulse and kinetic energy").tap()
+            gallery = page.get_by_role("dialog", name="Examples")
+            gallery.get_by_role("button", name="The share of the kinetic energy").tap()
+            solved(page)
+            page.get_by_role("button", name="Line by line").tap()
+            page.get_by_role("button", name="Next line").tap()
+            assert page.locator("#working .progress").inner_text().startswith("line 2 of ")
+            page.get_by_role("button", name="New", exact=True).tap()
+            page.get_by_role("button", name="All ways to begin").tap()
+            page.get_by_role("link", name="for students").tap()
+            page.get_by_role("heading", level=1, name="The page").wait_for()
+            height = "all => all.map((each) => each.getBoundingClientRect().height)"
+            assert min(page.locator("nav a").evaluate_all(height)) >= 24
+
+
+def test_axe_finds_nothing_in_the_choice(opening):
+    page = opening
+    for colours, width in (("light", 390), ("dark", 1280)):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.emulate_media(color_scheme=colours)
+        accessible(page)
+    page.get_by_role("button", name="Write a question of your own").click()
+    accessible(page)
+    page.keyboard.insert_text("spher A\n")
+    page.locator("#mistakes button").wait_for()
+    for colours in ("light", "dark"):
+        page.emulate_media(color_scheme=colours)
+        accessible(page)
+
+
 @pytest.mark.parametrize("width", [360, 1920])
 def test_axe_finds_nothing_in_fractions_and_headings(open_, width):
     """High fractions in long lines, sections with and without parts, an earlier solution."""
@@ -888,6 +966,13 @@ def test_the_page_never_scrolls_sideways(open_):
     for width, height in SCREENS:
         page.set_viewport_size({"width": width, "height": height})
         assert not too_wide(page), width
+
+
+def test_the_choice_never_scrolls_sideways(opening):
+    enlarge_text(opening)
+    for width, height in SCREENS:
+        opening.set_viewport_size({"width": width, "height": height})
+        assert not too_wide(opening), width
 
 
 # --- the words of the editor ----------------------------------------------------------------------
