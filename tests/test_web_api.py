@@ -69,6 +69,46 @@ def command(statement: str, *arguments: str) -> dict:
     return json.loads(done.stdout)
 
 
+# --- in pieces ------------------------------------------------------------------------------------
+
+
+def test_a_statement_is_taken_apart(client) -> None:
+    """Bodies and steps as text, stages as numbers; or the mistakes."""
+    found = said(
+        client,
+        "outline",
+        "sphere A, B: mass 2m\nsphere A: velocity -3u cos(alpha) i - 4j\nsphere B: at rest\n"
+        "wall W: along 60°\nA hits B: along j, e = 3/7\nfind speed(A), impulse\nB hits W\n"
+        "given energy_lost = 3\nunknown μ\nfind speed(B, before), direction(W)\n"
+        "show A at rest\n",
+    ).json()
+    assert found["errors"] == []
+    told = found["outline"]
+    assert [each["mass"] for each in told["spheres"]] == ["2m", "2m"]
+    assert told["spheres"][0]["velocity"] == {
+        "way": "components",
+        "x": "-3u cos(alpha)",
+        "y": "-4",
+    }
+    assert told["spheres"][1]["velocity"] == {"way": "rest"}
+    assert told["walls"][0]["along"] == {"way": "angle", "text": "60°"}
+    steps = told["steps"]
+    assert [each["kind"] for each in steps] == [
+        *("impact", "find", "impact", "given", "unknown", "find", "show")
+    ]
+    assert [each["staged"] for each in steps[1]["items"]] == ["speed(A, 1)", "impulse(1)"]
+    assert (steps[3]["relations"][0]["left"], steps[3]["relations"][0]["right"]) == (
+        "energy_lost(2)",
+        "3",
+    )
+    assert steps[4]["letters"] == "μ"
+    assert [each["staged"] for each in steps[5]["items"]] == ["speed(B, 1)", "direction(W)"]
+    assert steps[6]["relations"][0]["staged"] is None
+    found = said(client, "outline", UNREADABLE).json()
+    assert found["outline"] is None
+    assert [each["line"] for each in found["errors"]]
+
+
 # --- answers --------------------------------------------------------------------------------------
 
 

@@ -13,7 +13,6 @@ from restitution.expression.quantities import SIGNATURES
 from restitution.expression.tree import (
     AtTime,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -60,11 +59,12 @@ def outline(problem: Problem) -> Object:
 
     VELOCITY is ``{"way": "rest"}``, ``{"way": "components", "x", "y"}``, ``{"way": "polar",
     "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is
-    ``{"way": "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind`` and ``line``: an
-    ``impact`` its ``first``, ``second``, ``e``, ``along`` and ``offset``; ``given`` and ``show`` their
-    ``relations``, ``unknown`` its ``letters``, ``find`` its ``items``, each with ``text`` as it stands, and ``staged``, the same
-    with every stage told by its number (null where that cannot be). A relation ``left = right`` has
-    ``left``, ``sign`` and ``right``, staged too.
+    ``{"way": "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind``, ``part``, ``line``
+    and the number of events it comes ``after``. An ``impact`` has ``first``, ``second``, ``e``,
+    ``along`` and ``offset``, ``unknown`` its ``letters``, ``find`` its ``items``, ``given`` and
+    ``show`` their ``relations``. An item and a relation have their ``text``, and ``staged``, the
+    same with every stage told by its number (null where that cannot be). A relation ``left =
+    right`` has ``left``, ``sign`` and ``right``, staged too.
     """
     told = _Told(problem)
     return {
@@ -225,8 +225,8 @@ class _Told:
 
     def _event(self, *bodies: str) -> None:
         self._now += 1
-        for body in bodies:
-            self._bodies.setdefault(body, []).append(self._now)
+        for body in self._bodies.keys() & set(bodies):  # walls have no stages
+            self._bodies[body].append(self._now)
 
     def _item(self, item: Item) -> Object:
         staged = self._staged(item)
@@ -248,7 +248,6 @@ class _Told:
             figures = "" if staged.figures is None else f" to {staged.figures} s.f."
             made |= {"left": _text(left), "sign": staged.operators[0]}
             made["right"] = f"{_text(right)}{figures}"
-            made["degrees"] = isinstance(right, Degrees)
         return made
 
     def _staged(self, value: Any) -> Any:
