@@ -158,7 +158,9 @@ def test_what_is_typed_by_hand_goes_into_the_form(open_) -> None:
 
 
 def test_an_empty_form_is_not_solved(open_) -> None:
-    page = opened(open_(""))
+    page = open_(WALL)
+    page.get_by_role("button", name="New", exact=True).click()
+    opened(page)
     page.get_by_label("Two spheres").check()
     fill(page, AMass="2")
     expect(page.locator("#foreign")).to_contain_text("Still missing")

@@ -175,7 +175,7 @@ async function seePictures() {
 
 function hidden() {
   keepHidden(hiding.hidden);
-  settle(editor.text);
+  if (editor.text.trim()) settle(editor.text);
   hiding.update();
   if (solved) {
     $("spoken").textContent = hiding.hidden ? "" : spoken(solved.reply);
