@@ -13,7 +13,8 @@ const UNIT_VECTOR = /(?<![A-Za-z_])[ij](?![A-Za-z_(])/;
 // Units that a velocity, or an angle, surely has not; of the others the server judges.
 const STRANGE = {
   component: [/[\d)]\s*(kg|N\s?s|J|rad|deg\w*|°)(?!\w)/, "a velocity is in m/s"],
-  angle: [/[\d)]\s*(kg|[kc]?m\s?\/\s?[sh]|m\s?s|ms|N\s?s|J)(?!\w)/, "an angle is in degrees"],
+  angle: [/[\d)]\s*(kg|[kc]?m\s?\/\s?[sh]|m\s?s|N\s?s|[kcm]m|[mgsNJ])(?!\w)/,
+    "an angle is in degrees"],
 };
 const NUMBER = /^\d+(\.\d+)?\s*%?$/;
 
