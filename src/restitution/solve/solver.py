@@ -49,6 +49,7 @@ from restitution.problem import (
     Range,
     Show,
     Value,
+    trees_of_step,
 )
 from restitution.render.layout import (
     Layout,
@@ -114,6 +115,7 @@ def _solved(problem: Problem) -> Solution:
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()
+    found: dict[str, str] = {}
     asking = [part for part in problem.parts if _asks(part)]
     if not asking:
         warnings.append("nothing is asked: a line such as 'find velocity(A)' would ask for it")
@@ -122,8 +124,47 @@ def _solved(problem: Problem) -> Solution:
         worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
         warnings += [each for each in worker.warnings if each not in warnings]
+        warnings += _met_again(parts[part.label], found)
+        found |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))
+
+
+def _under_own_facts(part: PartSolution) -> dict[str, str]:
+    """The letters that facts of a part alone give values to, each with the label of the part."""
+    label = part.part.label
+    if label is None or not any(isinstance(step, Given) for step in part.part.steps):
+        return {}
+    return dict.fromkeys(_solved_letters(part), label)
+
+
+def _solved_letters(part: PartSolution) -> list[str]:
+    names = dict.fromkeys(name for branch in part.branches for name in branch.values)
+    return [name for name in names if not name.startswith("_")]
+
+
+def _met_again(part: PartSolution, found: dict[str, str]) -> list[str]:
+    """Notes of letters in the answers of a part that had a value in an earlier one only."""
+    met = {
+        symbol.name
+        for item in part.items
+        for answer in item.answers
+        for value in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
+        for symbol in getattr(value, "free_symbols", ())
+    }
+    met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
+    return [
+        f"{letter} was found in part {found[letter]} under its own facts; "
+        f"in part {part.part.label} it is a letter again"
+        for letter in sorted(met & found.keys() - set(_solved_letters(part)))
+    ]
+
+
+def _letters_in(item: ItemResult) -> frozenset[str]:
+    """The letters that a claim speaks of."""
+    if not isinstance(item.item, Show):
+        return frozenset()
+    return frozenset().union(*map(letters, trees_of_step(item.item)))
 
 
 # A speed that is more to read than this may be shorter in other components.

@@ -1,0 +1,57 @@
+"""A letter that facts of one part give a value is a letter again in the next: that is told."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from restitution.explain import explain, to_html, to_text
+from restitution.export import contract
+from restitution.language import parse
+from restitution.solve import solve
+
+HEAD = """\
+wall W: along i
+sphere P: mass 2, velocity 3i - 4j
+P hits W
+"""
+TOLD = "e was found in part a under its own facts; in part b it is a letter again"
+
+
+def notes(text):
+    return [each for each in solve(parse(HEAD + text)).warnings if "was found in part" in each]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse",
+        "part a\ngiven impulse = 12\nfind speed(P)\npart b\nfind energy_lost",
+        "part a\ngiven speed(P) = 4\nfind e\npart b\nshow impulse = 8(1 + e)",
+    ],
+)
+def test_it_is_told(text) -> None:
+    assert notes(text) == [TOLD]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "given speed(P) = 4\npart a\nfind e\npart b\nfind impulse",
+        "part a\ngiven speed(P) = 4\nfind e\npart b\nfind velocity(P, 0)",
+        "part a\ngiven speed(P) = 4\nfind e\npart b\ngiven impulse = 12\nfind speed(P)",
+        "part a\nfind impulse\npart b\nfind energy_lost",
+        "part a\ngiven speed(P) = 4\nfind e, impulse",
+    ],
+)
+def test_where_nothing_is_met_again_nothing_is_told(text) -> None:
+    assert notes(text) == []
+
+
+def test_it_is_told_in_text_page_and_json() -> None:
+    solution = solve(parse(HEAD + "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse"))
+    explanation = explain(solution)
+    assert TOLD in " ".join(to_text(explanation).split())
+    assert TOLD in to_html(explanation)
+    assert TOLD in json.loads(contract.to_json(contract.solved("-", solution)))["warnings"]
