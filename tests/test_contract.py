@@ -38,7 +38,7 @@ def content_of(text, file="some.impact", **options):
 
 def check_error(error):
     assert error is None or (
-        list(error) == ["kind", "message", "line", "column"]
+        list(error) == ["kind", "message", "line", "column", "fixes"]
         and error["kind"] in ERRORS
         and error["message"]
         and all(error[key] is None or error[key] > 0 for key in ("line", "column"))
@@ -86,7 +86,7 @@ def check_condition(condition):
 @pytest.mark.parametrize("name", examples.names())
 def test_object_of_every_example(name):
     content = content_of(examples.text(name), file=name)
-    assert list(content) == ["file", "title", "parts", "warnings", "error"]
+    assert list(content) == ["file", "title", "parts", "warnings", "notes", "error"]
     assert content["file"] == name
     assert content["error"] is None
     assert all(isinstance(warning, str) for warning in content["warnings"])
@@ -264,7 +264,14 @@ def test_unreadable():
         "title": None,
         "parts": [],
         "warnings": [],
-        "error": {"kind": "syntax", "message": "unknown word", "line": 3, "column": 7},
+        "notes": [],
+        "error": {
+            "kind": "syntax",
+            "message": "unknown word",
+            "line": 3,
+            "column": 7,
+            "fixes": [],
+        },
     }
     assert not contract.all_answered(content)
 
