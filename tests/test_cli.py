@@ -512,13 +512,102 @@ def test_completion_writes_nothing_at_home(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("usual", "otherwise"),
+    [
+        ("good.impact -f json", "-fjson good.impact"),
+        ("good.impact --format markdown --part a", "--part=a --format=markdown good.impact"),
+        ("good.impact --answers-only", "--answers-only -- good.impact"),
+        (
+            "good.impact missing.impact --time-limit 40",
+            "--time-limit=40.0 good.impact missing.impact",
+        ),
+        ("good.impact bad.impact -f html", "-fhtml good.impact bad.impact"),
+        ("good.impact --time-limit 9999999", "--time-limit=9999999 good.impact"),
+    ],
+)
+def test_a_command_in_its_usual_form_is_read_as_in_any_other(folder, usual, otherwise):
+    """The usual form is read without the library that reads the others."""
+    from restitution.cli.solving import plainly
+
+    assert plainly(usual.split()) is not None
+    assert plainly(otherwise.split()) is None
+    assert redirected(folder, f"solve {usual}") == redirected(folder, f"solve {otherwise}")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["--answers-only"],
+        ["a.impact", "--format", "word"],
+        ["a.impact", "--format"],
+        ["a.impact", "-f", "json", "--format", "text"],
+        ["a.impact", "--time-limit", "-1"],
+        ["a.impact", "--time-limit", "1e3"],
+        ["a.impact", "--part", "--answers-only"],
+        ["a.impact", "--debug"],
+        ["a.impact", "--help"],
+        ["a.impact", "-h"],
+        ["a.impact", ""],
+        ["a.impact", "b\udcff.impact"],
+    ],
+)
+def test_any_other_form_is_left_to_the_library_that_reads_options(arguments):
+    from restitution.cli.solving import plainly
+
+    assert plainly(arguments) is None
+
+
+def test_the_usual_form_of_a_command():
+    from restitution.cli.output import Format
+    from restitution.cli.solving import Solving, plainly
+
+    assert plainly(["a.impact"]) == Solving(("a.impact",))
+    every = [
+        "-o",
+        "-",
+        "a.impact",
+        "--time-limit",
+        "2.5",
+        "-f",
+        "latex",
+        "-",
+        "--part",
+        "a",
+        "--answers-only",
+    ]
+    assert plainly(every) == Solving(("a.impact", "-"), Format.latex, "-", "a", True, 2.5)
+
+
+def test_a_sum_loads_no_tensors():
+    """And whoever wants tensors gets them."""
+    code = (
+        "import sys\n"
+        "from restitution.export.job import prepare, rehearse\n"
+        "prepare()\n"
+        "rehearse()\n"
+        "print('sympy.combinatorics' in sys.modules)\n"
+        "from sympy.tensor.tensor import TensorHead, TensorIndexType, tensor_indices\n"
+        "L = TensorIndexType('L', dummy_name='L', dim=3)\n"
+        "a = tensor_indices('a', L)\n"
+        "A = TensorHead('A', [L])\n"
+        "print(A(a) + A(a))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=100
+    )
+    assert done.stdout.split() == ["False", "2*A(a)"], done.stderr
+
+
 def test_the_asking_process_loads_no_algebra(folder):
     code = (
         "import sys; sys.argv = ['restitution', 'solve', 'good.impact', '-f', 'json']\n"
         "from restitution.cli import main\n"
         "try: main()\n"
         "except SystemExit: pass\n"
-        "print([m for m in ('sympy', 'numpy', 'rich', 'ziamath') if m in sys.modules])"
+        "heavy = ('sympy', 'numpy', 'rich', 'ziamath', 'typer', 'click', 'pydantic')\n"
+        "print([m for m in heavy if m in sys.modules])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code],

@@ -100,10 +100,11 @@ class Worker:
         self._process = self._pipe = None
         self._ready = False
         if process is not None:
-            pipe.close()
+            # Killed first: a process that sees the pipe closed would complain of it.
             process.kill()
             process.join()
             process.close()
+            pipe.close()
 
     def __enter__(self) -> Self:
         return self
@@ -148,8 +149,11 @@ def _live(
     try:
         prepare()
         pipe.send((True, None))
+    except (BrokenPipeError, ConnectionResetError):
+        return  # nobody is there any more
     except BaseException as error:  # noqa: BLE001 - told to the one who asks
-        pipe.send((False, portable(error)))
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+            pipe.send((False, portable(error)))
         return
     if rehearse is not None and not pipe.poll():
         with contextlib.suppress(Exception):  # whatever it is, a request will tell

@@ -48,12 +48,18 @@ def main() -> None:
         } & set(sys.argv):
             # It loads the algebra while the arguments and the files are read here.
             worker = new_worker()
-        from restitution.cli.commands import app
+        from restitution.cli.solving import run_plainly
 
-        app(prog_name="restitution", obj=worker)
+        if not run_plainly(sys.argv[1:], worker):
+            from restitution.cli.commands import app
+
+            app(prog_name="restitution", obj=worker)
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
         sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        _forget_output()  # whoever was reading has gone
+        sys.exit(UNANSWERED)
     except OutputError as error:
         _forget_output()
         reason = "it is closed" if 1 in CLOSED else error.strerror
@@ -128,9 +134,10 @@ def _forget_output() -> None:
 
 def new_worker() -> Worker:
     """The process that solves, which begins at once to load what it needs."""
+    # What both need is loaded before they part, and nothing else: so both go on at the same time.
+    import restitution.export.job  # noqa: F401
     from restitution.killable import Worker
 
-    # It is begun before anything else is loaded here, so that both load at the same time.
     return Worker(_serve, _prepare, _rehearse)
 
 

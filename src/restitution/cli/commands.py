@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -13,20 +14,21 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from restitution.cli import UNANSWERED, UNREADABLE
+from restitution.cli import UNANSWERED, UNREADABLE, solving
 from restitution.cli.asking import answer, worker_of
-from restitution.cli.files import hint, parse, pointed, read, say, shown_name, terminal_width
+from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
     Format,
     PictureFormat,
+    RefusedError,
     SheetFormat,
     interruptible,
     nothing,
     progress,
     silent,
-    target_of,
     write_file,
 )
+from restitution.cli.solving import TIME_LIMIT, Solving, seconds_of
 from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 
@@ -168,6 +170,15 @@ _Files = Annotated[
 ]
 
 
+@contextmanager
+def _refusing() -> Iterator[None]:
+    """What is refused is told with the usage of the command."""
+    try:
+        yield
+    except RefusedError as error:
+        raise typer.BadParameter(error.message, param_hint=error.option) from None
+
+
 _TimeLimit = Annotated[float, typer.Option(metavar="SECONDS", help="For each file; 0 is no limit.")]
 _F = TypeVar("_F", bound=StrEnum)
 
@@ -191,30 +202,16 @@ def solve(
     answers_only: Annotated[
         bool, typer.Option("--answers-only", help="Leave the working out.")
     ] = False,
-    time_limit: _TimeLimit = 10.0,
+    time_limit: _TimeLimit = TIME_LIMIT,
     debug: Annotated[bool, typer.Option("--debug", hidden=True)] = False,
 ) -> None:
     """Solve every file, writing what is said of each as soon as it is known."""
     if debug:
         os.environ["RESTITUTION_DEBUG"] = "1"
-    from restitution.export.job import Writing
-
-    limit = _limit(time_limit)
-
-    target = target_of(output, files, form)
-    styled = target.to_terminal and os.environ.get("TERM") != "dumb"
-    task = Writing(form.value, part, answers_only, terminal_width(), styled)
-    worst = 0
-    with interruptible(), worker_of(context.obj) as worker, target.written():
-        shown = progress(files) if len(files) > 1 else silent
-        with shown(target.to_terminal) as each:
-            for file in each(files):
-                done = answer(worker, file, task, limit)
-                worst = max(worst, done.status)
-                target.write(file, done.content or "", several=len(files) > 1)
-                for message in done.messages:
-                    say(message)
-    raise typer.Exit(worst)
+    asked = Solving(tuple(files), form, output, part, answers_only, time_limit)
+    with _refusing():
+        status = solving.solve(asked, context.obj)
+    raise typer.Exit(status)
 
 
 # --- draw, sheet ------------------------------------------------------------------------------
@@ -241,7 +238,7 @@ def draw(
         int | None,
         typer.Option("--event", metavar="N", min=1, help="Only the N-th event of the story."),
     ] = None,
-    time_limit: _TimeLimit = 10.0,
+    time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Draw the impacts of one file."""
     from restitution.export.job import Drawing
@@ -259,7 +256,8 @@ def draw(
 
             kind: Literal["png", "pdf"] = "png" if form is PictureFormat.png else "pdf"
             content = _made(lambda: converted(done.content, kind))
-        write_file(output, content, [file])
+        with _refusing():
+            write_file(output, content, [file])
     raise typer.Exit(done.status)
 
 
@@ -291,7 +289,7 @@ def sheet(
             " with --solutions.",
         ),
     ] = None,
-    time_limit: _TimeLimit = 10.0,
+    time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Set the questions of all files on one sheet."""
     from restitution.export.job import Setting
@@ -318,7 +316,8 @@ def sheet(
             content = _made(lambda: to_pdf(entries, title, options))
         else:
             content = to_html(entries, title, options).encode()
-        write_file(output, content, files)
+        with _refusing():
+            write_file(output, content, files)
     raise typer.Exit(worst)
 
 
@@ -345,7 +344,7 @@ def play(
         str | None, typer.Option(metavar="LABEL", help="Only this part of the question.")
     ] = None,
     show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
-    time_limit: _TimeLimit = 10.0,
+    time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Write the page that plays the motion of one file."""
     from restitution.export.job import Playing
@@ -362,7 +361,8 @@ def play(
             say(message)
         if done.content is None:
             raise typer.Exit(done.status)
-        write_file(output, done.content.encode(), [file])
+        with _refusing():
+            write_file(output, done.content.encode(), [file])
     if not named:
         say(f"{shown_name(output)}: written; open it in a browser")
     if show:
@@ -373,9 +373,8 @@ def play(
 
 
 def _limit(seconds: float) -> float | None:
-    if not 0 <= seconds < 1e6:
-        raise typer.BadParameter("a number of seconds, 0 for no limit", param_hint="--time-limit")
-    return seconds or None
+    with _refusing():
+        return seconds_of(seconds)
 
 
 def _form_of(output: str, form: _F | None, known: type[_F], otherwise: _F) -> _F:

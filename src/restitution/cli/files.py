@@ -9,8 +9,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import typer
-
 from restitution.cli import CLOSED, REPORT
 from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
@@ -152,7 +150,8 @@ def one_line(error: BaseException) -> str:
 
 def say(message: str) -> None:
     """To standard error."""
-    typer.echo(message, err=True)
+    sys.stderr.write(f"{message}\n")
+    sys.stderr.flush()
 
 
 def debugging() -> bool:

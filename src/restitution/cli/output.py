@@ -11,10 +11,17 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any, TextIO
 
-import typer
-
 from restitution.cli import INTERRUPTED, UNANSWERED
 from restitution.cli.files import say, shown_name
+
+
+class RefusedError(Exception):
+    """Options that cannot be used as they are: why, and which of them; nothing was done yet."""
+
+    def __init__(self, message: str, option: str) -> None:
+        super().__init__(message)
+        self.message = message
+        self.option = option
 
 
 class Format(StrEnum):
@@ -93,7 +100,7 @@ class Target:
                     self.stream.close()
                 self.stream = None
             say(f"{error.filename or self.path}: cannot be written: {error.strerror}")
-            raise typer.Exit(UNANSWERED) from None
+            raise SystemExit(UNANSWERED) from None
 
     @contextmanager
     def written(self) -> Iterator[None]:
@@ -116,28 +123,24 @@ def put(text: str) -> None:
 
 
 def target_of(output: str | None, files: list[str], form: Format) -> Target:
-    """Where the solutions go. Raises BadParameter for what would be lost or unusable."""
+    """Where the solutions go. Raises RefusedError for what would be lost or unusable."""
     if output is None or output == "-":
         target = Target(form)
     else:
         folder = output.endswith(("/", os.sep)) or Path(output).is_dir()
         target = Target(form, Path(output), folder)
     if not target.folder and len(files) > 1 and form in (Format.html, Format.latex):
-        raise typer.BadParameter(
-            f"several files as {form.value} need a folder: --output FOLDER/",
-            param_hint="--output",
+        raise RefusedError(
+            f"several files as {form.value} need a folder: --output FOLDER/", "--output"
         )
     if target.path is not None:
         named = [_in_folder(target.path, file, form) for file in files] if target.folder else []
         for path in named or [target.path]:
             if named.count(path) > 1:
-                raise typer.BadParameter(
-                    f"{path} would be written more than once", param_hint="--output"
-                )
+                raise RefusedError(f"{path} would be written more than once", "--output")
             if any(_same_file(path, file) for file in files):
-                raise typer.BadParameter(
-                    f"{path} is one of the statements: it would be overwritten",
-                    param_hint="--output",
+                raise RefusedError(
+                    f"{path} is one of the statements: it would be overwritten", "--output"
                 )
     return target
 
@@ -151,14 +154,12 @@ def write_file(output: str, content: bytes, statements: list[str]) -> None:
         return
     path = Path(output)
     if any(_same_file(path, each) for each in statements):
-        raise typer.BadParameter(
-            f"{path} is one of the statements: it would be overwritten", param_hint="--output"
-        )
+        raise RefusedError(f"{path} is one of the statements: it would be overwritten", "--output")
     try:
         path.write_bytes(content)
     except OSError as error:
         say(f"{error.filename or path}: cannot be written: {error.strerror}")
-        raise typer.Exit(UNANSWERED) from None
+        raise SystemExit(UNANSWERED) from None
 
 
 def _in_folder(folder: Path, file: str, form: Format) -> Path:
@@ -232,4 +233,4 @@ def interruptible() -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         say("interrupted")
-        raise typer.Exit(INTERRUPTED) from None
+        raise SystemExit(INTERRUPTED) from None

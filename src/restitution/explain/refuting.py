@@ -12,7 +12,6 @@ from restitution.exact import same, tidy, tidy_angle
 from restitution.explain.phrases import answer, listed, look
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
 from restitution.explain.steps import Words
-from restitution.expression import read_expression
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Name, Quantity
 from restitution.oracle import BeyondError, compared
@@ -191,10 +190,17 @@ def instances(given: Mapping[str, str]) -> list[Layout]:
     return [
         lay.equation(
             lay.letter(name),
-            lay.from_tree(read_expression(text)) if _number(text) is None else _number_look(text),
+            lay.from_tree(_read(text)) if _number(text) is None else _number_look(text),
         )
         for name, text in given.items()
     ]
+
+
+def _read(text: str) -> Expression:
+    # It loads the parser, which a working seldom needs.
+    from restitution.expression import read_expression
+
+    return read_expression(text)
 
 
 def _number_look(text: str) -> Layout:

@@ -6,11 +6,14 @@ What goes in and what comes out are plain values, so that the one who asks needs
 from __future__ import annotations
 
 import gc
+import sys
 import time
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, TimeLimitError
@@ -120,6 +123,7 @@ def prepare() -> None:
     """Load what the work needs."""
     # Loading makes many objects and no garbage.
     gc.disable()
+    _without_tensors()
     import restitution.explain
     import restitution.export.answers
     import restitution.solve  # noqa: F401
@@ -127,6 +131,32 @@ def prepare() -> None:
     # What was loaded stays: no need to look through it again for garbage.
     gc.freeze()
     gc.enable()
+
+
+_TENSORS = "sympy.tensor.tensor"
+
+
+def _without_tensors() -> None:
+    """Let SymPy not load its tensors: its first sum asks whether a term is one of them.
+
+    Loading them, and the permutations that they need, takes as long as solving a small question.
+    Nothing here is a tensor, so two classes without members answer that. Whoever asks for anything
+    else has the true module loaded in their place.
+    """
+    if _TENSORS in sys.modules:
+        return
+
+    def true_name(name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)  # what the import system asks
+        if sys.modules.get(_TENSORS) is absent:
+            del sys.modules[_TENSORS]
+        return getattr(import_module(_TENSORS), name)
+
+    absent: Any = ModuleType(_TENSORS)
+    absent.TensExpr, absent.TensAdd = type("TensExpr", (), {}), type("TensAdd", (), {})
+    absent.__getattr__ = true_name
+    sys.modules[_TENSORS] = absent
 
 
 def rehearse() -> None:

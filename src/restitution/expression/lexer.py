@@ -27,6 +27,7 @@ from restitution.expression.words import (
     GREEK_SIGNS,
     KEYWORDS,
     MEANT,
+    NAME,
     PHRASES,
     PROPERTY_WORDS,
     WORDS,
@@ -37,8 +38,6 @@ from restitution.expression.words import (
     unknown_name,
 )
 from restitution.mending import Edit, Fix, Note
-
-NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 
 _WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)

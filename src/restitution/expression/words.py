@@ -8,6 +8,9 @@ from difflib import get_close_matches
 
 from restitution.expression.tree import FUNCTIONS, GREEK, QUANTITIES
 
+NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+"""The name of a body, a wall or a point."""
+
 # The names of μ, ν and ξ are products (m times u) where they stand as Latin letters.
 GREEK_BY_NAME = frozenset(GREEK) - {"mu", "nu", "xi"}
 

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import NAME, Source
+from restitution.expression.lexer import Source
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
+from restitution.expression.words import NAME
 
 _BREAK = re.compile(r"\r\n|\r|\n")
 _FIRST_WORD = re.compile(r"\s*(\w+)")

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import NAME
 from restitution.expression.limits import MAX_LINE_LENGTH
 from restitution.expression.tree import Expression, Number, Pair
+from restitution.expression.words import NAME
 from restitution.expression.writing import write_expression, write_sum
 from restitution.language.measuring import like_units
 from restitution.problem import (

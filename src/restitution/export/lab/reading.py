@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import NAME
+from restitution.expression.words import NAME
 
 _LARGEST = 1e6
 _LONGEST_NAME = 12
