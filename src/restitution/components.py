@@ -11,6 +11,7 @@ import contextlib
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, Literal
 
 import sympy as sp
@@ -43,6 +44,7 @@ from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, number_of
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
+from restitution.work import remembered
 
 # Letters for unknown components, in the order in which textbooks take them.
 _COMPONENTS = ("v", "w", "x", "y", "p", "q", "s", "z", "f", "g", "h", "b", "c", "d", "l", "n")
@@ -72,6 +74,60 @@ def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
         return oracle.sign(x)
     except BeyondError:
         return None
+
+
+def _may_not_vanish(gap: sp.Expr, numbers: Mapping[str, Any]) -> bool:
+    """Whether it is worth asking, in intervals, for the sign of an expression at a point."""
+    try:
+        return bool(abs(at(gap, numbers)) > _NOTHING)
+    except (UndefinedError, KeyError, ArithmeticError):
+        return False
+
+
+class _Known(Oracle):
+    """An oracle that keeps what it was asked beyond one working, with the work that it took.
+
+    So the same claim in another telling of the part, in another part, or in the statement with a
+    line changed, is decided once.
+    """
+
+    def with_facts(self, facts: Iterable[Formula]) -> Oracle:
+        return _Known(self.roles, (*self.facts, *facts))
+
+    def decide(self, claim: Formula) -> Verdict:
+        return _decided(self._key, self.facts, claim)
+
+    def sign(self, x: sp.Expr) -> int | None:
+        return _sign_of(self._key, self.facts, sp.sympify(x, strict=True))
+
+    @cached_property
+    def _key(self) -> tuple[tuple[str, Role], ...]:
+        return tuple(self.roles.items())
+
+
+@remembered(2048)
+def _decided(
+    roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], claim: Formula
+) -> Verdict:
+    return Oracle(dict(roles), facts).decide(claim)
+
+
+@remembered(2048)
+def _sign_of(
+    roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], x: sp.Expr
+) -> int | None:
+    return Oracle(dict(roles), facts).sign(x)
+
+
+@remembered(256)
+def _admitted(
+    roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], names: frozenset[str]
+) -> tuple[tuple[Point, Mapping[str, Any]], ...]:
+    """A few points at which facts hold, with the numbers of a hundred digits of each."""
+    return tuple(
+        (point, {name: number_of(value) for name, value in point.items()})
+        for point in Oracle(dict(roles), facts).points(names, _POINTS)
+    )
 
 
 def _less_than_a_turn(angle: sp.Expr, oracle: Oracle) -> bool:
@@ -247,6 +303,7 @@ class Model:
     _made: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(default_factory=dict, repr=False)
     _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
     _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
+    _differing: dict[sp.Expr, bool] = field(default_factory=dict, repr=False)
 
     # --- what is proved -----------------------------------------------------------------------
 
@@ -265,7 +322,7 @@ class Model:
         """Made again when the telling has come to a hidden unknown that is new."""
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
         if names not in self._made:
-            ground = Oracle({**self.unknowns.roles, **self.unknowns.hidden_roles})
+            ground = _Known({**self.unknowns.roles, **self.unknowns.hidden_roles})
             known = self.branch.oracle
             self._made[names] = ground, ground if known is None else self._renamed(known)
         return self._made[names]
@@ -278,7 +335,7 @@ class Model:
             roles = {
                 name: replace(role, closed=(False, False)) for name, role in ground.roles.items()
             }
-            self._inside[id(ground)] = Oracle(roles)
+            self._inside[id(ground)] = _Known(roles)
         return self._inside[id(ground)]
 
     def _renamed(self, known: Oracle) -> Oracle:
@@ -347,12 +404,24 @@ class Model:
             return self._is_not_zero(gap)
         if self.branch.oracle is None:
             return False
+        if gap not in self._differing:
+            self._differing[gap] = self._differ(gap)
+        return self._differing[gap]
+
+    def _differ(self, gap: sp.Expr) -> bool:
         names = frozenset(symbol.name for symbol in gap.free_symbols)
         try:
-            points = self.oracle.points(names, _POINTS)
-            return any(holds_at(Relation(gap, "="), point) is False for point in points)
+            return any(
+                _may_not_vanish(gap, numbers) and holds_at(Relation(gap, "="), point) is False
+                for point, numbers in self._points(names)
+            )
         except BeyondError:
             return False
+
+    def _points(self, names: frozenset[str]) -> Sequence[tuple[Point, Mapping[str, Any]]]:
+        """Points that the solution admits, with the numbers of a hundred digits of each."""
+        oracle = self.oracle
+        return _admitted(tuple(oracle.roles.items()), oracle.facts, names)
 
     def _no_angle(self, angle: sp.Expr) -> Verdict:
         """Whether an angle is 0: its sine vanishes, its cosine is positive, and it is no turn."""

@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -745,7 +745,7 @@ def _core(value: Expr, angles: tuple[_Angle, ...]) -> Expr:
     if masked.is_Atom:
         return _restore(masked, back)
     if _size(masked, SEARCHED) >= SEARCHED or _multiplied_out(masked) > EXPANDED:
-        return _restore(_factored(masked, deep=False), back)
+        return _restore(_factored(masked, False), back)
     present = [a for a in angles if masked.free_symbols & {a.sine, a.cosine, a.tangent}]
     # A root in a numerator or a denominator: both are tried, by multiplying by it above and below.
     best = _with_angles(_unrooted(masked, back), present)
@@ -1080,7 +1080,8 @@ def _in_tangent(form: tuple[Expr, Expr], angle: _Angle) -> Expr | None:
 # --- factors ----------------------------------------------------------------------------------
 
 
-def _factored(value: Expr, *, deep: bool = True) -> Expr:
+@remembered(2048)
+def _factored(value: Expr, deep: bool = True) -> Expr:
     """Over one denominator, in factors; surds out of denominators; signs and conjugates tidy."""
     spend()
     value = sympy.factor(value) if deep else sympy.factor_terms(sympy.together(value))
@@ -1138,6 +1139,7 @@ def _product(coefficient: Expr, powers: list[tuple[Expr, Expr]]) -> Expr:
     return _scaled(rational, rest)
 
 
+@remembered(2048)
 def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
     """A sum as a number times factors without a common factor, surds included."""
     surds = {x for x in total.atoms(Pow) if _is_surd(x)}
@@ -1258,13 +1260,21 @@ def _signed(
 
 def _one_sign(total: Expr) -> bool:
     """Whether turning a sum round would make it negative at all admissible letters tried."""
-    values = list(_samples(total))
-    return bool(values) and all(value > 0 for value in values)
+    return _all_of(_samples(total), lambda value: value > 0)
 
 
 def _negative(total: Expr) -> bool:
-    values = list(_samples(total))
-    return bool(values) and all(value < 0 for value in values)
+    return _all_of(_samples(total), lambda value: value < 0)
+
+
+def _all_of(values: Iterator[float], test: Callable[[float], bool]) -> bool:
+    """Whether there are values and all pass; none is worked out beyond the first that fails."""
+    any_ = False
+    for value in values:
+        if not test(value):
+            return False
+        any_ = True
+    return any_
 
 
 def _samples(total: Expr) -> Iterator[float]:
@@ -1309,6 +1319,7 @@ def _of_an_angle(masked: list[Symbol], generator: random.Random) -> dict[Symbol,
     return values
 
 
+@remembered(2048)
 def _collected(total: Expr) -> Expr:
     """A sum with one letter, or with its components, collected where that is shorter."""
     if not isinstance(total, Add) or not 3 <= len(total.args) <= 12:
@@ -1356,7 +1367,7 @@ def _collected_in(total: Add, letters: tuple[Symbol, ...]) -> Expr:
         coefficient = Add(*coefficients)
         inner = sympy.factor(coefficient) if isinstance(coefficient, Add) else coefficient
         if isinstance(inner, Mul) and any(isinstance(x, Add) for x in inner.args):
-            inner = _factored(inner, deep=False) if inner.free_symbols else inner
+            inner = _factored(inner, False) if inner.free_symbols else inner
         if isinstance(inner, Add) and power is not S.One and _turns(inner):
             terms.append(Mul(S.NegativeOne, -inner, power))
         else:

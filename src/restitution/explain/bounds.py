@@ -15,10 +15,11 @@ from restitution.errors import RestitutionError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.asked import found_before, prepare, sub_result
 from restitution.explain.checking import related
+from restitution.explain.kept import above, factored, simplified
 from restitution.explain.phrases import answer, chain, listed, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import Row, Side, Words, side
-from restitution.explain.working import by_tangent
+from restitution.explain.working import TANGENT, by_tangent
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Name, Quantity, has_quantity
 from restitution.oracle import BeyondError, Formula, compared
@@ -431,7 +432,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     value = work.put(bound.value)
     simple, sign = _reduced(work, value, bound.asks, x)
     if bound.bare and simple.free_symbols:
-        rows = [Row((look(sp.factor(simple)), right.layout), (sign,), (simple, right.value), "M1")]
+        rows = [Row((look(factored(simple)), right.layout), (sign,), (simple, right.value), "M1")]
     if simple.free_symbols and several:
         # Where only one of them need hold, none can be checked by itself.
         alone = not _one_of_several(bound)
@@ -475,7 +476,7 @@ def _reduced(
     work: Working, value: sp.Expr, sign: str, x: sp.Symbol | None = None
 ) -> tuple[sp.Expr, str]:
     """An inequality without the factors that are positive anyway; one that is x itself is kept."""
-    value = sp.factor(sp.together(value))
+    value = factored(sp.together(value))
     kept = sp.Integer(1)
     divisors = sp.Integer(1)
     for factor, power in value.as_powers_dict().items():
@@ -523,7 +524,7 @@ def _solved(
     del first
     if x is not None and simple.has(x):
         if work.is_angle(x):
-            t = sp.Dummy("t", positive=True)
+            t = TANGENT
             poly = by_tangent(simple, x, t)
             if poly is not None and sp.degree(poly, t) in (1, 2):
                 p = sp.Poly(poly, t)
@@ -544,7 +545,7 @@ def _solved(
             left, right, swapped = apart
             way = _FLIPPED[sign] if swapped else sign
             return [Row((look(left), look(right)), (way,), (left, right))]
-    tidied = sp.factor(simple)
+    tidied = factored(simple)
     return [Row((look(tidied), lay.Number("0")), (sign,), (tidied, sp.Integer(0)))]
 
 
@@ -554,7 +555,7 @@ def _apart(simple: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr, bool] | Non
     if len(terms) != 2 or terms[1][0] != (0,):
         return None
     ((power,), a), (_, b) = terms
-    left, right = tidy(sp.factor(a) * x**power), tidy(sp.factor(-b))
+    left, right = tidy(factored(a) * x**power), tidy(factored(-b))
     turned = bool(right.could_extract_minus_sign())
     return (tidy(-left), tidy(-right), True) if turned else (left, right, False)
 
@@ -883,7 +884,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     variable: Any = x
     shown_x: sp.Expr = x
     if work.is_angle(x):
-        t = sp.Dummy("t", positive=True)
+        t = TANGENT
         replaced = _in_tangent(function, x, t)
         if replaced is not None:
             function, variable, shown_x = replaced, t, sp.tan(x)
@@ -891,7 +892,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         # What is given ties it to the letter: it is greatest or least at an end of its own range.
         _range_working(work, tree, now)
         return
-    slope = tidy(sp.factor(sp.diff(function, variable)))
+    slope = tidy(factored(sp.diff(function, variable)))
     back = {variable: shown_x}
     root = _stationary(work, slope, function, target_, variable)
     letter: Any = x
@@ -951,7 +952,7 @@ def _in_tangent(function: sp.Expr, x: sp.Symbol, t: sp.Symbol) -> sp.Expr | None
     replaced = function.subs(sp.tan(x), t).subs({sp.sin(x): t * c, sp.cos(x): c})
     if replaced.has(x):
         return None
-    replaced = tidy(sp.simplify(replaced))
+    replaced = tidy(simplified(replaced))
     return None if replaced.has(sp.sqrt(1 + t**2)) else replaced
 
 
@@ -963,7 +964,7 @@ def _stationary(
     variable: sp.Symbol,
 ) -> tuple[sp.Expr, sp.Expr] | None:
     """The factor of the derivative that vanishes at the extremum, and its root there."""
-    numerator = sp.fraction(sp.together(slope))[0]
+    numerator = above(slope)
     try:
         factors = [f for f, _ in sp.factor_list(numerator)[1] if f.has(variable)]
     except sp.PolynomialError:

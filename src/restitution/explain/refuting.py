@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution.exact import same, tidy, tidy_angle
+from restitution.explain.kept import simplified
 from restitution.explain.phrases import answer, listed, look
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
 from restitution.explain.steps import Words
@@ -167,7 +168,7 @@ def _at(value: Any, given: Mapping[str, str]) -> Any:
         for each in value.free_symbols
         if each.name in given and (number := _number(given[each.name])) is not None
     }
-    return sp.simplify(value.xreplace(numbers)) if numbers else value
+    return simplified(value.xreplace(numbers)) if numbers else value
 
 
 def _symbols(work: Working, tree: Expression, now: int) -> set[str]:

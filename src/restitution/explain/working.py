@@ -19,6 +19,8 @@ from restitution.components import Component, Frame, Law, Model
 from restitution.errors import UnsupportedError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.checking import holds, refuted
+from restitution.explain.kept import above as above_bar
+from restitution.explain.kept import factored
 from restitution.explain.order import blocks, needed
 from restitution.explain.phrases import (
     ORDINALS,
@@ -585,7 +587,7 @@ class Working:
         """
         own = x
         x = self.resolved(self._known(sp.sympify(residual, strict=True)))
-        above = _above(x)
+        above = above_bar(x)
         try:
             parts = factors(sp.expand(above))
         except (sp.PolynomialError, UnsupportedError):
@@ -762,9 +764,9 @@ class Working:
             return [*rows, final]
         expanded = self._cleared(poly.as_expr())
         rows.append(relation(side(expanded), "=", side(sp.Integer(0))))
-        factored = sp.factor(expanded)
-        if factored.is_Mul and sum(f.has(x) for f in factored.args) > 1:
-            rows.append(relation(side(factored), "=", side(sp.Integer(0))))
+        product = factored(expanded)
+        if product.is_Mul and sum(f.has(x) for f in product.args) > 1:
+            rows.append(relation(side(product), "=", side(sp.Integer(0))))
         return [*rows, final]
 
     def _cleared(self, expression: sp.Expr) -> sp.Expr:
@@ -780,7 +782,7 @@ class Working:
         self, x: sp.Symbol, numerator: sp.Expr, value: sp.Expr, others: Sequence[sp.Expr] = ()
     ) -> list[Row]:
         """From sines and cosines to the tangent, and to the angle."""
-        t = sp.Dummy("t", positive=True)
+        t = TANGENT
         tangent = sp.tan(x)
         poly = by_tangent(numerator, x, t)
         angle = self._roots_row(x, value, others)
@@ -801,10 +803,10 @@ class Working:
         else:
             whole = self._cleared(p.as_expr())
             rows.append(relation(side(whole.xreplace({t: tangent})), "=", side(sp.Integer(0))))
-            factored = sp.factor(whole)
-            if factored.is_Mul and sum(f.has(t) for f in factored.args) > 1:
+            product = factored(whole)
+            if product.is_Mul and sum(f.has(t) for f in product.args) > 1:
                 rows.append(
-                    relation(side(factored.xreplace({t: tangent})), "=", side(sp.Integer(0)))
+                    relation(side(product.xreplace({t: tangent})), "=", side(sp.Integer(0)))
                 )
             rows.append(self._either(tangent, tangents))
         if not value.free_symbols:
@@ -1102,11 +1104,6 @@ def _replaced(x: sp.Expr, put: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> sp.Expr
     return x.xreplace(dict(put))
 
 
-@lru_cache(maxsize=1024)
-def _above(x: sp.Expr) -> sp.Expr:
-    return sp.fraction(sp.together(x))[0]
-
-
 def _says(earlier: Step, step: Step) -> bool:
     """Whether a step, with its words, stands in an earlier one."""
     same = (earlier.kind, earlier.principle, earlier.words) == (
@@ -1132,6 +1129,11 @@ def _common(masses: Sequence[sp.Expr]) -> sp.Expr:
     return common / scale if common != 0 else sp.Integer(1)
 
 
+TANGENT = sp.Dummy("t", positive=True)
+"""The tangent of an angle, while something is worked out in it."""
+
+
+@lru_cache(maxsize=512)
 def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
     """A polynomial in the sine and cosine of an angle as one in its tangent, if it can be."""
     c, s = sp.Symbol("_c", positive=True), sp.Symbol("_s", positive=True)

@@ -79,8 +79,13 @@ _DOWN = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉�
 _ROOTS = {2: "√", 3: "∛", 4: "∜"}
 
 
+@lru_cache(maxsize=4096)
 def to_text(layout: Layout) -> str:
     """The layout on one line of Unicode text."""
+    return _text(layout)
+
+
+def _text(layout: Layout) -> str:
     match layout:
         case Number(digits):
             return digits
@@ -101,26 +106,26 @@ def to_text(layout: Layout) -> str:
         case Root(inside, index):
             return _root(inside, index)
         case Power(base, exponent):
-            return to_text(base) + _superscript(exponent)
+            return _text(base) + _superscript(exponent)
         case Function():
             return _function(layout)
         case Brackets(Fraction() as inside, "()"):
             return f"({_slash(inside)})"
         case Brackets(inside, kind):
-            return f"{kind[0]}{to_text(inside)}{kind[1]}"
+            return f"{kind[0]}{_text(inside)}{kind[1]}"
         case Degrees(inside):
             return f"{_unit_number(inside)}°"
         case Percent(inside):
             return f"{_unit_number(inside)}%"
         case Coordinates(items):
-            return f"({', '.join(to_text(each) for each in items)})"
+            return f"({', '.join(_text(each) for each in items)})"
         case Relation(operands, signs):
-            parts = [to_text(operands[0])]
+            parts = [_text(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
-                parts += [sign, to_text(operand)]
+                parts += [sign, _text(operand)]
             return " ".join(parts)
         case Phrase(items, separator):
-            return separator.join(to_text(each) for each in items)
+            return separator.join(_text(each) for each in items)
 
 
 def width(text: str) -> int:
@@ -177,7 +182,7 @@ def _subscript(subscript: str) -> str:
 
 
 def _superscript(exponent: Layout) -> str:
-    text = to_text(exponent)
+    text = _text(exponent)
     if all(each in _UP for each in text):
         return "".join(_UP[each] for each in text)
     return f"^({_slash(exponent) if isinstance(exponent, Fraction) else text})"
@@ -186,7 +191,7 @@ def _superscript(exponent: Layout) -> str:
 def _sum(terms: tuple[tuple[str, Layout], ...]) -> str:
     out = ""
     for index, (sign, term) in enumerate(terms):
-        text = to_text(term)
+        text = _text(term)
         if index == 0:
             out = (MINUS if sign == "-" else "") + text
         else:
@@ -220,17 +225,17 @@ def _apart(before: Layout, factor: Layout, left: str, right: str) -> bool:
 
 def _factor(factor: Layout, sign: str) -> str:
     if isinstance(factor, Fraction):
-        text = to_text(factor)
+        text = _text(factor)
         return text if len(text) == 1 else f"({_slash(factor)})"
     if isinstance(factor, Product) and factor.sign and not sign:
-        return f"({to_text(factor)})"
-    return to_text(factor)
+        return f"({_text(factor)})"
+    return _text(factor)
 
 
 def _slash(fraction: Fraction) -> str:
     if isinstance(fraction.below, Product) and fraction.below.factors[0] == Words("d"):
-        return f"d/d{to_text(fraction.below.factors[1])}"  # a rate of change
-    above, below = to_text(fraction.above), to_text(fraction.below)
+        return f"d/d{_text(fraction.below.factors[1])}"  # a rate of change
+    above, below = _text(fraction.above), _text(fraction.below)
     if isinstance(fraction.above, Fraction):
         above = f"({_slash(fraction.above)})"
     elif isinstance(fraction.above, Sum | Relation | Phrase) or _open_ended(fraction.above):
@@ -252,7 +257,7 @@ def _open_ended(layout: Layout) -> bool:
 
 def _root(inside: Layout, index: int) -> str:
     sign = _ROOTS.get(index)
-    text = to_text(inside)
+    text = _text(inside)
     if sign is None:
         return f"({text})^(1/{index})"
     if isinstance(inside, Number) or (isinstance(inside, Letter) and "_" not in text):
@@ -264,7 +269,7 @@ def _root(inside: Layout, index: int) -> str:
 
 def _function(layout: Function) -> str:
     power = "" if layout.power is None else _superscript(layout.power)
-    argument = to_text(layout.argument)
+    argument = _text(layout.argument)
     if isinstance(layout.argument, Brackets):
         return f"{layout.name}{power}{argument}"
     if power and isinstance(layout.argument, Letter):
@@ -276,4 +281,4 @@ def _unit_number(inside: Layout) -> str:
     """A number before ° or %, in brackets if it is more than one thing."""
     if isinstance(inside, Fraction):
         return f"({_slash(inside)})"
-    return to_text(inside)
+    return _text(inside)
