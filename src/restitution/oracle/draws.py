@@ -8,31 +8,59 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 
-from restitution.oracle.points import Program, Value, ends_of
+from restitution.oracle.points import Ball, Value, ball, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 
 _NEAR = (Fraction(1, 10**3), Fraction(1, 10**9), Fraction(1, 10**15))
 _USUAL = 16
+_BLOCK = 16
+
+
+@dataclass(frozen=True)
+class Draw:
+    """A value for each of some letters: exactly, and as a float with a bound of its error."""
+
+    point: dict[str, Value]
+    balls: dict[str, Ball]
 
 
 def draws(
-    names: Sequence[str], roles: Mapping[str, Role], count: int
-) -> Iterator[dict[str, Value]]:
-    """So many points, with a value for each letter that its role allows."""
+    names: Sequence[str], roles: Mapping[str, Role], count: int, first: int = 0
+) -> Iterator[Draw]:
+    """So many draws, with values that the letters' roles allow, from the ``first`` one on."""
+    kinds = tuple(roles.get(name, REAL) for name in names)
+    for n in range(first, first + count):
+        row = _block(kinds, n // _BLOCK)[0][n % _BLOCK]
+        point = {name: value for name, (value, _) in zip(names, row, strict=True)}
+        yield Draw(point, {name: own for name, (_, own) in zip(names, row, strict=True)})
+
+
+@lru_cache(maxsize=256)
+def _block(
+    kinds: tuple[Role, ...], number: int
+) -> tuple[tuple[tuple[tuple[Value, Ball], ...], ...], Any]:
+    """Some rows of values for letters of these roles, and how the generator goes on."""
     rng = random.Random(20)
-    ranges = {name: _ends(roles.get(name, REAL)) for name in names}
-    for n in range(count):
-        point: dict[str, Value] = {}
+    if number:
+        rng.setstate(_block(kinds, number - 1)[1])
+    ranges = [_ends(role) for role in kinds]
+    rows = []
+    for n in range(number * _BLOCK, (number + 1) * _BLOCK):
         kind = "usual" if n < _USUAL else ("near", "far", "usual")[n % 3]
-        for name in names:
-            role, (low, high) = roles.get(name, REAL), ranges[name]
+        row = []
+        for role, (low, high) in zip(kinds, ranges, strict=True):
             own = kind if kind == "usual" or rng.random() < 0.6 else "usual"
-            point[name] = _value(role, low, high, rng, own)
-        yield point
+            value = _value(role, low, high, rng, own)
+            row.append((value, ball(value)))
+        rows.append(tuple(row))
+    return tuple(rows), rng.getstate()
 
 
 def _ends(role: Role) -> tuple[Value | None, Value | None]:
@@ -44,7 +72,7 @@ def _end(x: sp.Expr | None) -> Value | None:
         return None
     if x.is_Rational:
         return Fraction(int(x.p), int(x.q))
-    low, high = ends_of(Program.of([x]).enclosures({}, 30)[0])
+    low, high = ends_of(constant_interval(x, 30))
     return float((low + high) / 2)
 
 

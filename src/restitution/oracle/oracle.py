@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
-from typing import Literal
+from functools import cached_property, lru_cache
+from typing import Any, Literal
 
 import sympy as sp
 
 from restitution.oracle import decision, intervals
-from restitution.oracle.draws import draws
+from restitution.oracle.draws import Draw, draws
 from restitution.oracle.formula import (
     FALSE,
     TRUE,
@@ -24,16 +24,26 @@ from restitution.oracle.formula import (
     negation,
     relations,
 )
-from restitution.oracle.points import BeyondError, Point, Program, Value, ends_of
+from restitution.oracle.points import (
+    Ball,
+    BeyondError,
+    Point,
+    Program,
+    Value,
+    constant_interval,
+    ends_of,
+)
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.simple import simpler
-from restitution.work import spend
+from restitution.work import remembered, spend
 
 Answer = Literal["proved", "refuted", "undecided"]
 Proof = Literal["algebra", "decision", "intervals", "witness", "undecided"]
 
-FEW, MANY = 48, 160
+# So many points are tried before a question is put to the decision procedure; so many in all,
+# where that has no answer.
+FEW, MANY = 24, 160
 # What a claim, and what a question to the decision procedure, counts in steps of work.
 _CLAIM, _QUESTION = 100, 2000
 
@@ -74,40 +84,56 @@ class Oracle:
         """The same letters, under more facts."""
         return Oracle(self.roles, (*self.facts, *facts))
 
+    def _known(self, letters: frozenset[str]) -> _Known:
+        """What an answer about these letters rests on."""
+        names = sorted(letters | self._every.letters)
+        return tuple((name, self.roles.get(name)) for name in names), self.facts
+
     # --- points ----------------------------------------------------------------------------------
 
     @cached_property
     def _every(self) -> _Tester:
-        return _Tester(joined(self.facts))
+        return _tester(joined(self.facts))
 
-    def points(self, names: frozenset[str], count: int = FEW) -> list[dict[str, Value]]:
-        """Points at which all facts hold for certain, with a value for each of these letters."""
+    def _drawn(self, names: frozenset[str], first: int, last: int) -> Iterator[Draw]:
+        """Draws at which all facts hold for certain."""
         wanted = sorted(names | self._every.letters)
-        return [
-            point for point in draws(wanted, self.roles, count) if self._every.holds(point) is True
-        ]
+        if not wanted:
+            last = min(last, 1)
+        for draw in draws(wanted, self.roles, last - first, first):
+            if self._every.holds(draw.point, draw.balls) is True:
+                yield draw
+
+    def points(self, names: frozenset[str], count: int = FEW) -> list[Point]:
+        """Points at which all facts hold for certain, with a value for each of these letters."""
+        return [draw.point for draw in self._drawn(names, 0, count)]
 
     @cached_property
     def possible(self) -> Verdict:
         """Whether some values satisfy the facts: refuted means that none do."""
+        try:
+            return _possible(self._known(frozenset()))
+        except _OpenError as open_:
+            return open_.verdict
+
+    def _satisfied(self) -> Verdict:
         names = self._every.letters
-        tried = 0
-        for point in draws(sorted(names), self.roles, MANY if names else 1):
-            tried += 1
-            if self._every.holds(point) is True:
-                return Verdict("proved", "witness", point, tried)
+        for draw in self._drawn(names, 0, FEW):
+            return Verdict("proved", "witness", draw.point, 1)
         reply, world = self._asked(())
         if reply.satisfiable == "no":
-            return Verdict("refuted", "decision" if names else "algebra", None, tried)
+            return Verdict("refuted", "decision" if names else "algebra")
         if reply.satisfiable == "yes" and world is not None:
             point = self._simple(self._point(reply, world, names), ())
             if self._every.holds(point) is True:
-                return Verdict("proved", "witness", point, tried)
+                return Verdict("proved", "witness", point)
             if not world.loose:
-                return Verdict("proved", "decision", point, tried)
+                return Verdict("proved", "decision", point)
+        for draw in self._drawn(names, FEW, MANY):
+            return Verdict("proved", "witness", draw.point, 1)
         if intervals.refutes(joined(self.facts), self.roles):
-            return Verdict("refuted", "intervals", None, tried)
-        return Verdict("undecided", "undecided", None, tried)
+            return Verdict("refuted", "intervals")
+        return Verdict("undecided", "undecided")
 
     def admits(self, point: Point) -> bool:
         """Whether every letter has a value that its role allows."""
@@ -118,7 +144,11 @@ class Oracle:
     def decide(self, claim: Formula) -> Verdict:
         """Whether a claim holds wherever the facts do."""
         if claim not in self._verdicts:
-            self._verdicts[claim] = self._decide(claim)
+            try:
+                verdict = _decided(self._known(_letters_of(claim)), claim)
+            except _OpenError as open_:
+                verdict = open_.verdict
+            self._verdicts[claim] = verdict
         return self._verdicts[claim]
 
     def decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
@@ -140,18 +170,24 @@ class Oracle:
         if isinstance(claim, All):
             return self._all(claim)
         algebra = self._by_algebra(claim)
-        names = letters_of(claim) | self._every.letters
+        names = _letters_of(claim) | self._every.letters
         if algebra is not None and (algebra.answer == "proved" or not names):
             return algebra
-        tester = _Tester(claim)
+        tester = _tester(claim)
         tried = 0
-        for point in draws(sorted(names), self.roles, MANY if names else 1):
-            if self._every.holds(point) is not True:
-                continue
-            tried += 1
-            if tester.holds(point) is False:
-                return Verdict("refuted", "witness", self._simple(point, (claim,)), tried)
-        return self._by_decision(claim, names, tester, tried)
+        for first, last in ((0, FEW), (FEW, MANY)):
+            for draw in self._drawn(names, first, last):
+                tried += 1
+                if tester.holds(draw.point, draw.balls) is False:
+                    witness = self._simple(draw.point, (claim,))
+                    return Verdict("refuted", "witness", witness, tried)
+            if not first:
+                verdict = self._by_decision(claim, names, tester, tried)
+                if verdict is not None:
+                    return verdict
+        if intervals.proves(claim, joined(self.facts), self.roles):
+            return Verdict("proved", "intervals", None, tried)
+        return Verdict("undecided", "undecided", None, tried)
 
     def _all(self, claim: All) -> Verdict:
         parts = [self.decide(each) for each in claim.parts]
@@ -168,7 +204,7 @@ class Oracle:
 
     def _by_decision(
         self, claim: Formula, names: frozenset[str], tester: _Tester, tried: int
-    ) -> Verdict:
+    ) -> Verdict | None:
         reply, world = self._asked((negation(claim),))
         if reply.satisfiable == "no":
             return Verdict("proved", "decision" if names else "algebra", None, tried)
@@ -178,9 +214,7 @@ class Oracle:
                 return Verdict("refuted", "witness", point, tried)
             if not world.loose and self._every.holds(point) is not False:
                 return Verdict("refuted", "decision", point, tried)
-        if intervals.proves(claim, joined(self.facts), self.roles):
-            return Verdict("proved", "intervals", None, tried)
-        return Verdict("undecided", "undecided", None, tried)
+        return None
 
     def _by_algebra(self, claim: Formula) -> Verdict | None:
         """What coefficients and normal forms alone show."""
@@ -230,19 +264,27 @@ class Oracle:
     def _sign(self, x: sp.Expr) -> int | None:
         if x.is_Rational:
             return int(sp.sign(x))
-        tester = Program.of([x])
+        positive, negative, zero = Relation(x, ">"), Relation(-x, ">"), Relation(x, "=")
+        seen = _seen(self._known(_letters_of(positive)), x)
+        if len(seen) > 1:
+            return None
+        for sign, claim in ((1, positive), (-1, negative), (0, zero)):
+            if (not seen or sign in seen) and self.decide(claim):
+                return sign
+        return None
+
+    def _seen(self, x: sp.Expr) -> frozenset[int]:
+        """The signs of an expression at some points: as many as show that it has several."""
+        claim = Relation(x, "=")
+        tester = _tester(claim)
         seen: set[int] = set()
-        for point in self.points(tester.letters, FEW):
-            sign = tester.signs(point)[0]
+        for draw in self._drawn(tester.letters, 0, FEW):
+            sign = tester.signs(draw.point, draw.balls)[0]
             if sign is not None:
                 seen.add(sign)
-            if len(seen - {0}) > 1 or (0 in seen and len(seen) > 1):
-                return None
-        if seen == {1} or (not seen and self.decide(Relation(x, ">"))):
-            return 1 if self.decide(Relation(x, ">")) else None
-        if seen == {-1} or (not seen and self.decide(Relation(-x, ">"))):
-            return -1 if self.decide(Relation(-x, ">")) else None
-        return 0 if self.decide(Relation(x, "=")) else None
+            if len(seen) > 1:
+                break
+        return frozenset(seen)
 
     def vanishes(self, x: sp.Expr) -> bool:
         """Whether an expression is proved to be zero wherever the facts hold."""
@@ -282,12 +324,12 @@ class Oracle:
         missing = sorted(names - set(point))
         if missing:
             usual = next(draws(missing, self.roles, 1))
-            point.update(usual)
+            point.update(usual.point)
         return point
 
     def _simple(self, point: Point, against: Sequence[Formula]) -> dict[str, Value]:
         """A point of the same kind in plainer numbers."""
-        testers = [_Tester(each) for each in against]
+        testers = [_tester(each) for each in against]
 
         def serves(candidate: Point) -> bool:
             return (
@@ -306,19 +348,104 @@ class _Tester:
         self.formula = formula
         self._values = tuple(dict.fromkeys(each.value for each in relations(formula)))
         self._program = Program.of(self._values)
-        self.letters = frozenset(letters_of(formula))
+        self._tree = _placed(formula, {value: n for n, value in enumerate(self._values)})
+        self.letters = letters_of(formula)
 
-    def holds(self, point: Point, exactly: bool = False) -> bool | None:
+    def holds(
+        self, point: Point, balls: Mapping[str, Ball] | None = None, *, exactly: bool = False
+    ) -> bool | None:
         """Whether the formula holds at a point; None where that is not certain.
 
         ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
         """
-        signs = dict(zip(self._values, self._program.signs(point), strict=True))
+        signs = self._program.signs(point, balls)
         if exactly:
-            for value in [each for each, sign in signs.items() if sign is None]:
-                if _vanishes_at(value, point):
-                    signs[value] = 0
-        return holds_with(self.formula, signs)
+            signs = [
+                0 if sign is None and _vanishes_at(value, point) else sign
+                for value, sign in zip(self._values, signs, strict=True)
+            ]
+        return _holds(self._tree, signs)
+
+    def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
+        """The signs of the expressions in it, each once, at a point."""
+        return self._program.signs(point, balls)
+
+
+# A formula with places in a list of signs for its expressions.
+_Tree = Any  # (place, operator) | (bool, list of trees): all of them, or some
+_SIGNS = {"=": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1)}
+
+
+def _placed(formula: Formula, places: Mapping[sp.Expr, int]) -> _Tree:
+    match formula:
+        case Relation(value, operator):
+            return places[value], _SIGNS[operator]
+        case All(parts) | Some(parts):
+            return isinstance(formula, All), [_placed(each, places) for each in parts]
+
+
+def _holds(tree: _Tree, signs: Sequence[int | None]) -> bool | None:
+    kind, inner = tree
+    if kind is not True and kind is not False:
+        sign = signs[kind]
+        return None if sign is None else sign in inner
+    open_ = False
+    for each in inner:
+        truth = _holds(each, signs)
+        if truth is (not kind):
+            return truth
+        open_ = open_ or truth is None
+    return None if open_ else kind
+
+
+# --- what is remembered --------------------------------------------------------------------------
+
+# A verdict follows from the claim, the facts, and what the letters in them may be; so it is kept,
+# with the work that it took, for the next who asks: solving again, explaining what was solved.
+_Known = tuple[tuple[tuple[str, Role | None], ...], tuple[Formula, ...]]
+
+
+class _OpenError(Exception):
+    """A verdict that is not kept: where nothing is decided, a clock may have ended the search."""
+
+    def __init__(self, verdict: Verdict) -> None:
+        self.verdict = verdict
+
+
+def _oracle(known: _Known) -> Oracle:
+    letters, facts = known
+    return Oracle({name: role for name, role in letters if role is not None}, facts)
+
+
+@remembered(4096)
+def _decided(known: _Known, claim: Formula) -> Verdict:
+    return _kept(_oracle(known)._decide(claim))
+
+
+@remembered(1024)
+def _possible(known: _Known) -> Verdict:
+    return _kept(_oracle(known)._satisfied())
+
+
+def _kept(verdict: Verdict) -> Verdict:
+    if verdict.answer == "undecided":
+        raise _OpenError(verdict)
+    return verdict
+
+
+@lru_cache(maxsize=4096)
+def _seen(known: _Known, x: sp.Expr) -> frozenset[int]:
+    return _oracle(known)._seen(x)
+
+
+@lru_cache(maxsize=1024)
+def _tester(formula: Formula) -> _Tester:
+    return _Tester(formula)
+
+
+@lru_cache(maxsize=4096)
+def _letters_of(formula: Formula) -> frozenset[str]:
+    return letters_of(formula)
 
 
 def _vanishes_at(x: sp.Expr, point: Point) -> bool:
@@ -368,12 +495,12 @@ def _allowed(value: Value, role: Role) -> bool:
     )
 
 
-def holds_at(formula: Formula, point: Point, exactly: bool = False) -> bool | None:
+def holds_at(formula: Formula, point: Point, *, exactly: bool = False) -> bool | None:
     """Whether a formula holds at a point; None where that is not certain.
 
     ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
     """
-    return _Tester(formula).holds(point, exactly)
+    return _tester(formula).holds(point, exactly=exactly)
 
 
 def _without_numbers(formula: Formula) -> Formula:
@@ -438,7 +565,7 @@ def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
 
 def _angle_within(angle: sp.Expr, role: Role) -> sp.Expr | float:
     """An angle turned into the range of its letter."""
-    low, high = ends_of(Program.of([angle]).enclosures({}, 30)[0])
+    low, high = ends_of(constant_interval(angle, 30))
     middle = (low + high) / 2
     for turns in (0, 1, -1, 2, -2):
         number = float(middle) + turns * 6.283185307179586

@@ -12,21 +12,55 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
-import mpmath
 import sympy as sp
-from mpmath.libmp import to_rational
+from mpmath.libmp import (
+    ComplexResult,
+    dps_to_prec,
+    fnone,
+    fone,
+    from_float,
+    from_rational,
+    fzero,
+    mpf_lt,
+    mpf_neg,
+    mpf_sign,
+    mpi_abs,
+    mpi_add,
+    mpi_atan,
+    mpi_atan2,
+    mpi_cos_sin,
+    mpi_div,
+    mpi_exp,
+    mpi_log,
+    mpi_mid,
+    mpi_mul,
+    mpi_pow_int,
+    mpi_sqrt,
+    mpi_sub,
+    prec_to_dps,
+    round_ceiling,
+    round_floor,
+    to_float,
+    to_rational,
+)
+from mpmath.libmp.libmpi import mpi_pi
 
 Value = Fraction | float | Any  # Any: a SymPy number
 Point = Mapping[str, Value]
+Ball = tuple[float, float]
+"""A number in floats, and a bound of its error."""
 
 # Twice the unit roundoff: what one operation adds, itself rounded.
 _EPSILON = 2.0**-51
 _TINY = 1e-300
+# Floats below it are added and multiplied without an error if they are whole and few.
+_WHOLE = 2.0**26
+_EXACT = 2.0**53
 DIGITS = (60, 240)
-_NOTHING_SEEN = Fraction(1, 10**95)
+_NOTHING_SEEN = from_rational(1, 10**95, 53, round_floor)
 _SEARCHED = 300  # digits: even the root of what ought to vanish is seen to vanish
 
 
@@ -49,25 +83,22 @@ class Program:
     @classmethod
     def of(cls, expressions: Sequence[sp.Expr]) -> Program:
         """Compiles expressions. Raises BeyondError for a function that is not known here."""
-        compiler = _Compiler()
-        results = tuple(compiler.place(sp.sympify(each, strict=True)) for each in expressions)
-        rational = all(operation in _RATIONAL for operation, _ in compiler.instructions)
-        letters = frozenset(a[0] for operation, a in compiler.instructions if operation == "letter")
-        return cls(tuple(compiler.instructions), results, rational, letters)
+        return _compiled(tuple(sp.sympify(each, strict=True) for each in expressions))
 
-    def signs(self, point: Point) -> list[int | None]:
+    def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The sign of every expression at a point; None where it is undefined or not certain.
 
+        ``balls`` are the letters' values in floats, where they are known already.
         Raises KeyError for a letter without a value.
         """
         signs: list[int | None] = [None] * len(self.results)
         try:
-            balls = self._balls(point)
-        except (BeyondError, OverflowError, ValueError):
-            balls = None
-        if balls is not None:
+            values = self._balls(self._balls_at(point) if balls is None else balls)
+        except (BeyondError, ArithmeticError, ValueError):
+            pass
+        else:
             for n, place in enumerate(self.results):
-                middle, error = balls[place]
+                middle, error = values[place]
                 if abs(middle) > error:
                     signs[n] = 1 if middle > 0 else -1
                 elif error == 0:
@@ -89,7 +120,7 @@ class Program:
                 continue
             for n, interval in enumerate(intervals):
                 if signs[n] is None and interval is not None:
-                    signs[n] = 1 if interval.a > 0 else -1 if interval.b < 0 else None
+                    signs[n] = _sign_of(interval)
             if None not in signs:
                 break
         return signs
@@ -100,48 +131,65 @@ class Program:
         None is for what has no real value. This is for a search; it decides nothing.
         """
         try:
-            balls = self._balls(point)
+            balls = self._balls(self._balls_at(point))
             middles = [balls[place] for place in self.results]
             if all(abs(middle) > error and abs(middle) > 1e-12 for middle, error in middles):
                 return [1 if middle > 0 else -1 for middle, _ in middles]
-        except (BeyondError, OverflowError, ValueError):
+        except (BeyondError, ArithmeticError, ValueError):
             pass
         signs: list[int | None] = []
         for interval in self.enclosures(point, _SEARCHED):
             if interval is None:
                 signs.append(None)
                 continue
-            low, high = ends_of(interval)
-            signs.append(1 if low > _NOTHING_SEEN else -1 if high < -_NOTHING_SEEN else 0)
+            low, high = interval
+            above = mpf_lt(_NOTHING_SEEN, low)
+            signs.append(1 if above else -1 if mpf_lt(high, mpf_neg(_NOTHING_SEEN)) else 0)
         return signs
 
-    def _balls(self, point: Point) -> list[tuple[float, float]]:
-        values: list[tuple[float, float]] = []
-        for operation, arguments in self.instructions:
-            if operation == "number":
-                fraction = arguments[0]
-                middle = float(fraction)
-                exact = middle == fraction
-                values.append((middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY))
-            elif operation == "letter":
-                values.append(_ball(point[arguments[0]]))
-            elif operation == "add":
-                middle = error = size = 0.0
-                for place in arguments:
-                    m, r = values[place]
-                    middle += m
-                    error += r
-                    size += abs(m)
-                rounding = 0.0 if size == 0 else size * _EPSILON * len(arguments)
-                values.append((middle, 0.0 if _whole(values, arguments) else error + rounding))
-            elif operation == "multiply":
+    def _balls_at(self, point: Point) -> dict[str, Ball]:
+        return {name: ball(point[name]) for name in self.letters}
+
+    @cached_property
+    def _steps(self) -> tuple[list[Ball | None], list[tuple[int, str, tuple[Any, ...]]]]:
+        """The values that need no letter, and what is left to be worked out at a point."""
+        values: list[Ball | None] = []
+        steps: list[tuple[int, str, tuple[Any, ...]]] = []
+        for place, (operation, arguments) in enumerate(self.instructions):
+            value = None
+            if operation in ("number", "constant"):
+                value = ball(arguments[0])
+            elif operation == "pi":
+                value = (math.pi, math.pi * _EPSILON)
+            else:
+                if operation == "power" and arguments[1] == 2:
+                    operation = "square"
+                steps.append((place, operation, arguments))
+            values.append(value)
+        return values, steps
+
+    def _balls(self, letters: Mapping[str, Ball]) -> list[Ball]:
+        # What is beyond floats is infinite, or no number: so is then its error, and no sign is
+        # read from it.
+        known, steps = self._steps
+        values: list[Any] = known.copy()
+        for place, operation, arguments in steps:
+            if operation == "multiply":
                 middle, error = values[arguments[0]]
-                for place in arguments[1:]:
-                    m, r = values[place]
+                for each in arguments[1:]:
+                    m, r = values[each]
                     product = middle * m
-                    if error == 0 and r == 0 and _is_whole(middle) and _is_whole(m):
-                        error = 0.0 if abs(product) < 2.0**53 else abs(product) * _EPSILON
-                    elif (error == 0 and middle == 0) or (r == 0 and m == 0):
+                    if error == 0.0 and r == 0.0:
+                        if middle == 0.0 or m == 0.0:
+                            product = 0.0
+                        elif not (
+                            -_WHOLE < middle < _WHOLE
+                            and -_WHOLE < m < _WHOLE
+                            and middle.is_integer()
+                            and m.is_integer()
+                        ):
+                            error = abs(product) * _EPSILON + _TINY
+                    elif (error == 0.0 and middle == 0.0) or (r == 0.0 and m == 0.0):
                         product = error = 0.0
                     else:
                         error = (
@@ -150,18 +198,34 @@ class Program:
                             + _TINY
                         )
                     middle = product
-                values.append((middle, error))
+                values[place] = middle, error
+            elif operation == "add":
+                middle = error = size = 0.0
+                whole = True
+                for each in arguments:
+                    m, r = values[each]
+                    middle += m
+                    error += r
+                    size += abs(m)
+                    whole = whole and m.is_integer()
+                if error or size >= _EXACT or not whole:
+                    error += size * _EPSILON * len(arguments)
+                values[place] = middle, error
+            elif operation == "letter":
+                values[place] = letters[arguments[0]]
+            elif operation == "square":
+                middle, error = values[arguments[0]]
+                product = middle * middle
+                if error or not (product < _EXACT and middle.is_integer()):
+                    error = (2 * abs(middle) + error) * error * (1 + 4 * _EPSILON)
+                    error += product * _EPSILON + _TINY
+                values[place] = product, error
             elif operation == "power":
-                values.append(_ball_power(values[arguments[0]], arguments[1]))
+                values[place] = _ball_power(values[arguments[0]], arguments[1])
             elif operation == "root":
-                values.append(_ball_root(values[arguments[0]], arguments[1], arguments[2]))
-            elif operation == "constant":
-                values.append(_ball(arguments[0]))
+                values[place] = _ball_root(values[arguments[0]], arguments[1], arguments[2])
             else:
-                values.append(_ball_function(operation, [values[each] for each in arguments]))
-            middle, error = values[-1]
-            if not (math.isfinite(middle) and math.isfinite(error)):
-                raise BeyondError
+                values[place] = _ball_function(operation, [values[each] for each in arguments])
         return values
 
     def _fractions(self, point: Point) -> list[Fraction]:
@@ -179,16 +243,25 @@ class Program:
                 values.append(values[arguments[0]] ** arguments[1])
         return values
 
-    def enclosures(self, point: Point, digits: int) -> list[Any]:
+    def enclosures(self, point: Point, digits: int) -> list[Interval | None]:
         """Intervals of so many digits that hold the values; None where there is no value."""
-        context = _context(digits)
-        values: list[Any] = []
+        precision = dps_to_prec(digits)
+        values: list[Interval | None] = []
         for operation, arguments in self.instructions:
             try:
-                values.append(_enclosed(context, operation, arguments, values, point))
-            except (BeyondError, ZeroDivisionError, ValueError, OverflowError, TypeError):
+                values.append(_enclosed(precision, operation, arguments, values, point))
+            except (BeyondError, ZeroDivisionError, ValueError, OverflowError, ComplexResult):
                 values.append(None)
         return [values[place] for place in self.results]
+
+
+@lru_cache(maxsize=2048)
+def _compiled(expressions: tuple[sp.Expr, ...]) -> Program:
+    compiler = _Compiler()
+    results = tuple(compiler.place(each) for each in expressions)
+    rational = all(operation in _RATIONAL for operation, _ in compiler.instructions)
+    letters = frozenset(a[0] for operation, a in compiler.instructions if operation == "letter")
+    return Program(tuple(compiler.instructions), results, rational, letters)
 
 
 _NOTHING = frozenset({sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I})
@@ -255,32 +328,36 @@ class _Compiler:
 # --- floats with a bound of their error ----------------------------------------------------------
 
 
-def _is_whole(x: float) -> bool:
-    return abs(x) < 2.0**26 and x == int(x)
+def ball(value: Value) -> Ball:
+    """A value in floats, with a bound of the error; that is 0 where the float is the value.
 
-
-def _whole(values: list[tuple[float, float]], places: tuple[int, ...]) -> bool:
-    """Whether a sum is of whole numbers, which floats add without an error."""
-    return all(values[each][1] == 0 and _is_whole(values[each][0]) for each in places)
-
-
-def _ball(value: Value) -> tuple[float, float]:
+    Raises BeyondError for a constant without a real value.
+    """
+    if isinstance(value, float):
+        return value, 0.0
+    if isinstance(value, Fraction):
+        return _ball_of_fraction(value)
     if isinstance(value, sp.Expr):
         if value.is_Rational:
-            value = Fraction(int(value.p), int(value.q))
-        else:
-            interval = Program.of([value]).enclosures({}, 30)[0]
-            if interval is None:
-                raise BeyondError
-            middle = float(interval.mid)
-            return middle, abs(middle) * 2 * _EPSILON + _TINY
+            return _ball_of_fraction(Fraction(int(value.p), int(value.q)))
+        interval = constant_interval(value, 30)
+        middle = to_float(mpi_mid(interval, dps_to_prec(30)))
+        return middle, abs(middle) * 2 * _EPSILON + _TINY
     middle = float(value)
-    exact = isinstance(value, int | float | Fraction) and middle == value
+    exact = isinstance(value, int) and middle == value
     return middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY
 
 
-def _ball_power(ball: tuple[float, float], n: int) -> tuple[float, float]:
-    middle, error = ball
+def _ball_of_fraction(value: Fraction) -> Ball:
+    above, below = value.numerator, value.denominator
+    middle = above / below
+    # Halves of halves of a whole number of few digits are floats.
+    exact = above.bit_length() <= 53 and not below & (below - 1) and below < 2**1000
+    return middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY
+
+
+def _ball_power(base: Ball, n: int) -> Ball:
+    middle, error = base
     if n < 0:
         low = abs(middle) - error
         if low <= 0:
@@ -288,18 +365,24 @@ def _ball_power(ball: tuple[float, float], n: int) -> tuple[float, float]:
         inverse = 1 / middle
         error = error / (low * abs(middle)) * (1 + 4 * _EPSILON) + abs(inverse) * _EPSILON + _TINY
         middle, n = inverse, -n
+        if n == 1:
+            return middle, error
     value, spread = 1.0, 0.0
     for _ in range(n):
         spread = (abs(value) * error + abs(middle) * spread + spread * error) * (1 + _EPSILON)
         exact = spread == 0 and _is_whole(value) and _is_whole(middle)
         value *= middle
-        if not exact or abs(value) >= 2.0**53:
+        if not exact or abs(value) >= _EXACT:
             spread += abs(value) * _EPSILON + _TINY
     return value, spread
 
 
-def _ball_root(ball: tuple[float, float], p: int, q: int) -> tuple[float, float]:
-    middle, error = ball
+def _is_whole(x: float) -> bool:
+    return abs(x) < _WHOLE and x.is_integer()
+
+
+def _ball_root(base: Ball, p: int, q: int) -> Ball:
+    middle, error = base
     low, high = middle - error, middle + error
     if low <= 0:
         if middle == error == 0 and p > 0:
@@ -309,17 +392,16 @@ def _ball_root(ball: tuple[float, float], p: int, q: int) -> tuple[float, float]
         value = math.sqrt(middle)
         if error == 0 and _is_whole(value) and value * value == middle:
             return value, 0.0
+        steepest = 0.5 / math.sqrt(low)
     else:
         value = math.pow(middle, p / q)
-    steepest = max(math.pow(low, p / q - 1), math.pow(high, p / q - 1)) * abs(p) / q
+        steepest = max(math.pow(low, p / q - 1), math.pow(high, p / q - 1)) * abs(p) / q
     return value, (steepest * error + 4 * value * _EPSILON) * (1 + _EPSILON)
 
 
-def _ball_function(operation: str, values: list[tuple[float, float]]) -> tuple[float, float]:
+def _ball_function(operation: str, values: list[Ball]) -> Ball:
     if operation == "nothing":
         raise BeyondError
-    if operation == "pi":
-        return math.pi, math.pi * _EPSILON
     middle, error = values[0]
     if operation in ("sin", "cos"):
         value = math.sin(middle) if operation == "sin" else math.cos(middle)
@@ -331,145 +413,182 @@ def _ball_function(operation: str, values: list[tuple[float, float]]) -> tuple[f
     raise BeyondError
 
 
-def ends_of(interval: Any) -> tuple[Fraction, Fraction]:
+# --- intervals of many digits ---------------------------------------------------------------------
+
+# Intervals are pairs of the numbers of ``mpmath.libmp``: its functions take the precision with
+# each operation, and are a few times faster than the objects of a context.
+Interval = tuple[Any, Any]
+_ONE: Interval = (fone, fone)
+
+
+def ends_of(interval: Interval) -> tuple[Fraction, Fraction]:
     """The two ends of an interval, exactly."""
-    low, high = (Fraction(*to_rational(each)) for each in interval._mpi_)
+    low, high = (Fraction(*to_rational(each)) for each in interval)
     return low, high
 
 
-# --- intervals of many digits ---------------------------------------------------------------------
+@lru_cache(maxsize=1024)
+def constant_interval(x: sp.Expr, digits: int) -> Interval:
+    """An interval of so many digits that holds a number. Raises BeyondError if it is not real."""
+    interval = Program.of([x]).enclosures({}, digits)[0]
+    if interval is None:
+        raise BeyondError(str(x))
+    return interval
 
-_contexts: dict[int, Any] = {}
+
+def _sign_of(interval: Interval) -> int | None:
+    low, high = interval
+    return 1 if mpf_sign(low) > 0 else -1 if mpf_sign(high) < 0 else None
 
 
-def _context(digits: int) -> Any:
-    if digits not in _contexts:
-        context = mpmath.ctx_iv.MPIntervalContext()
-        context.dps = digits
-        _contexts[digits] = context
-    return _contexts[digits]
+def _holds_zero(interval: Interval) -> bool:
+    low, high = interval
+    return bool(mpf_sign(low) <= 0 <= mpf_sign(high))
 
 
 def _enclosed(
-    context: Any, operation: str, arguments: tuple[Any, ...], values: list[Any], point: Point
-) -> Any:
+    precision: int,
+    operation: str,
+    arguments: tuple[Any, ...],
+    values: list[Interval | None],
+    point: Point,
+) -> Interval:
     if operation == "number":
-        return _fraction_in(context, arguments[0])
+        return _fraction_in(precision, arguments[0])
     if operation == "letter":
         value = point[arguments[0]]
         if isinstance(value, sp.Expr) and not value.is_Rational:
-            constant = Program.of([value]).enclosures({}, context.dps)[0]
-            if constant is None:
-                raise BeyondError
-            return constant
-        return _fraction_in(context, Fraction(str(value)) if isinstance(value, sp.Expr) else value)
+            return constant_interval(value, prec_to_dps(precision))
+        if hasattr(value, "_mpf_"):
+            return value._mpf_, value._mpf_
+        if isinstance(value, sp.Expr):
+            value = Fraction(int(value.p), int(value.q))
+        return _fraction_in(precision, Fraction(value))
     if operation == "pi":
-        return context.pi
+        return mpi_pi(precision)  # type: ignore[no-any-return]
     if operation == "constant":
-        return _root_in(context, arguments[0])
+        return _root_in(precision, arguments[0])
     if operation == "nothing":
         raise BeyondError
     if operation == "power":
         base, n = values[arguments[0]], arguments[1]
-        if base is None or (n < 0 and base.a <= 0 <= base.b):
+        if base is None or (n < 0 and _holds_zero(base)):
             raise BeyondError
-        return base**n
+        return mpi_pow_int(base, n, precision)  # type: ignore[no-any-return]
     if operation == "root":
-        base, p, q = values[arguments[0]], arguments[1], arguments[2]
-        if base is None or base.b < 0 or (p < 0 and base.a <= 0):
+        return _power_in(precision, values[arguments[0]], arguments[1], arguments[2])
+    inner: list[Interval] = []
+    for each in arguments:
+        own = values[each]
+        if own is None:
             raise BeyondError
-        if base.a < 0:  # what is not known to be negative may be nothing
-            base = context.mpf([0, base.b])
-        if q == 2:
-            return context.sqrt(base) ** p
-        if base.a <= 0:
-            raise BeyondError
-        return context.exp(context.log(base) * p / q)
-    inner = [values[each] for each in arguments]
-    if any(each is None for each in inner):
-        raise BeyondError
+        inner.append(own)
     if operation == "add":
         total = inner[0]
-        for each in inner[1:]:
-            total = total + each
+        for own in inner[1:]:
+            total = mpi_add(total, own, precision)
         return total
     if operation == "multiply":
         product = inner[0]
-        for each in inner[1:]:
-            product = product * each
+        for own in inner[1:]:
+            product = mpi_mul(product, own, precision)
         return product
-    return _function_in(context, operation, inner)
+    return _function_in(precision, operation, inner)
 
 
-def _fraction_in(context: Any, value: Any) -> Any:
-    fraction = Fraction(*to_rational(value._mpf_)) if hasattr(value, "_mpf_") else Fraction(value)
-    return context.mpf(fraction.numerator) / fraction.denominator
+def _power_in(precision: int, base: Interval | None, p: int, q: int) -> Interval:
+    if base is None or mpf_sign(base[1]) < 0 or (p < 0 and mpf_sign(base[0]) <= 0):
+        raise BeyondError
+    if mpf_sign(base[0]) < 0:  # what is not known to be negative may be nothing
+        base = fzero, base[1]
+    if q == 2:
+        return mpi_pow_int(mpi_sqrt(base, precision), p, precision)  # type: ignore[no-any-return]
+    if mpf_sign(base[0]) <= 0:
+        raise BeyondError
+    exponent = _fraction_in(precision, Fraction(p, q))
+    logarithm = mpi_mul(mpi_log(base, precision), exponent, precision)
+    return mpi_exp(logarithm, precision)  # type: ignore[no-any-return]
+
+
+@lru_cache(maxsize=4096)
+def _fraction_in(precision: int, value: Fraction) -> Interval:
+    above, below = value.numerator, value.denominator
+    return (
+        from_rational(above, below, precision, round_floor),
+        from_rational(above, below, precision, round_ceiling),
+    )
 
 
 @lru_cache(maxsize=512)
-def _root_in(context: Any, x: Any) -> Any:
+def _root_in(precision: int, x: Any) -> Interval:
     """A real root of a polynomial without a formula."""
-    width = sp.Rational(1, 10 ** (context.dps + 5))
+    width = sp.Rational(1, 10 ** (prec_to_dps(precision) + 5))
     middle = x.eval_rational(width)
     low, high = (Fraction(int(y.p), int(y.q)) for y in (middle - width, middle + width))
-    return context.mpf([_fraction_in(context, low).a, _fraction_in(context, high).b])
+    return _fraction_in(precision, low)[0], _fraction_in(precision, high)[1]
 
 
-def _function_in(context: Any, operation: str, inner: list[Any]) -> Any:
+def _function_in(precision: int, operation: str, inner: list[Interval]) -> Interval:
     x = inner[0]
-    if operation in ("sin", "cos"):
-        return getattr(context, operation)(x)
-    if operation in ("tan", "sec", "cot", "csc"):
-        below = context.cos(x) if operation in ("tan", "sec") else context.sin(x)
-        if below.a <= 0 <= below.b:
+    if operation in ("sin", "cos", "tan", "sec", "cot", "csc"):
+        cosine, sine = mpi_cos_sin(x, precision)
+        if operation in ("sin", "cos"):
+            return sine if operation == "sin" else cosine  # type: ignore[no-any-return]
+        below = cosine if operation in ("tan", "sec") else sine
+        if _holds_zero(below):
             raise BeyondError
-        above = {"tan": context.sin(x), "cot": context.cos(x)}.get(operation, context.mpf(1))
-        return above / below
+        above = {"tan": sine, "cot": cosine}.get(operation, _ONE)
+        return mpi_div(above, below, precision)  # type: ignore[no-any-return]
     if operation == "atan":
-        return context.atan2(x, context.mpf(1))
+        return mpi_atan(x, precision)  # type: ignore[no-any-return]
     if operation == "acot":
-        return (
-            context.atan2(context.mpf(1), x)
-            if x.a > 0
-            else context.pi / -2 - context.atan2(x, context.mpf(1))
-        )
+        if _holds_zero(x):
+            raise BeyondError
+        return mpi_atan(mpi_div(_ONE, x, precision), precision)  # type: ignore[no-any-return]
     if operation in ("acos", "asin"):
-        if x.b < -1 or x.a > 1:
+        if mpf_lt(x[1], fnone) or mpf_lt(fone, x[0]):
             raise BeyondError
-        other = 1 - x * x
-        if other.b < 0:
+        other = mpi_sub(_ONE, mpi_mul(x, x, precision), precision)
+        if mpf_sign(other[1]) < 0:
             raise BeyondError
-        other = context.sqrt(context.mpf([max(other.a, 0), other.b]))
-        return context.atan2(other, x) if operation == "acos" else context.atan2(x, other)
+        if mpf_sign(other[0]) < 0:
+            other = fzero, other[1]
+        other = mpi_sqrt(other, precision)
+        pair = (other, x) if operation == "acos" else (x, other)
+        return mpi_atan2(*pair, precision)  # type: ignore[no-any-return]
     if operation == "atan2":
         y, x = inner
-        if x.a <= 0 and y.a <= 0 <= y.b:
+        if mpf_sign(x[0]) <= 0 and _holds_zero(y):
             raise BeyondError
-        return context.atan2(y, x)
+        return mpi_atan2(y, x, precision)  # type: ignore[no-any-return]
     if operation == "abs":
-        return abs(x)
+        return mpi_abs(x, precision)  # type: ignore[no-any-return]
     if operation == "sign":
-        if x.a > 0 or x.b < 0:
-            return context.mpf(1 if x.a > 0 else -1)
-        raise BeyondError
-    low = [each.a for each in inner]
-    high = [each.b for each in inner]
-    pick = max if operation == "max" else min
-    return context.mpf([pick(low), pick(high)])
+        sign = _sign_of(x)
+        if sign is None:
+            raise BeyondError
+        return (fone, fone) if sign > 0 else (fnone, fnone)
+    low, high = x
+    for a, b in inner[1:]:
+        if operation == "max":
+            low, high = (a if mpf_lt(low, a) else low), (b if mpf_lt(high, b) else high)
+        else:
+            low, high = (a if mpf_lt(a, low) else low), (b if mpf_lt(b, high) else high)
+    return low, high
 
 
 def box_signs(program: Program, box: Mapping[str, tuple[float, float]]) -> list[frozenset[int]]:
     """The signs that the expressions may have in a box; all of them where it is not known."""
-    context = _context(20)
-    point = {name: context.mpf([low, high]) for name, (low, high) in box.items()}
-    values: list[Any] = []
+    precision = dps_to_prec(20)
+    point = {name: (from_float(low), from_float(high)) for name, (low, high) in box.items()}
+    values: list[Interval | None] = []
     for operation, arguments in program.instructions:
         try:
             if operation == "letter":
                 values.append(point[arguments[0]])
             else:
-                values.append(_enclosed(context, operation, arguments, values, {}))
-        except (BeyondError, ZeroDivisionError, ValueError, OverflowError, TypeError):
+                values.append(_enclosed(precision, operation, arguments, values, {}))
+        except (BeyondError, ZeroDivisionError, ValueError, OverflowError, ComplexResult):
             values.append(None)
     signs = []
     for place in program.results:
@@ -477,7 +596,7 @@ def box_signs(program: Program, box: Mapping[str, tuple[float, float]]) -> list[
         if x is None:
             signs.append(frozenset({-1, 0, 1}))
             continue
-        low, high = ends_of(x)
+        low, high = mpf_sign(x[0]), mpf_sign(x[1])
         signs.append(
             frozenset(
                 sign for sign, may in ((-1, low < 0), (0, low <= 0 <= high), (1, high > 0)) if may

@@ -23,7 +23,7 @@ import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
-from restitution.oracle.points import BeyondError, Program, ends_of
+from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 
 Sense = Literal["+", "0+", "real"]
@@ -362,10 +362,10 @@ class Polynomials:
         ends: tuple[sp.Expr | None, sp.Expr | None] = (None, None)
         if not x.free_symbols:
             try:
-                interval = Program.of([x]).enclosures({}, 40)[0]
+                interval = constant_interval(x, 40)
             except BeyondError:
-                interval = None
-            if interval is not None:
+                pass
+            else:
                 low, high = ends_of(interval)
                 self.between[name] = (low, high, True, True)
                 if low > 0:
@@ -711,11 +711,11 @@ def _rational_or_none(x: sp.Expr | None) -> Fraction | None:
 
 
 def _below(x: sp.Expr) -> Fraction:
-    return ends_of(Program.of([x]).enclosures({}, 40)[0])[0]
+    return ends_of(constant_interval(x, 40))[0]
 
 
 def _above(x: sp.Expr) -> Fraction:
-    return ends_of(Program.of([x]).enclosures({}, 40)[0])[1]
+    return ends_of(constant_interval(x, 40))[1]
 
 
 def _q(x: Fraction) -> Any:

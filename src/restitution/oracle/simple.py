@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.oracle.points import Point, Program, Value, ends_of
+from restitution.oracle.points import Point, Value, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 
 _PLAIN_DEGREES = (45, 60, 30, 10, 80, 1, 89)
@@ -57,6 +57,6 @@ def _candidates(value: Value, role: Role) -> list[Value]:
 
 def _number(value: Value) -> float:
     if isinstance(value, sp.Expr):
-        low, high = ends_of(Program.of([value]).enclosures({}, 30)[0])
+        low, high = ends_of(constant_interval(value, 30))
         return float((low + high) / 2)
     return float(value)
