@@ -119,7 +119,8 @@ def remembered(maxsize: int) -> Callable[[_F], _F]:
     """Keep the results of a function, as ``lru_cache`` does, with the operations they took.
 
     A result that is taken from the store counts as much as one that is worked out: what is refused
-    is the same, whatever was asked before. The function has ``cache_clear``, and arguments by
+    is the same, whatever was asked before; one for which a clock was passed over is not kept, but
+    its error raised again. The function has ``cache_clear``, and arguments by
     position that can be hashed.
     """
 
@@ -130,6 +131,7 @@ def remembered(maxsize: int) -> Callable[[_F], _F]:
         def kept(*arguments: Any) -> tuple[Any, int]:
             with limited() as limit:
                 value = function(*arguments)
+                limit.confirm()
             state.fresh = True
             return value, limit.used
 

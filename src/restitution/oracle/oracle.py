@@ -153,6 +153,12 @@ class Oracle:
 
     def decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
         """Whether wherever the facts hold, some values of the free letters satisfy a claim."""
+        try:
+            return _decided_some(self._known(_letters_of(claim)), claim, free)
+        except _OpenError as open_:
+            return open_.verdict
+
+    def _decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
         formulas = [_without_numbers(each) for each in (*self.facts, claim)]
         values = [each.value for each in relations(joined(formulas))]
         try:
@@ -420,6 +426,11 @@ def _oracle(known: _Known) -> Oracle:
 @remembered(4096)
 def _decided(known: _Known, claim: Formula) -> Verdict:
     return _kept(_oracle(known)._decide(claim))
+
+
+@remembered(1024)
+def _decided_some(known: _Known, claim: Formula, free: frozenset[str]) -> Verdict:
+    return _kept(_oracle(known)._decide_some(claim, free))
 
 
 @remembered(1024)

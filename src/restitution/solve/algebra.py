@@ -41,7 +41,7 @@ from restitution.solve.polynomials import (
     terms_in,
     vanishing,
 )
-from restitution.work import limited
+from restitution.work import limited, remembered
 
 MOST_BRANCHES = 24
 MOST_OPERATIONS = 8_000_000
@@ -108,22 +108,32 @@ def solve_system(
     """
     with limited(operations=MOST_OPERATIONS, error=UnsupportedError(TOO_HARD)):
         try:
-            return _solved(equations, unknowns, angles, acute, roles)
+            return list(
+                _solved(
+                    tuple(sp.sympify(each, strict=True) for each in equations),
+                    tuple(unknowns),
+                    angles,
+                    acute,
+                    tuple(roles.items()),
+                )
+            )
         except sp.PolynomialError as error:
             raise UnsupportedError("these equations cannot be made polynomial") from error
 
 
+@remembered(512)
 def _solved(
-    equations: Iterable[sp.Expr],
-    unknowns: Sequence[sp.Symbol],
+    equations: tuple[sp.Expr, ...],
+    unknowns: tuple[sp.Symbol, ...],
     angles: frozenset[sp.Symbol],
     acute: frozenset[sp.Symbol],
-    roles: Mapping[str, Role],
-) -> list[Found]:
+    every_role: tuple[tuple[str, Role], ...],
+) -> tuple[Found, ...]:
+    roles = dict(every_role)
     known = Known(roles, _positive(roles, frozenset(unknowns)))
 
     sought = list(unknowns)
-    current = [_without_bars(sp.sympify(each, strict=True), known) for each in equations]
+    current = [_without_bars(each, known) for each in equations]
     generators: list[sp.Symbol] = []
     pairs: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
     tangents: dict[sp.Symbol, sp.Symbol] = {}
@@ -197,7 +207,7 @@ def _solved(
         solution = Found(values, found_angles, tuple(rest))
         if solution not in solutions:  # two factors may have a root in common
             solutions.append(solution)
-    return solutions
+    return tuple(solutions)
 
 
 def _without_bars(x: sp.Expr, known: Known) -> sp.Expr:

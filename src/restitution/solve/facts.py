@@ -159,7 +159,10 @@ def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
 
 def _beyond_a_half_turn(story: Story, value: Value) -> bool:
     """Whether a plain angle is below 0° or above 180°, where no angle of a quantity is."""
-    if isinstance(value, Angle) or (story.field.exact and value.free_symbols):
+    if isinstance(value, Angle):
+        return False
+    if story.field.exact and value.free_symbols:
+        story.needs_numbers = True
         return False
     return bool(value < 0 or value > story.field.pi)
 

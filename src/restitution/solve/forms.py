@@ -17,6 +17,7 @@ from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, sign_at
 from restitution.vector import Vector
 
 Samples = Iterable[Mapping[str, Any]]
+_FEW = 4
 
 
 @dataclass(frozen=True)
@@ -42,8 +43,11 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
 
     It may be zero besides, where a letter is at an end of what it may be.
     """
-    seen = sign_at(x, samples)
     oracle: Oracle | None = getattr(samples, "oracle", None)
+    # A few show which sign there is to be proved.
+    seen = None if oracle is None else sign_at(x, itertools.islice(samples, _FEW))
+    if seen is None:
+        seen = sign_at(x, samples)
     if seen is None or oracle is None or not sp.sympify(x, strict=True).free_symbols:
         return seen
     claim = Relation(x, "=") if seen == 0 else Relation(seen * x, ">=")

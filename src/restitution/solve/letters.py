@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import lru_cache
 
 import sympy as sp
 
@@ -64,6 +65,14 @@ ANGLE_QUANTITIES = frozenset({"angle", "deflection"})
 
 def roles(problem: Problem) -> dict[str, Role]:
     """The role of every letter of a problem, by its canonical name."""
+    try:
+        return dict(_roles(problem))
+    except TypeError:  # a list, say, that Python put in: it has no hash to be remembered by
+        return _roles.__wrapped__(problem)
+
+
+@lru_cache(maxsize=64)
+def _roles(problem: Problem) -> dict[str, Role]:
     names = {letter for tree in trees(problem) for letter in letters(tree)}
     for _, step in problem.steps():
         if isinstance(step, Let):
@@ -274,6 +283,8 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
 
 def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
     """``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + …`` u is a speed."""
+    if not letters(tree):
+        return
     try:
         vector = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     except StatementError:

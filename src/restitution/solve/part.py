@@ -185,7 +185,8 @@ class Numbers:
 class Trial:
     """What a set of values led to: accepted with samples, or refused for a reason.
 
-    ``rare`` says why it is impossible at usual values of the letters, where it is.
+    ``story`` is told with the values, ``numbers`` with the first of the samples. ``rare`` says why
+    it is impossible at usual values of the letters, where it is.
     """
 
     found: Found
@@ -195,6 +196,19 @@ class Trial:
     admission: Admission | None = field(default=None, compare=False, repr=False)
     story: Story | None = field(default=None, compare=False, repr=False)
     rare: tuple[str, str] | None = None
+    numbers: Story | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def formulas_suffice(self) -> bool:
+        """Whether the formulas say all that is asked of the letters, as far as one telling shows.
+
+        Where that is so, numbers need not be put into the story to see whether they are possible.
+        """
+        return (
+            self.admission is not None
+            and _said_in_formulas(self.story)
+            and _said_in_formulas(self.numbers)
+        )
 
 
 @dataclass
@@ -254,12 +268,16 @@ class Setting:
     # --- checking --------------------------------------------------------------------------
 
     def examine(
-        self, values: Mapping[str, Any], solved: Iterable[str], story: Story | None = None
+        self,
+        values: Mapping[str, Any],
+        solved: Iterable[str],
+        story: Story | None = None,
+        told: list[Story] | None = None,
     ) -> tuple[str, str] | None:
         """Why these numbers are impossible, as (reason, kind); None if they are not.
 
-        ``story`` is what they lead to, where that has been told already. Raises UndefinedError
-        where something has no real value.
+        ``story`` is what they lead to, where that has been told already; ``told`` takes it where
+        nothing speaks against it. Raises UndefinedError where something has no real value.
         """
         outside = [
             problem
@@ -282,17 +300,26 @@ class Setting:
         for need in (*story.equations, *wanted):
             if isinstance(need, Equation) and abs(need.value) > TINY * 10**5:
                 return need.reason, "equation"
+        if told is not None:
+            told.append(story)
         return None
 
     def admission(
-        self, found: Found, letters_: Letters, told: Letters, story: Story
+        self,
+        found: Found,
+        letters_: Letters,
+        told: Letters,
+        story: Story,
+        needs: Sequence[Equation | Condition | AnyOf] | None = None,
     ) -> Admission | None:
         """What a solution asks of the letters left free, where the story is told with it.
 
+        ``needs`` are its requirements, where they are known already.
         None where the telling hangs on a sign that differs with the letters.
         Raises ImpossibleError where the facts are impossible whatever they are.
         """
-        needs = self.requirements(story)
+        if needs is None:
+            needs = self.requirements(story)
         if told.undecided:
             return None
         demands, equations = demands_for([*story.conditions, *story.equations, *needs])
@@ -301,18 +328,33 @@ class Setting:
         assumed = tuple(dict.fromkeys(told.assumed))
         return Admission(known, (*own, *demands), tuple(equations), assumed)
 
-    def try_out(self, found: Found, letters_: Letters) -> Trial:
-        """Whether a solution is admissible for some values of the data."""
+    def try_out(
+        self,
+        found: Found,
+        letters_: Letters,
+        open_story: Story | None = None,
+        wanted: Sequence[Equation | Condition | AnyOf] | None = None,
+    ) -> Trial:
+        """Whether a solution is admissible for some values of the data.
+
+        ``open_story`` is the story told with ``letters_``, ``wanted`` its requirements: nothing
+        new is told where no values have been added to those of the letters.
+        """
         long = any(sp.count_ops(each) > UNWIELDY for each in found.values.values())
         if long or by_nested_roots(found.values):
             return self._tried(found, letters_)
         told = Letters(self.roles, found.values, found.angles)
+        alike = letters_.values == found.values and letters_.angles == found.angles
+        if open_story is not None and alike and letters_.sought is None:
+            told, story = letters_, open_story
+        else:
+            wanted = None
+            try:
+                story = self.tell(told)
+            except ImpossibleError as error:
+                return Trial(found, (), error.message, "place")
         try:
-            story = self.tell(told)
-        except ImpossibleError as error:
-            return Trial(found, (), error.message, "place")
-        try:
-            admission = self.admission(found, letters_, told, story)
+            admission = self.admission(found, letters_, told, story, wanted)
         except ImpossibleError as error:
             return Trial(found, (), error.message, "equation")
         except BeyondError:
@@ -330,10 +372,12 @@ class Setting:
         free = sorted((set(self.roles) | set(known)) - set(found.values) - set(self.lets))
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
+        told: list[Story] = []
         rng = random.Random(11)
         for _ in range(POINTS_TRIED if free else 1):
             values = sample(free, known, rng)
-            reason = self._objection(found, admission, values)
+            first = Trial(found, (), None, None, admission, story, None, told[0] if told else None)
+            reason = self._objection(first, values, told)
             if reason is None:
                 accepted.append(values)
                 if len(accepted) == SAMPLES_WANTED:
@@ -348,14 +392,15 @@ class Setting:
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
                 values |= {name: number_of(each) for name, each in possible.witness.items()}
-                reason = self._objection(found, admission, values, possible.witness)
+                first = Trial(found, (), None, None, admission, story)
+                reason = self._objection(first, values, told, possible.witness)
                 if reason is None:
                     accepted.append(values)
                 else:
                     reasons[reason] += 1
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
-            return Trial(found, tuple(accepted), None, None, admission, story, rare)
+            return Trial(found, tuple(accepted), None, None, admission, story, rare, told[0])
         (reason_, kind), _ = reasons.most_common(1)[0]
         refusal = None if kind == "equation" else admission.refusal()
         if refusal is not None:
@@ -389,29 +434,44 @@ class Setting:
         return self.try_out(Found({**values, **pinned}, angles, found.leftover), letters_)
 
     def _objection(
-        self, found: Found, admission: Admission, values: Sample, point: Point | None = None
+        self, trial: Trial, values: Sample, told: list[Story], point: Point | None = None
     ) -> tuple[str, str] | None:
         """Why these values of the free letters are impossible; the solved ones are added.
 
-        ``point`` has the exact values of some of them.
+        ``point`` has the exact values of some of them; ``told`` takes the story told with them,
+        where it was told.
         """
+        found, suffices = trial.found, trial.formulas_suffice and self.sought is None
         try:
-            try:
-                reason = admission.objection({**values, **(point or {})})
-                if reason is not None:
-                    return reason
-            except LookupError:
-                reason = None
+            if trial.admission is not None:
+                try:
+                    reason = trial.admission.objection({**values, **(point or {})})
+                    if reason is not None:
+                        return reason
+                except LookupError:
+                    suffices = False
             for name, value in found.values.items():
                 values[name] = at(value, values)
-            return self.examine(values, [n for n in found.values if not n.startswith("_")])
+            if suffices:
+                return None
+            solved = [name for name in found.values if not name.startswith("_")]
+            return self.examine(values, solved, None, told)
         except (StatementError, ImpossibleError) as error:
             return error.message, "equation"
         except (UndefinedError, ArithmeticError):
             return "it would not be real", "equation"
 
-    def _tried(self, found: Found, letters_: Letters, wanted: int = SAMPLES_WANTED) -> Trial:
-        """The same by points alone, for what is too unwieldy to be told in letters."""
+    def _tried(
+        self,
+        found: Found,
+        letters_: Letters,
+        wanted: int = SAMPLES_WANTED,
+        trial: Trial | None = None,
+    ) -> Trial:
+        """The same by points alone, for what is too unwieldy to be told in letters.
+
+        ``trial`` is one with the same values where they could be told; more samples are sought.
+        """
         known = letters_.all_roles()
         rng = random.Random(11)
         free = sorted(
@@ -445,7 +505,10 @@ class Setting:
                     ),
                     None,
                 )
-                wrong = wrong or self.examine(values, solved)
+                if trial is not None and trial.formulas_suffice and self.sought is None:
+                    wrong = wrong or self._objection(trial, values, [])
+                else:
+                    wrong = wrong or self.examine(values, solved)
             except (StatementError, ImpossibleError) as error:
                 reasons[error.message, "equation"] += 1
                 last_error = error
@@ -466,6 +529,10 @@ class Setting:
 
     def _used_letters(self) -> set[str]:
         return set(self.roles) - set(self.lets)
+
+
+def _said_in_formulas(story: Story | None) -> bool:
+    return story is not None and not story.needs_numbers
 
 
 def _is_empty(role: Role) -> bool:
@@ -735,7 +802,9 @@ class Witnesses:
         if len(known) < SAMPLES_WANTED:
             return ()  # all that could be found
         outcome = self.outcome
-        tried = outcome.setting._tried(self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS)
+        tried = outcome.setting._tried(
+            self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS, self.trial
+        )
         return tried.samples[len(known) :]
 
 
@@ -766,7 +835,7 @@ def work_out(setting: Setting) -> Outcome:
         for found in _solve_equations(setting, letters_, equations, decisions, story.conditions):
             # Letters replaced by what the facts between letters say are back-substituted.
             combined = _combine(values, angles, found)
-            trials.append(setting.try_out(combined, letters_))
+            trials.append(setting.try_out(combined, letters_, story, wanted))
         last = letters_, story
     if last is None or not trials:
         raise failed or _clash(setting)

@@ -186,6 +186,7 @@ def _no_sphere_first(
         latest = story.latest(other, number - 1)
         if track.places[-1][0] != (0 if latest is None else latest.number):
             continue  # nobody knows where it has been since
+        story.needs_numbers = True
         v, w = story.velocity(name, number - 1), story.velocity(other, number - 1)
         start = later(story, own[1], known[1])
         gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
@@ -381,6 +382,7 @@ def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
         return side
     chosen = getattr(story.unknowns, "values", {}).get(f"_{key}")
     if chosen is not None and not story.field.exact:
+        story.needs_numbers = True
         story.conditions.append(Condition(chosen * towards, ">", reason, "time"))
     return sign or 1
 

@@ -12,7 +12,7 @@ import random
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -524,7 +524,8 @@ def zeros(
     return found
 
 
-def deciding(x: sp.Expr) -> list[sp.Expr]:
+@lru_cache(maxsize=1024)
+def deciding(x: sp.Expr) -> tuple[sp.Expr, ...]:
     """An expression's numerator and denominator, and what stands under its roots and bars."""
     top, bottom = sp.together(x).as_numer_denom()
     parts = [top, bottom]
@@ -533,16 +534,17 @@ def deciding(x: sp.Expr) -> list[sp.Expr]:
             parts.append(sp.together(node.base).as_numer_denom()[0])
         elif isinstance(node, sp.Abs):
             parts.append(sp.together(node.args[0]).as_numer_denom()[0])
-    return [each for each in parts if each.free_symbols]
+    return tuple(each for each in parts if each.free_symbols)
 
 
-def _essential(x: sp.Expr) -> list[sp.Expr]:
+@lru_cache(maxsize=1024)
+def _essential(x: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of an expression that can change sign."""
     try:
         factors = [f for f, _ in sp.factor_list(x)[1]] if sp.count_ops(x) < 400 else [x]
     except (sp.PolynomialError, NotImplementedError):
         factors = [x]
-    return [f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative]
+    return tuple(f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative)
 
 
 def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import sympy as sp
@@ -333,8 +333,15 @@ class _Worker:
 
     def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
+        story = trial.story
+        if story is not None and isinstance(story.unknowns, Letters) and story.unknowns.certain:
+            # With other samples it would be told alike; these are for what is asked of it later.
+            told = story.unknowns
+            told.samples = trial.samples
+        else:
+            story = None
         tell = _untold if by_nested_roots(trial.found.values, "_c_") else setting.tell
-        numbers = setting.tell(Numbers(trial.samples[0]))
+        numbers = trial.numbers or setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
         solved = tuple(name for name in trial.found.values if not name.startswith("_"))
         return Branch(
@@ -347,6 +354,7 @@ class _Worker:
             tell,
             partial(setting.examine, solved=solved),
             None if trial.admission is None else trial.admission.oracle,
+            story,
         )
 
     def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
@@ -371,7 +379,7 @@ class _Worker:
                 continue  # a letter that is data: the facts about it clash
             negative = any(each.e < 0 for each in wrong)
             (through if negative else kept).append(
-                replace(trial, samples=(values,), admission=None)
+                replace(trial, samples=(values,), admission=None, story=None, numbers=None)
             )
         return kept or through
 
@@ -694,6 +702,7 @@ def value_layout(value: Any, kind: ItemKind, angle: bool, percentage: bool) -> L
     return display(value, angle=angle, percentage=percentage)
 
 
+@lru_cache(maxsize=512)
 def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
     if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
         raise ImpossibleError("it has no value: a division by zero, or a direction at rest")

@@ -140,6 +140,7 @@ class Story:
         self.fault: ImpossibleError | None = None  # proved, and worse than a clash of facts
         # Velocities just before events to whose places, being sought, they lead.
         self.arriving: dict[tuple[int, str], Vector] = {}
+        self.needs_numbers = False  # something is asked that formulas do not say, or not for all
         self.implied = False  # places are counted from the first impact, as the text gives none
         self.lets = lets
         self._open_lets: list[str] = []
