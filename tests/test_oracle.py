@@ -13,6 +13,7 @@ import mpmath
 import pytest
 import sympy as sp
 
+from restitution import work
 from restitution.oracle import (
     All,
     Oracle,
@@ -21,9 +22,11 @@ from restitution.oracle import (
     Relation,
     Some,
     compared,
+    decision,
     holds_at,
     negation,
 )
+from restitution.oracle.points import ball, ends_of
 from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180, Role
 
 ROLES = {
@@ -172,6 +175,92 @@ def test_signs_at_a_point_are_those_of_another_arithmetic(seed: int) -> None:
     assert sign is not None or value == 0
     if sign is not None:
         assert sign == (0 if abs(value) < sp.Float("1e-50") else sp.sign(value))
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_float_is_as_near_as_its_error_says(seed: int) -> None:
+    rng = random.Random(1000 + seed)
+    expression = _random_expression(rng, 5)
+    point = {
+        name: rng.choice((1, Fraction(rng.randint(1, 99), rng.randint(1, 99))))
+        * Fraction(10) ** rng.choice((-12, -3, 0, 0, 3, 12))
+        for name in ("u", "k", "e", "alpha")
+    }
+    program = Program.of([expression])
+    values = program._balls({name: ball(value) for name, value in point.items()})
+    middle, error = values[program.results[0]]
+    put = {ROLES[n].symbol(n): sp.Rational(q.numerator, q.denominator) for n, q in point.items()}
+    value = sp.N(expression.xreplace(put), 60, maxn=1000)
+    assert error < float("inf")
+    assert abs(sp.Rational(middle) - value) <= sp.Rational(error) + abs(value) / 10**50
+    if error == 0:
+        assert sp.Rational(middle) == expression.xreplace(put)
+
+
+@pytest.mark.parametrize(
+    ("function", "at"),
+    [
+        *((f, ("1/7", "9/5", "-2/3", "40")) for f in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec)),
+        (sp.csc, ("1/7", "9/5", "-2/3")),
+        *((f, ("1/7", "-9/5", "1000")) for f in (sp.atan, sp.acot, sp.Abs, sp.sign)),
+        *((f, ("1/7", "-2/3", "999/1000")) for f in (sp.asin, sp.acos)),
+        *((lambda t, n=n: t**n, ("1/7", "9/5", "1000")) for n in (-3, 5)),
+        *((lambda t, n=n: t ** sp.Rational(n, 6), ("1/7", "9/5")) for n in (-5, -3, 1, 2, 9)),
+        *((lambda t, f=f: f(t, sp.Rational(1, 2)), ("1/7", "9/5")) for f in (sp.Max, sp.Min)),
+        *((lambda t, a=a: sp.atan2(t, a), ("1/7", "-9/5")) for a in (2, -2)),
+    ],
+)
+def test_an_interval_holds_the_value(function: Any, at: tuple[str, ...]) -> None:
+    program = Program.of([function(x)])
+    for text in at:
+        (interval,) = program.enclosures({"x": Fraction(text)}, 40)
+        low, high = ends_of(interval)
+        number = sp.N(function(sp.Rational(text)), 80)
+        value = Fraction(*map(int, sp.Rational(number).as_numer_denom()))
+        assert low - Fraction(1, 10**70) <= value <= high + Fraction(1, 10**70)
+        assert high - low < abs(value) / 10**35
+
+
+def _questions(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """What is put to the decision procedure from now on."""
+    asked: list[Any] = []
+    satisfy = decision.satisfy
+
+    def counted(world: Any, formulas: Any) -> Any:
+        asked.append(formulas)
+        return satisfy(world, formulas)
+
+    monkeypatch.setattr(decision, "satisfy", counted)
+    return asked
+
+
+def test_what_was_decided_is_not_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = _questions(monkeypatch)
+    claim = compared(u**2 + 3 * v**2, ">=", 3 * u * v + 17 * k - 17 * k)
+    used = []
+    for _ in range(2):
+        with work.limited() as limit:
+            assert Oracle(ROLES).decide(claim).answer == "proved"
+        used.append(limit.used)
+    assert len(asked) == 1
+    assert used[0] == used[1] > 0, "it counts as much as before"
+
+
+def test_what_is_remembered_belongs_to_its_facts_and_letters() -> None:
+    claim = compared(u * (u - 3), ">", 0)
+    assert Oracle(ROLES).decide(claim).answer == "refuted"
+    assert Oracle(ROLES, (compared(u, ">", 3),)).decide(claim).answer == "proved"
+    narrow = ROLES | {"u": Role("positive", sp.Integer(4), None)}
+    assert Oracle(narrow).decide(claim).answer == "proved"
+    assert Oracle(ROLES).decide(claim).answer == "refuted"
+
+
+def test_what_is_not_decided_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = _questions(monkeypatch)
+    claim = compared(sp.sin(beta), "<", beta)
+    for _ in range(2):
+        assert Oracle(ROLES).decide(claim).answer == "undecided"
+    assert len(asked) == 2
 
 
 def test_a_statement_in_plain_numbers_loads_no_decision_procedure() -> None:

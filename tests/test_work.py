@@ -9,6 +9,7 @@ import pytest
 import restitution as r
 from restitution import work
 from restitution.errors import ImpossibleError, TimeLimitError, UnsupportedError
+from restitution.solve.story import Story
 
 CORNER = """
 sphere P: mass 2, velocity 4i - 3j
@@ -87,6 +88,34 @@ def test_what_is_remembered_counts_as_much_as_before():
             with pytest.raises(UnsupportedError):
                 square(5)
     assert calls == [5]
+
+
+def test_what_a_clock_broke_off_is_not_remembered():
+    @work.remembered(10)
+    def square(x: int) -> int:
+        try:
+            work.spend()
+        except TimeLimitError:
+            return 0  # another way was tried
+        return x * x
+
+    with work.limited(seconds=0), pytest.raises(TimeLimitError):
+        square(5)
+    assert square(5) == 25
+
+
+def test_the_story_of_plain_numbers_is_told_once_exactly_and_once_in_numbers(monkeypatch):
+    exact = []
+    begin = Story.__init__
+
+    def counted(self, problem, part, arithmetic, *rest):
+        exact.append(arithmetic.exact)
+        begin(self, problem, part, arithmetic, *rest)
+
+    monkeypatch.setattr(Story, "__init__", counted)
+    solution = r.solve(r.parse(CORNER))
+    assert str(solution["speed(P)"].exact) == "sqrt(73)/2"
+    assert sorted(exact) == [False, True]
 
 
 def test_solving_keeps_what_is_solved():

@@ -423,17 +423,17 @@ def _oracle(known: _Known) -> Oracle:
     return Oracle({name: role for name, role in letters if role is not None}, facts)
 
 
-@remembered(4096)
+@remembered(2048)
 def _decided(known: _Known, claim: Formula) -> Verdict:
     return _kept(_oracle(known)._decide(claim))
 
 
-@remembered(1024)
+@remembered(512)
 def _decided_some(known: _Known, claim: Formula, free: frozenset[str]) -> Verdict:
     return _kept(_oracle(known)._decide_some(claim, free))
 
 
-@remembered(1024)
+@remembered(512)
 def _possible(known: _Known) -> Verdict:
     return _kept(_oracle(known)._satisfied())
 
@@ -444,12 +444,12 @@ def _kept(verdict: Verdict) -> Verdict:
     return verdict
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=2048)
 def _seen(known: _Known, x: sp.Expr) -> frozenset[int]:
     return _oracle(known)._seen(x)
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=512)
 def _tester(formula: Formula) -> _Tester:
     return _Tester(formula)
 

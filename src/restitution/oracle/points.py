@@ -255,7 +255,7 @@ class Program:
         return [values[place] for place in self.results]
 
 
-@lru_cache(maxsize=2048)
+@lru_cache(maxsize=512)
 def _compiled(expressions: tuple[sp.Expr, ...]) -> Program:
     compiler = _Compiler()
     results = tuple(compiler.place(each) for each in expressions)
