@@ -304,6 +304,7 @@ class Model:
     _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
     _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
     _differing: dict[sp.Expr, bool] = field(default_factory=dict, repr=False)
+    _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
 
     # --- what is proved -----------------------------------------------------------------------
 
@@ -522,7 +523,11 @@ class Model:
 
     def number(self, x: Any) -> Any:
         """A numerical value by the sample; raises UndefinedError where there is none."""
-        return at(sp.sympify(x, strict=True), self.sample)
+        x = sp.sympify(x, strict=True)
+        # A letter may still come to the sample; one that is there keeps its number.
+        if x not in self._numbers:
+            self._numbers[x] = at(x, self.sample)
+        return self._numbers[x]
 
     def sign(self, x: Any) -> int:
         """The sign of an expression at the sample (0 where it has no value)."""

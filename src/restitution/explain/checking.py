@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -12,20 +12,20 @@ import sympy as sp
 from restitution.components import Model
 from restitution.explain.steps import Row
 from restitution.oracle import Relation, holds_at
-from restitution.solve.numbers import TINY, UndefinedError, at
+from restitution.solve.numbers import TINY, UndefinedError
 
 _TOLERANCE = 1e-18
 _ORDERED = {"<": operator.lt, "≤": operator.le, ">": operator.gt, "≥": operator.ge}
 
 
-def holds(row: Row, sample: Mapping[str, Any]) -> bool:
-    """Whether a line is true at a sample of the letters.
+def holds(row: Row, model: Model) -> bool:
+    """Whether a line is true at the sample of the letters.
 
     Operands without a value (rounded ones, words) are not asked. An operand that has no value
     at the sample makes the line fail.
     """
     try:
-        return all(_related(*each, sample) for each in related(row))
+        return all(_related(*each, model) for each in related(row))
     except (UndefinedError, KeyError, TypeError, ValueError, ArithmeticError):
         return False
 
@@ -56,11 +56,11 @@ def _parts(one: Any, other: Any) -> list[tuple[Any, Any]]:
     return [(one, other)]
 
 
-def _related(left: Any, sign: str, right: Any, sample: Mapping[str, Any]) -> bool:
+def _related(left: Any, sign: str, right: Any, model: Model) -> bool:
     if isinstance(left, tuple) != isinstance(right, tuple):
         return False
     for one, other in _parts(left, right):
-        a, b = at(sp.sympify(one, strict=True), sample), at(sp.sympify(other, strict=True), sample)
+        a, b = model.number(one), model.number(other)
         close = abs(a - b) <= _TOLERANCE * (abs(a) + abs(b)) + TINY
         if sign == "=" and not close:
             return False
