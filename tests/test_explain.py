@@ -502,9 +502,32 @@ def test_lines_that_the_numbers_contradict_do_not_pass() -> None:
 
     x = sp.Symbol("x")
     sample = {"x": sp.Rational(1, 3)}
-    assert holds(chain(side(3 * x), side(sp.Integer(1))), sample)
-    assert not holds(chain(side(3 * x), side(sp.Integer(2))), sample)
+
+    def number(value: sp.Expr) -> sp.Expr:
+        return value.xreplace({x: sample["x"]})
+
+    assert holds(chain(side(3 * x), side(sp.Integer(1))), number)
+    assert not holds(chain(side(3 * x), side(sp.Integer(2))), number)
     assert math.isclose(float(sample["x"]), 1 / 3)
+
+
+def test_a_line_that_is_true_at_the_sample_alone_is_refuted() -> None:
+    from restitution.explain.checking import holds, refuted
+    from restitution.explain.phrases import chain
+    from restitution.explain.route import workings
+    from restitution.explain.steps import side
+
+    text = "wall W: along i\nsphere P: velocity a i - b j\nP hits W: e = 1/3\nfind speed(P)\n"
+    solution = solve(parse(text))
+    (part,) = solution.parts.values()
+    (work,) = workings(solution, part)
+    a, b = (work.model.unknowns.letter(name) for name in "ab")
+    true = chain(side((a + b) ** 2), side(a**2 + 2 * a * b + b**2))
+    ratio = sp.Rational(str(work.model.sample["a"] / work.model.sample["b"]))
+    false = chain(side(a), side(b * ratio))
+    assert holds(true, work.model.number) and holds(false, work.model.number)
+    assert not refuted(true, work.model)
+    assert refuted(false, work.model)
 
 
 # --- LaTeX and HTML -------------------------------------------------------------------------------

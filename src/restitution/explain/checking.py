@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -18,14 +18,14 @@ _TOLERANCE = 1e-18
 _ORDERED = {"<": operator.lt, "≤": operator.le, ">": operator.gt, "≥": operator.ge}
 
 
-def holds(row: Row, model: Model) -> bool:
-    """Whether a line is true at the sample of the letters.
+def holds(row: Row, number: Callable[[Any], Any]) -> bool:
+    """Whether a line is true by the numbers of its operands.
 
-    Operands without a value (rounded ones, words) are not asked. An operand that has no value
-    at the sample makes the line fail.
+    Operands without a value (rounded ones, words) are not asked. An operand that has no number
+    makes the line fail.
     """
     try:
-        return all(_related(*each, model) for each in related(row))
+        return all(_related(*each, number) for each in related(row))
     except (UndefinedError, KeyError, TypeError, ValueError, ArithmeticError):
         return False
 
@@ -56,11 +56,11 @@ def _parts(one: Any, other: Any) -> list[tuple[Any, Any]]:
     return [(one, other)]
 
 
-def _related(left: Any, sign: str, right: Any, model: Model) -> bool:
+def _related(left: Any, sign: str, right: Any, number: Callable[[Any], Any]) -> bool:
     if isinstance(left, tuple) != isinstance(right, tuple):
         return False
     for one, other in _parts(left, right):
-        a, b = model.number(one), model.number(other)
+        a, b = number(one), number(other)
         close = abs(a - b) <= _TOLERANCE * (abs(a) + abs(b)) + TINY
         if sign == "=" and not close:
             return False

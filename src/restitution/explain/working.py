@@ -169,7 +169,7 @@ class Working:
                 continue  # true, but no one would write it
             if len(row.operands) > 1 and len(set(row.operands)) == 1:
                 continue  # 0 = 0
-            if holds(row, self.model) and not refuted(row, self.model):
+            if holds(row, self.model.number) and not refuted(row, self.model):
                 checked.append(row)
             else:
                 self.dropped.append(_plain(row))
