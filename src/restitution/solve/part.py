@@ -272,12 +272,12 @@ class Setting:
         values: Mapping[str, Any],
         solved: Iterable[str],
         story: Story | None = None,
-        told: list[Story] | None = None,
+        stories: list[Story] | None = None,
     ) -> tuple[str, str] | None:
         """Why these numbers are impossible, as (reason, kind); None if they are not.
 
-        ``story`` is what they lead to, where that has been told already; ``told`` takes it where
-        nothing speaks against it. Raises UndefinedError where something has no real value.
+        ``story`` is what they lead to, where that has been told already; it is added to ``stories``
+        where nothing speaks against it. Raises UndefinedError where something has no real value.
         """
         outside = [
             problem
@@ -300,8 +300,8 @@ class Setting:
         for need in (*story.equations, *wanted):
             if isinstance(need, Equation) and abs(need.value) > TINY * 10**5:
                 return need.reason, "equation"
-        if told is not None:
-            told.append(story)
+        if stories is not None:
+            stories.append(story)
         return None
 
     def admission(
@@ -372,12 +372,13 @@ class Setting:
         free = sorted((set(self.roles) | set(known)) - set(found.values) - set(self.lets))
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
-        told: list[Story] = []
+        stories: list[Story] = []
         rng = random.Random(11)
         for _ in range(POINTS_TRIED if free else 1):
             values = sample(free, known, rng)
-            first = Trial(found, (), None, None, admission, story, None, told[0] if told else None)
-            reason = self._objection(first, values, told)
+            numbers = stories[0] if stories else None
+            trial = Trial(found, (), None, None, admission, story, None, numbers)
+            reason = self._objection(trial, values, stories)
             if reason is None:
                 accepted.append(values)
                 if len(accepted) == SAMPLES_WANTED:
@@ -392,15 +393,15 @@ class Setting:
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
                 values |= {name: number_of(each) for name, each in possible.witness.items()}
-                first = Trial(found, (), None, None, admission, story)
-                reason = self._objection(first, values, told, possible.witness)
+                trial = Trial(found, (), None, None, admission, story)
+                reason = self._objection(trial, values, stories, possible.witness)
                 if reason is None:
                     accepted.append(values)
                 else:
                     reasons[reason] += 1
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
-            return Trial(found, tuple(accepted), None, None, admission, story, rare, told[0])
+            return Trial(found, tuple(accepted), None, None, admission, story, rare, stories[0])
         (reason_, kind), _ = reasons.most_common(1)[0]
         refusal = None if kind == "equation" else admission.refusal()
         if refusal is not None:
@@ -434,12 +435,12 @@ class Setting:
         return self.try_out(Found({**values, **pinned}, angles, found.leftover), letters_)
 
     def _objection(
-        self, trial: Trial, values: Sample, told: list[Story], point: Point | None = None
+        self, trial: Trial, values: Sample, stories: list[Story], point: Point | None = None
     ) -> tuple[str, str] | None:
         """Why these values of the free letters are impossible; the solved ones are added.
 
-        ``point`` has the exact values of some of them; ``told`` takes the story told with them,
-        where it was told.
+        ``point`` has the exact values of some of them. The story told with them is added to
+        ``stories``, where it takes one to see that they are possible.
         """
         found, suffices = trial.found, trial.formulas_suffice and self.sought is None
         try:
@@ -455,7 +456,7 @@ class Setting:
             if suffices:
                 return None
             solved = [name for name in found.values if not name.startswith("_")]
-            return self.examine(values, solved, None, told)
+            return self.examine(values, solved, None, stories)
         except (StatementError, ImpossibleError) as error:
             return error.message, "equation"
         except (UndefinedError, ArithmeticError):

@@ -125,7 +125,7 @@ class Branch:
     them to a telling of the story; ``sample`` gives every letter and hidden unknown a number that
     satisfies all facts (the letters left free at a representative value); ``numbers`` is the
     story told with these, in high precision. ``objection`` says why other numbers are
-    impossible, as (reason, kind), or None where they would do as well. ``told`` is the story told
+    impossible, as (reason, kind), or None where they would do as well. ``exact`` is the story told
     with ``letters``, where finding them took one. ``oracle`` decides what holds for all letters
     that the solution admits; None where these are not known as formulas.
     """
@@ -141,12 +141,12 @@ class Branch:
         compare=False, repr=False
     )
     oracle: Oracle | None = field(default=None, compare=False, repr=False)
-    told: Story | None = field(default=None, compare=False, repr=False)
+    exact: Story | None = field(default=None, compare=False, repr=False)
 
     @cached_property
     def story(self) -> Story:
         """The story with these values put in, exactly; told when it is first wanted."""
-        return self.told or self.tell(self.letters)
+        return self.exact or self.tell(self.letters)
 
 
 @dataclass(frozen=True)
