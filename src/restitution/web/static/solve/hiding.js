@@ -11,7 +11,7 @@ export function makeHiding(elements, { onChange, stepwise }) {
   const { results, answers, note, working, worked, motion, question, unfold } = elements;
   let hidden = false;
   let given = null;
-  let unfinished = false;
+  let isWhole = true;
   let line = null; // { byLine, shown, total, steps } of the working
 
   const toggle = button("Hide answers", () => set(!hidden), { "aria-pressed": "false" });
@@ -61,14 +61,15 @@ export function makeHiding(elements, { onChange, stepwise }) {
     working.hidden = hidden || isEmpty();
     covered.hidden = !hidden;
     lines.hidden = isEmpty();
-    motion.hidden = hidden || unfinished || (byLine && line.shown < line.total);
+    motion.hidden = hidden || !isWhole || (byLine && line.shown < line.total);
     question.hidden = hidden && given.question === null;
     let coming = 0;
     const items = given.working.flatMap((part, index) =>
       part.answers.map((_, item) => ({ part: index, item })));
     [...answers.querySelectorAll(".answers > *")].forEach((node, index) => {
       const each = items[index];
-      const later = hidden || (byLine && (!each || linesBefore(each.part, each.item) > line.shown));
+      const isThere = () => isWhole && linesBefore(each.part, each.item) <= line.shown;
+      const later = Boolean(hidden || (byLine && each && !isThere()));
       node.hidden = later;
       coming += later;
     });
@@ -88,10 +89,10 @@ export function makeHiding(elements, { onChange, stepwise }) {
     begin(on) {
       if (on) set(true);
     },
-    // With its motion still to come, where it is unfinished.
-    put(reply, early = false) {
+    // A solution; one that is not `whole` has no working yet, and line by line no answers either.
+    put(reply, whole = true) {
       given = reply;
-      unfinished = early;
+      isWhole = whole;
       update();
     },
     // Another line of the working, or another way to show it.
@@ -104,7 +105,8 @@ export function makeHiding(elements, { onChange, stepwise }) {
     pictures({ pictures, figure }) {
       const told = figure ? [figure] : [];
       if (hidden) return told;
-      if (!line?.byLine || line.shown >= line.total) return pictures;
+      if (!line?.byLine || (isWhole && line.shown >= line.total)) return pictures;
+      if (!isWhole) return told;
       const seen = pictures.filter(({ event }) => event !== null && linesOf(event) <= line.shown);
       return [...told, ...seen];
     },

@@ -151,7 +151,7 @@ async function showSolved({ kind, text, reply }) {
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
-  hiding.put(reply, kind === "early");
+  hiding.put(reply, kind === "solved");
   working.put(reply.working);
   reason("working", working.empty ? reply.working_error : null);
   $("worked").hidden = working.empty && !reply.working_error;
