@@ -241,6 +241,9 @@ def test_line_by_line_an_answer_comes_with_its_line(open_) -> None:
     expect(page.locator("#hidden")).to_be_hidden()
     page.get_by_role("button", name="Back one line").click()
     expect(visible).to_have_count(2)
+    page.locator("#statement").fill(WALL.replace("5i", "7i"))
+    expect(page.locator("#spoken")).to_have_text("Solved. The answers come line by line.")
+    expect(visible).to_have_count(0)
     page.get_by_role("button", name="Whole").click()
     expect(visible).to_have_count(3)
 

@@ -85,6 +85,11 @@ export function makeHiding(elements, { onChange, stepwise }) {
     get hidden() {
       return hidden;
     },
+    // What is said aloud of a solution instead of its answers, or null.
+    get instead() {
+      if (hidden) return "Solved. The answers are hidden.";
+      return line?.byLine ? "Solved. The answers come line by line." : null;
+    },
     // Hidden from the start, as a link can have it.
     begin(on) {
       if (on) set(true);

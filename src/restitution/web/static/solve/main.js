@@ -157,7 +157,7 @@ async function showSolved({ kind, text, reply }) {
   $("worked").hidden = working.empty && !reply.working_error;
   reason("pictures", reply.pictures.length ? null : reply.pictures_error);
   motion.put(reply);
-  if (kind === "solved") $("spoken").textContent = hiding.hidden ? "Solved. The answers are hidden." : spoken(reply);
+  if (kind === "solved") $("spoken").textContent = hiding.instead ?? spoken(reply);
   paper.put(reply);
   await seePictures();
 }
@@ -178,7 +178,7 @@ function hidden() {
   if (editor.text.trim()) settle(editor.text);
   hiding.update();
   if (solved) {
-    $("spoken").textContent = hiding.hidden ? "" : spoken(solved.reply);
+    $("spoken").textContent = hiding.instead === null ? spoken(solved.reply) : "";
     seePictures();
   }
   say(hiding.hidden ? "The answers are hidden." : "The answers are shown.");
