@@ -510,6 +510,15 @@ def test_a_field_says_what_was_typed_or_nothing_at_all(writer, field: str) -> No
     assert good < len(typed)
 
 
+def test_a_unit_behind_a_letter_is_none_of_its_letters(writer) -> None:
+    refused = [{"PMass": "m kg"}, {"PX": "u m/s"}, {"PY": "-2u ms^-1"}, {"e1": "e N s"}]
+    for change, each in zip(refused, writer.written("wall", refused)):
+        assert [name for name, _ in each["wrong"]] == list(change)
+        assert "letter" in each["wrong"][0][1]
+    passed = [{"PMass": "2 kg"}, {"PX": "18 km/h"}, {"PMass": "k m"}, {"PX": "3m u"}]
+    assert [each["wrong"] for each in writer.written("wall", passed)] == [[]] * 4
+
+
 def test_a_field_that_is_missing_is_told(writer) -> None:
     for kind, needed in (
         ("wall", ("PX", "PY")),

@@ -13,7 +13,8 @@ export function makeForeign(root, results) {
   function put({ kind, problems, goTo }) {
     const isForeign = kind === "unread" || kind === "waiting";
     results.classList.toggle("foreign-to-form", isForeign);
-    results.setAttribute("aria-label", isForeign ? `${label}, not of the question in the form` : label);
+    results.setAttribute("aria-label",
+      isForeign ? `${label}, not of the question in the form` : label);
     if (kind === "reading") results.classList.add("stale");
     else if (isForeign) results.classList.remove("stale");
     root.classList.toggle("early", results.hidden);
@@ -31,7 +32,8 @@ export function makeForeign(root, results) {
     const wrong = problems.filter(({ isWrong }) => isWrong);
     const shown = wrong.length ? wrong : problems;
     const state = wrong.length ? "cannot be read" : "is not filled in yet. Still missing";
-    const words = ({ label, said }) => (wrong.length || !label ? `${label ?? "Text"}: ${said}` : label);
+    const words = ({ label, said }) =>
+      (wrong.length || !label ? `${label ?? "Text"}: ${said}` : label);
     const rest = shown.length - MOST;
     return [
       html("p", {}, html("strong", {}, head), ` ${of} ${state}:`),

@@ -16,6 +16,9 @@ const STRANGE = {
   angle: [/[\d)]\s*(kg|[kc]?m\s?\/\s?[sh]|m\s?s|N\s?s|[kcm]m|[mgsNJ])(?!\w)/,
     "an angle is in degrees"],
 };
+// A unit behind a letter would be read as letters, and is meant as none.
+const UNITS = String.raw`kg|km\s?/\s?h|m\s?/\s?s|m\s?s\s?\^?\s?[-−]\s?1|N\s?s`;
+const BEHIND_A_LETTER = new RegExp(String.raw`(?<=\p{L})(?<!\d\s*kg)\s+(${UNITS})$`, "u");
 const NUMBER = /^\d+(\.\d+)?\s*%?$/;
 
 // `kind` is what the field is to hold: a title, a number, component, angle, vector, percentage,
@@ -38,6 +41,8 @@ export function objection(text, kind) {
   }
   const word = WORDS[kind === "component" || kind === "size" ? "number" : kind]?.exec(text);
   if (word) return `Leave out the word “${word[0]}”: this field takes one value.`;
+  const unit = BEHIND_A_LETTER.exec(text);
+  if (unit) return `Leave out “${unit[1]}”: a letter stands for a value with its unit.`;
   const strange = STRANGE[kind]?.[0].exec(text);
   if (strange) return `Leave out “${strange[1]}”: ${STRANGE[kind][1]}.`;
   if (kind === "component" && UNIT_VECTOR.test(text)) {

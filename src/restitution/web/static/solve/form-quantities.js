@@ -29,21 +29,23 @@ export function quantitiesOf(answers) {
       put(n, (s) => `direction(${body}${s})`, `direction of ${group}, from i`, group,
         { angle: true });
       if (spheres.length === 1) {
-        put(n, (s) => `angle(velocity(${body}${s}), ${b})`, `angle of ${body}’s path to ${b} ${when}`,
-          group, { angle: true });
+        put(n, (s) => `angle(velocity(${body}${s}), ${b})`,
+          `angle of ${body}’s path to ${b} ${when}`, group, { angle: true });
       } else {
         const line = (s) => `line_of_centres${s}`;
         put(n, (s, p) => `angle(velocity(${body}${s}), ${line(p)})`,
           `angle of ${body}’s path with the line of centres ${when}`, group, { angle: true });
         put(n, (s, p) => `along(velocity(${body}${s}), ${line(p)})`,
-          `component of ${body} along the line of centres, from ${a} to ${b} positive, ${when}`, group);
+          `component of ${body} along the line of centres, from ${a} to ${b} positive, ${when}`,
+          group);
         put(n, (s, p) => `across(velocity(${body}${s}), ${line(p)})`,
-          `component of ${body} across the line of centres, to its left positive, ${when}`, group);
+          `component of ${body} across the line of centres, to its left positive, ${when}`,
+          group);
       }
       if (index > 0 || answers[`${role}Velocity`] !== "rest") {
+        const where = count === 1 ? "" : `at the ${ORDINAL[index]} impact `;
         put(n, (s) => `deflection(${body}${s})`,
-          `angle through which ${body} is turned ${count === 1 ? "" : `at the ${ORDINAL[index]} impact `}(deflection)`,
-          group, { angle: true });
+          `angle through which ${body} is turned ${where}(deflection)`, group, { angle: true });
       }
     }
     const which = count === 1 ? "" : ` at the ${ORDINAL[index]} impact`;

@@ -55,7 +55,8 @@ function along(size, axis) {
 
 function components(answers, role, fields) {
   const both = [["X", "i"], ["Y", "j"]];
-  const typed = both.map(([key, axis]) => [role + key, fields.needed(role + key, "component"), axis]);
+  const typed = both.map(([key, axis]) =>
+    [role + key, fields.needed(role + key, "component"), axis]);
   if (typed.some(([, text]) => text === "")) return [];
   const shown = typed.filter(([, text]) => !/^0(\.0*)?$/.test(text));
   if (shown.length === 0) return ["velocity ", [`${role}X`, "0i"]];
@@ -102,7 +103,8 @@ function turnedFromLine(answers, way, role, typed) {
 
 function toLine(answers, fields, role, way, [speedField, speed], [angleField, angle]) {
   if (answers.line === "unknown" || answers.line === "offset") {
-    fields.miss("line", "An angle to the line of centres needs its direction: along i, if none is told.");
+    fields.miss("line",
+      "An angle to the line of centres needs its direction: along i, if none is told.");
     return [];
   }
   const size = fields.needed(speedField, "size", speed);
@@ -176,7 +178,8 @@ function walls(answers, fields) {
   if (start === undefined) {
     fields.miss("second", "Choose how BC runs: beside a wall along a vector it has a direction.");
   }
-  const numbers = [{ i: 0, j: 90, angle: plainDegrees(turned) }[answers.first], plainDegrees(between)];
+  const begins = { i: 0, j: 90, angle: plainDegrees(turned) }[answers.first];
+  const numbers = [begins, plainDegrees(between)];
   const sum = numbers.includes(null)
     ? `${start}180° - ${bracketed(between)}` : `${exactly(numbers[0] + 180 - numbers[1])}°`;
   const second = between ? ["along ", ["between", sum]] : [];
@@ -236,7 +239,8 @@ function known(answers, fields) {
       return [];
     }
     const text = valued(quantity, typed, field, fields, what === "fact" ? "fact" : null);
-    return [what === "fact" ? ["given ", [field, text]] : [`given ${quantity.item} = `, [field, text]]];
+    const head = what === "fact" ? "given " : `given ${quantity.item} = `;
+    return [[head, [field, text]]];
   });
 }
 
@@ -296,7 +300,9 @@ export function linesOf(answers) {
       radius ? ["radius ", ["radius", radius]] : [],
     ]));
   }
-  for (let index = 0; index < countOf(answers); index += 1) lines.push(impact(answers, index, fields));
+  for (let index = 0; index < countOf(answers); index += 1) {
+    lines.push(impact(answers, index, fields));
+  }
   lines.push(...known(answers, fields));
   const unknown = fields.optional("unknown", "items");
   if (unknown) lines.push(["unknown ", ["unknown", unknown]]);

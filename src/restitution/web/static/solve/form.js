@@ -178,7 +178,8 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     problems = [];
     const put = ([name, said], isWrong) => {
       const place = name && body.querySelector(`#problem-${name}`);
-      problems.push({ field: place ? name : null, label: place ? labelOf(name) : null, said, isWrong });
+      const [where, label] = place ? [name, labelOf(name)] : [null, null];
+      problems.push({ field: where, label, said, isWrong });
       if (!place) rest.push(said);
       else if (!place.textContent) {
         place.textContent = said;
@@ -197,7 +198,8 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     const place = body.querySelector(`#problem-${name}`);
     const group = place.closest("fieldset").querySelector("legend").textContent;
     const label = place.closest(".field")?.querySelector("label");
-    const words = [...(label?.childNodes ?? [])].filter((each) => !each.classList?.contains("quiet"));
+    const nodes = [...(label?.childNodes ?? [])];
+    const words = nodes.filter((each) => !each.classList?.contains("quiet"));
     const title = words.map((each) => each.textContent).join("");
     return title ? `${group}, ${title}` : group;
   }
@@ -409,12 +411,13 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     const rows = answers.known.map((each, index) => {
       const name = `known${index}`;
       const begins = index === 0 ? "It is known that" : "and that";
-      const pairs = quantities.filter(({ vector }) => vector).flatMap(({ key, label, group: of }) => {
+      const vectors = quantities.filter(({ vector }) => vector);
+      const pairs = vectors.flatMap(({ key, label, group: of }) => {
         const speed = label.replace("velocity", "speed and direction");
         const line = label.replace("velocity", "speed and angle to the line of centres");
-        const withLine = of.startsWith("P ") || !key.endsWith(", 1)") || answers.line === undefined;
+        const hasLine = answers.line !== undefined && key.endsWith(", 1)");
         return [{ key: `polar ${key}`, label: `${speed}, from i`, group: of },
-          ...(withLine ? [] : [{ key: `line ${key}`, label: line, group: of }])];
+          ...(hasLine ? [{ key: `line ${key}`, label: line, group: of }] : [])];
       });
       const options = [["", "nothing more"], ["fact", "another fact, such as tan(alpha) = 3/4"],
         ...grouped([...quantities, ...pairs, ...facts])];
@@ -445,7 +448,8 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     }
     if (mode === "line") {
       const role = spheresOf(answers).find((one) => key.includes(`(${nameOf(answers, one)},`));
-      const angle = put("angle", "Angle to the line of centres, in degrees", { example: "such as 30" });
+      const angle = put("angle", "Angle to the line of centres, in degrees",
+        { example: "such as 30" });
       return [row(speed(), angle), senses(answers, `${name}way`, role, each.way)];
     }
     const chosen = quantities.find((one) => one.key === what);

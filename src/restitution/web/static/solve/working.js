@@ -4,8 +4,8 @@ import { allow, button, html } from "../player/elements.js";
 import { keepReachable } from "./scrolling.js";
 import { grown } from "./trees.js";
 
-// The sections, of each step what it is about and how many lines there are by its end, and for each line the elements that appear with it: a heading or a sentence comes
-// with what follows it.
+// The sections; of each step what it is about, and how many lines there are by its end; and for
+// each line the elements that appear with it: a heading or a sentence comes with what follows it.
 function laid(working) {
   const sections = [];
   const steps = [];
