@@ -291,6 +291,17 @@ $("new").addEventListener("click", () => {
   editor.focus();
 });
 
+// Where there is one column, what is wrong stands right below the editor.
+const wide = matchMedia("(min-width: 60em)");
+
+function lay() {
+  if (wide.matches) $("notice").before($("wrong"));
+  else $("editor").after($("wrong"));
+}
+
+wide.addEventListener("change", lay);
+lay();
+
 // --- the start -----------------------------------------------------------------------------------
 
 // The choice of ways to begin where nothing is stated, else the editor.
@@ -312,7 +323,7 @@ onReturn((text) => {
 function begin() {
   const hide = hides();
   const text = told() ?? draft();
-  $("sharing").open = matchMedia("(min-width: 60em)").matches;
+  $("sharing").open = wide.matches;
   start(text?.trim() ? text : null);
   if (!opening.open) settle(text);
   hiding.begin(hide);
