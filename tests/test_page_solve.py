@@ -237,7 +237,7 @@ def test_a_mistake_is_marked_at_its_place_and_clears(open_):
     wrong = page.locator(".layer .wrong")
     wrong.wait_for()
     assert wrong.inner_text() == "velocty"
-    message = page.locator("#mistakes button")
+    message = page.locator("#mistakes .mistake")
     assert "Line 3" in message.inner_text()
     assert "did you mean 'velocity'" in message.inner_text()
     assert page.locator("#statement").get_attribute("aria-invalid") == "true"
@@ -276,10 +276,19 @@ def test_a_cure_mends_with_one_click(open_):
     assert typed(page) == wrong
 
 
+def test_a_note_has_its_cure_too(open_):
+    page = open_(WALL.replace("mass 2", "mass 2 kg"))
+    assert "e=23" in answers(page)
+    page.get_by_role("button", name="Leave out 'kg'").click()
+    solved(page)
+    assert typed(page) == WALL
+    assert page.locator(".warning").count() == 0
+
+
 def test_every_mistake_of_a_text_is_listed(open_):
     page = open_(WALL)
     page.locator("#statement").fill("spher P\nwall W: alon i\nfind speed(Q)\n")
-    page.locator("#mistakes button").nth(1).wait_for()
+    page.locator("#mistakes .mistake").nth(1).wait_for()
     assert page.locator(".layer .wrong").count() >= 2
 
 
@@ -822,7 +831,7 @@ def test_no_text_becomes_markup(open_):
     page.get_by_text("The question in words").click()
     assert page.locator("main img[src=x], main script:not([type])").count() == 0
     page.locator("#statement").fill(f"{bad}\n")
-    page.locator("#mistakes button").first.wait_for()
+    page.locator("#mistakes .mistake").first.wait_for()
     assert page.locator("img[src=x]").count() == 0
 
 
@@ -888,8 +897,8 @@ def test_the_keyboard_alone_from_the_choice_on(opening):
     page.keyboard.press("Control+Home")
     page.keyboard.type("spher ")
     page.keyboard.press("Escape")
-    page.locator("#mistakes button").wait_for()
-    tab_to(page.locator("#mistakes button").text_content().strip())
+    page.locator("#mistakes .mistake").wait_for()
+    tab_to(page.locator("#mistakes .mistake").text_content().strip())
     page.keyboard.press("Enter")
     page.keyboard.press("Delete")
     page.keyboard.press("Delete")
@@ -930,7 +939,7 @@ def test_axe_finds_nothing_in_the_choice(opening):
     page.get_by_role("button", name="Write a question of your own").click()
     accessible(page)
     page.keyboard.insert_text("spher A\n")
-    page.locator("#mistakes button").wait_for()
+    page.locator("#mistakes .mistake").wait_for()
     for colours in ("light", "dark"):
         page.emulate_media(color_scheme=colours)
         accessible(page)
@@ -944,7 +953,7 @@ def test_axe_finds_nothing_in_fractions_and_headings(open_, width):
     page.evaluate("() => document.fonts.ready")
     accessible(page)
     page.locator("#statement").fill(CORNER + "find speed(P")
-    page.locator("#mistakes button").wait_for()
+    page.locator("#mistakes .mistake").wait_for()
     accessible(page)
 
 

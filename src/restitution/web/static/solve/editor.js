@@ -120,13 +120,10 @@ export function makeEditor(root, words, { onInput }) {
       layer.children[line - 1]?.scrollIntoView({ block: "nearest" });
     },
     // The edits of a cure, made as if they were typed, the last one in the text first.
-    mend(fix) {
+    mend({ edits }) {
       const { value } = field;
-      const stretches = (fix.edits ?? [fix]).map((edit) => [
-        edit.start ?? offsetOf(value, edit.line, edit.column),
-        edit.end ?? offsetOf(value, edit.end_line, edit.end_column),
-        edit.text,
-      ]);
+      const stretches = edits.map(({ line, column, end_line, end_column, text }) =>
+        [offsetOf(value, line, column), offsetOf(value, end_line, end_column), text]);
       for (const [start, end, text] of stretches.sort(([a], [b]) => b - a)) {
         field.focus();
         field.setSelectionRange(start, end);

@@ -147,7 +147,7 @@ async function showSolved({ kind, text, reply }) {
   document.title = `${answer.title ?? "Solve"} – Restitution`;
   $("title").textContent = answer.title ?? "";
   $("title").hidden = !answer.title;
-  $("answers").replaceChildren(...answersOf(reply, editor.goTo));
+  $("answers").replaceChildren(...answersOf(reply, editor));
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));

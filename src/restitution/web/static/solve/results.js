@@ -4,7 +4,7 @@ import { sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
 import { grown } from "./trees.js";
 
-export function answersOf({ answer, working }, goTo) {
+export function answersOf({ answer, working }, editor) {
   const parts = working.filter(({ answers }) => answers.length);
   const nodes = parts.map(({ label, answers }) =>
     html(
@@ -15,7 +15,8 @@ export function answersOf({ answer, working }, goTo) {
     ),
   );
   if (!parts.length) nodes.push(...answer.parts.map(unanswered));
-  return [...warningsOf(answer), ...(answer.error ? [failure(answer.error, goTo)] : []), ...nodes];
+  const { error } = answer;
+  return [...warningsOf(answer, editor), ...(error ? [failure(error, editor.goTo)] : []), ...nodes];
 }
 
 function answered({ item, values, equal, holds, undecided, counterexample, error, rejected }) {
@@ -69,8 +70,13 @@ const unanswered = ({ part, items }) =>
       items.map(({ text }) => html("li", {}, html("code", {}, text)))),
   );
 
-const warningsOf = ({ warnings }) =>
-  warnings.map((said) => html("p", { class: "warning" }, `Note: ${said}`));
+// Those that the text itself draws have cures, as its mistakes do.
+const warningsOf = ({ warnings, notes }, editor) =>
+  warnings.map((said) => {
+    const note = notes.find(({ message, line, column }) =>
+      said === `line ${line}, column ${column}: ${message}`);
+    return html("p", { class: "warning" }, `Note: ${said}`, cures(note?.fixes, editor));
+  });
 
 export function failure({ message, line, column }, goTo) {
   const place = line && button(`line ${line}`, () => goTo(line, column), { class: "place" });
