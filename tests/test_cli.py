@@ -62,7 +62,7 @@ def test_solve_prints_the_working(folder):
 
 def test_standard_input(folder):
     status, out, _ = run("solve", "-", "--answers-only", stdin=GOOD.encode())
-    assert (status, out.strip()) == (0, "impulse = 8")
+    assert (status, out.strip()) == (0, "impulse = 8  N s")
 
 
 def test_statuses(folder):
@@ -156,7 +156,8 @@ def test_mistake_is_shown_with_a_caret(folder):
     for command in ("solve", "check"):
         status, out, err = run(command, "bad.impact", cwd=folder)
         assert (status, out) == (2, "")
-        first, second, third = err.splitlines()
+        first, second, third, hint = err.splitlines()
+        assert hint == "  fix | " + second.partition("| ")[2].replace("velocty", "velocity")
         assert first.startswith("bad.impact:1:11: ")
         assert "velocity" in first
         assert second.endswith("| sphere P: velocty 3i")
@@ -167,7 +168,7 @@ def test_caret_in_a_long_line_with_wide_letters(tmp_path):
     text = "title 漢字\nsphere P: velocity " + "1 + " * 60 + "velocty\nfind speed(P)\n"
     (tmp_path / "long.impact").write_text(text, encoding="utf-8")
     status, _, err = run("check", "long.impact", cwd=tmp_path)
-    _, shown, caret = err.splitlines()
+    _, shown, caret, *_ = err.splitlines()
     assert status == 2
     assert len(shown) < 90
     assert shown[caret.index("^") :].startswith("velocty")

@@ -95,8 +95,8 @@ def test_object_of_every_example(name):
         assert list(part) == ["part", "items"]
         for item in part["items"]:
             assert list(item) == [
-                "line", "text", "kind", "answers", "holds", "proof", "trials", "counterexample",
-                "rejected", "error",
+                "line", "text", "kind", "unit", "answers", "holds", "proof", "trials",
+                "counterexample", "rejected", "error",
             ]  # fmt: skip
             assert item["kind"] in KINDS
             assert "".join(item["text"].split()) in "".join(lines[item["line"] - 1 :]).replace(

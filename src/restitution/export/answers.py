@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from html import escape as escape_html
 from typing import Any, Literal
 
 from restitution.explain.refuting import instances
+from restitution.export.units import Units
 from restitution.problem import Value
 from restitution.render.latex import escape as escape_latex
 from restitution.render.latex import to_latex
 from restitution.render.layout import Layout, Phrase, display, display_point, display_vector
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
-from restitution.render.text import to_text
+from restitution.render.text import NO_BREAK, to_text, width
 from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
 
 Format = Literal["text", "markdown", "latex", "html"]
 
 UNDECIDED = "not decided, as neither a proof nor a counter-example is known"
+
+_WIDE = 48  # columns of a cell; what is wider stands out of line
 
 _STYLE = """\
 body { font-family: serif; line-height: 1.5; max-width: 45em; margin: 2em auto; padding: 0 1em }
@@ -29,20 +32,27 @@ li { margin: .5em 0 }
 
 @dataclass(frozen=True)
 class _Said:
-    """Mathematics with the text that says the same."""
+    """Mathematics with the text that says the same, and the unit behind it."""
 
     layout: Layout
     text: str
+    unit: str = ""
 
 
 @dataclass(frozen=True)
 class _Line:
-    """What was asked, as typed, and what is answered; ``label`` is that of the part."""
+    """What was asked, as typed, and what is answered; ``label`` is that of the part.
+
+    ``unit`` is that of the one value that stands in ``said``; of several, each has its own there.
+    ``beside`` tells what was rejected.
+    """
 
     label: str | None
     asked: str
     said: tuple[str | _Said, ...]
     equal: bool
+    unit: str
+    beside: tuple[str | _Said, ...]
 
 
 def answers(solution: Solution, form: Format = "text", label: str | None = None) -> str:
@@ -61,14 +71,20 @@ def answers(solution: Solution, form: Format = "text", label: str | None = None)
 
 
 def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
+    units = Units(solution)
     for part, item in solution.items():
         if label is None or part.part.label == label:
-            said = tuple(_said(item))
+            unit = units.of(item)
+            said, beside = tuple(_said(item, unit)), tuple(_rejected(item, unit))
             equal = is_equal(item) and bool(said) and isinstance(said[0], _Said)
-            yield _Line(part.part.label, item.text, said, equal)
+            if len(said) == 1 and isinstance(said[0], _Said):
+                said = (replace(said[0], unit=""),)
+            else:
+                unit = ""
+            yield _Line(part.part.label, item.text, said, equal, unit, beside)
 
 
-def _said(item: ItemResult) -> Iterator[str | _Said]:
+def _said(item: ItemResult, unit: str) -> Iterator[str | _Said]:
     if item.error is not None:
         yield f"no answer: {item.error.message}"
     elif item.holds is not None:
@@ -83,22 +99,25 @@ def _said(item: ItemResult) -> Iterator[str | _Said]:
     for number, answer in enumerate(item.distinct):
         if number:
             yield "; " if item.kind == "range" else "  or  "  # forms of one range, not choices
-        yield from _answer(item, answer)
+        yield from _answer(item, answer, unit)
+
+
+def _rejected(item: ItemResult, unit: str) -> Iterator[str | _Said]:
     for root in item.rejected:
         yield "  (rejected: "
-        yield from _answer(item, root)
+        yield from _answer(item, root, unit)
         yield f", as {root.reason})"
 
 
-def _answer(item: ItemResult, answer: Answer | Rejected) -> Iterator[str | _Said]:
+def _answer(item: ItemResult, answer: Answer | Rejected, unit: str) -> Iterator[str | _Said]:
     layout, condition = layout_of(item, answer), condition_of(answer)
     if layout is None:
         yield answer.display
     elif condition is None:
-        yield _Said(layout, answer.display)
+        yield _Said(layout, answer.display, unit)
     else:
         # The words stand outside the mathematics, so that a line may end between them.
-        yield _Said(layout, to_text(layout))
+        yield _Said(layout, to_text(layout), unit)
         yield ", for "
         for each in condition:
             yield each if isinstance(each, str) else _Said(each, to_text(each))
@@ -152,16 +171,34 @@ def _apart(layout: Layout) -> Iterator[str | Layout]:
 
 
 def _text(title: str | None, lines: list[_Line]) -> str:
+    """A line for each item; those of one value aligned at their signs and units."""
     made = [title, ""] if title else []
+    asked = {line: f"{_label(line)}{line.asked}" for line in lines}
+    told = {line: _joined(line.said, str, _plain) for line in lines}
+    first = _room(asked[line] for line in lines if line.equal)
+    second = _room(told[line] for line in lines if line.unit)
     for line in lines:
-        made.append(f"{_label(line)}{line.asked}{_sign(line)}{_joined(line, str, _plain)}")
+        left = asked[line]
+        if line.equal:
+            left += " " * max(0, first - width(left))
+        text = f"{left}{_sign(line)}{told[line]}"
+        if line.unit:
+            text += " " * max(0, second - width(told[line])) + f"  {line.unit}"
+        text += _joined(line.beside, str, _plain)
+        made.append(text.replace(NO_BREAK, " "))
     return "\n".join(made) + "\n"
+
+
+def _room(texts: Iterable[str]) -> int:
+    """The width of a column: that of the widest text, the very wide ones apart."""
+    widths = [width(text) for text in texts]
+    return max((each for each in widths if each <= _WIDE), default=0)
 
 
 def _markdown(title: str | None, lines: list[_Line]) -> str:
     made = [f"# {title}", ""] if title else []
     for line in lines:
-        said = _joined(line, str, lambda layout, text: f"${to_latex(layout)}$")
+        said = _whole(line, str, lambda layout, text: f"${to_latex(layout)}$")
         made.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{said}")
     return "\n".join(made) + "\n"
 
@@ -170,22 +207,37 @@ def _latex(title: str | None, lines: list[_Line]) -> str:
     made = [rf"\section*{{{escape_latex(title)}}}"] if title else []
     made.append(r"\begin{itemize}")
     for line in lines:
-        said = _joined(line, escape_latex, lambda layout, text: f"${to_latex(layout)}$")
+        said = _whole(line, _words_in_latex, lambda layout, text: f"${to_latex(layout)}$")
         asked = escape_latex(line.asked)
         made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{said}")
     made.append(r"\end{itemize}")
     return "\n".join(made) + "\n"
 
 
+_IN_LATEX = {"⁻¹": r"\textsuperscript{$-1$}", "⁻²": r"\textsuperscript{$-2$}"}
+
+
+def _words_in_latex(text: str) -> str:
+    said: str = escape_latex(text).replace(NO_BREAK, "~")
+    for power, written in _IN_LATEX.items():
+        said = said.replace(power, written)
+    return said
+
+
 def _html(title: str | None, lines: list[_Line]) -> str:
     name = title or "Answers"
     items = "\n".join(
         f"<li>{escape_html(_label(line))}<code>{escape_html(line.asked)}</code>{_sign(line)}"
-        + _joined(line, escape_html, lambda layout, text: to_mathml(layout))
+        + _whole(line, escape_html, lambda layout, text: to_mathml(layout))
         + "</li>"
         for line in lines
     )
     return page(name, _STYLE, f"<h1>{escape_html(name)}</h1>\n<ul>\n{items}\n</ul>")
+
+
+def _behind(unit: str) -> str:
+    """A unit with the blank before it."""
+    return f"{NO_BREAK}{unit}" if unit else ""
 
 
 def _label(line: _Line) -> str:
@@ -200,10 +252,22 @@ def _plain(layout: Layout, text: str) -> str:
     return text
 
 
-def _joined(
+def _whole(
     line: _Line, words: Callable[[str], str], mathematics: Callable[[Layout, str], str]
 ) -> str:
+    """All that is said in a line, on one line."""
+    said = _joined(line.said, words, mathematics) + words(_behind(line.unit))
+    return said + _joined(line.beside, words, mathematics)
+
+
+def _joined(
+    said: tuple[str | _Said, ...],
+    words: Callable[[str], str],
+    mathematics: Callable[[Layout, str], str],
+) -> str:
     return "".join(
-        words(each) if isinstance(each, str) else mathematics(each.layout, each.text)
-        for each in line.said
+        words(each)
+        if isinstance(each, str)
+        else mathematics(each.layout, each.text) + words(_behind(each.unit))
+        for each in said
     )

@@ -4,7 +4,7 @@ The object::
 
     {"file", "title",
      "parts": [{"part": label or null,
-                "items": [{"line", "text", "kind",
+                "items": [{"line", "text", "kind", "unit",
                            "answers": [{"solution", "exact", "decimal", "display", "where",
                                         "condition"}],
                            "holds", "proof", "trials", "counterexample",
@@ -16,9 +16,10 @@ The object::
 
 ``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
 letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
-``e_1``; a list of two such texts for a vector, a point or a direction. ``condition`` lists
-relations between such texts, under which alone the answer holds; a range whose form depends on the
-data has an answer for each form, with its condition. ``proof`` says what a claim rests
+``e_1``; a list of two such texts for a vector, a point or a direction. ``unit`` is that of the
+values, or null where they have none or letters hold it. ``condition`` lists relations between such
+texts, under which alone the answer holds; a range whose form depends on the data has an answer for
+each form, with its condition. ``proof`` says what a claim rests
 on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is ``undecided``, and ``holds``
 null, where nothing is proved; else null. ``trials`` counts the points at which it was tried. An
 error is null or
@@ -53,8 +54,11 @@ _VECTORS = frozenset(("velocity", "momentum"))
 
 def solved(file: str, solution: Solution, label: str | None = None) -> Object:
     """The object of a solved problem; of the one part ``label`` where that is given."""
+    from restitution.export.units import Units
+
+    units = Units(solution)
     parts = [
-        _part(part.part.label, [_item(part, item) for item in part.items])
+        _part(part.part.label, [_item(part, item, units.of(item)) for item in part.items])
         for part in solution.parts.values()
         if label is None or part.part.label == label
     ]
@@ -144,7 +148,7 @@ def _part(label: str | None, items: list[Object]) -> Object:
     return {"part": label, "items": items}
 
 
-def _item(part: PartSolution, item: ItemResult) -> Object:
+def _item(part: PartSolution, item: ItemResult, unit: str) -> Object:
     error = item.error
     if error is None and not item.answers and item.proof is None:
         error = part.error
@@ -152,6 +156,7 @@ def _item(part: PartSolution, item: ItemResult) -> Object:
         "line": item.line,
         "text": item.text,
         "kind": item.kind,
+        "unit": unit.replace("\u00a0", " ") or None,
         "answers": [] if error is not None else [_answer(answer) for answer in item.answers],
         "holds": None if error is not None else item.holds,
         "proof": None if error is not None else item.proof,
@@ -180,6 +185,7 @@ def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError 
         "line": line,
         "text": text,
         "kind": kind,
+        "unit": None,
         "answers": [],
         "holds": None,
         "proof": None,

@@ -24,6 +24,7 @@ from restitution.export.answers import condition_of, is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
 from restitution.export.tree import Tree, tree, trees
+from restitution.export.units import Units
 from restitution.render.mathml import to_mathml
 from restitution.wording import asked, question
 from restitution.wording.html import said as words
@@ -54,7 +55,8 @@ class Pieces:
          "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
          "figure": what the question tells, a picture, or null,
          "working": [{"label", "marks", "asked": [text],
-                      "answers": [{"item": tree, "values": [tree], "equal", "holds", "undecided",
+                      "answers": [{"item": tree, "values": [tree], "unit": text or null,
+                                   "equal", "holds", "undecided",
                                    "counterexample": {letter: text} or null, "error",
                                    "rejected": [{"value": tree, "reason"}]}],
                       "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
@@ -219,12 +221,13 @@ def _names(solution: Solution) -> _Names:
 
 def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list[Object]:
     """The worked solution part by part, each line by itself."""
+    units = Units(solution)
     return [
         {
             "label": part.label,
             "marks": part.marks,
             "asked": list(part.asked),
-            "answers": _answers(solution.parts[part.label], names),
+            "answers": _answers(solution.parts[part.label], names, units),
             "steps": [_step(step) for step in part.steps],
         }
         for part in explanation.parts
@@ -232,23 +235,25 @@ def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list
 
 
 def _without_steps(solution: Solution, names: _Names) -> list[Object]:
+    units = Units(solution)
     return [
         {
             "label": label,
             "marks": 0,
             "asked": [item.text for item in part.items],
-            "answers": _answers(part, names),
+            "answers": _answers(part, names, units),
             "steps": [],
         }
         for label, part in solution.parts.items()
     ]
 
 
-def _answers(part: PartSolution, names: _Names) -> list[Object]:
+def _answers(part: PartSolution, names: _Names, units: Units) -> list[Object]:
     return [
         {
             "item": names.get((part.part.label, number), ["code", {}, item.text]),
             "values": [_value(item, answer) for answer in item.distinct],
+            "unit": units.of(item) or None,
             "equal": is_equal(item),
             "holds": item.holds,
             "undecided": item.undecided,

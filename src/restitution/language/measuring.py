@@ -97,7 +97,7 @@ def in_si(problem: Problem, named: AbstractSet[str]) -> tuple[Problem, tuple[Not
 
     Raises StatementError for a unit that is not read, or that measures something else.
     """
-    of_letters = _dimensions_of_letters(problem)
+    of_letters = dimensions_of_letters(problem)
     reading = _Reading(_letters_of(problem, of_letters) | named)
     decide = partial(_decide, reading)
     rewritten = _rewritten(
@@ -112,7 +112,7 @@ def in_si(problem: Problem, named: AbstractSet[str]) -> tuple[Problem, tuple[Not
 
 def like_units(problem: Problem) -> frozenset[str]:
     """The letters of a problem that would be taken for units where they stand behind numbers."""
-    of_letters = _dimensions_of_letters(problem)
+    of_letters = dimensions_of_letters(problem)
     fit: Counter[str] = Counter()
 
     def look(tree: Any, slot: Slot) -> Any:
@@ -205,7 +205,7 @@ def _letters_of(problem: Problem, of_letters: Mapping[str, Dimension]) -> frozen
     return frozenset(found)
 
 
-def _dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
+def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
     """Letters that alone, or times a number, are the value of a property: of its dimension."""
     found: dict[str, Dimension] = {}
 

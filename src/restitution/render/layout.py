@@ -1196,7 +1196,11 @@ def _rounded(value: Expr, angle: bool) -> Layout | None:
         return None
     if isinstance(coefficient, Rational) and _simple(coefficient):
         return None
-    number = decimal_number(coefficient)
+    return _times_letters(decimal_number(coefficient), rest)
+
+
+def _times_letters(number: Layout, rest: Expr) -> Layout:
+    """A decimal number, with its sign, times a product of letters."""
     if rest is S.One:
         return number
     laid = from_sympy(rest)
@@ -1253,6 +1257,9 @@ def _short_decimal(value: Expr) -> Layout:
             else decimal_number(abs(value))
         )
         return negative(size) if value.p < 0 else size
+    number, rest = _number_and_letters(value)
+    if isinstance(number, Rational) and number.q != 1:
+        return _times_letters(_short_decimal(number), rest)
     return from_sympy(value)
 
 
