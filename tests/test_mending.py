@@ -234,6 +234,15 @@ def test_mending_comes_to_an_end(line) -> None:
         assert len(seen) < 20
 
 
+def test_of_many_mistakes_the_first_are_mended() -> None:
+    """Each cure of what lines say costs a reading of the whole: they are few, and enough."""
+    text = HEAD + "find speed(a)\n" * 30
+    found = mistakes(text)
+    assert [bool(each.fixes) for each in found] == [True] * 5 + [False] * 15
+    text, clicks = mend(text, 40)
+    assert (mistakes(text), clicks) == ([], 30)
+
+
 def test_edits_are_made_from_the_end() -> None:
     fix = Fix("", (Edit(1, 1, 1, 2, "xyz"), Edit(2, 2, 2, 2, "!"), Edit(1, 3, 2, 1, "")))
     assert mended("abc\r\nde", fix) == "xyzbd!e"

@@ -66,6 +66,7 @@ from restitution.problem import (
     Wall,
 )
 
+_CURED = 5  # mistakes in what lines say for which cures are sought
 _LABEL = re.compile(r"\(?([^\W_](?:[\w.'-]*\w)?)\)?:?")
 
 
@@ -123,7 +124,11 @@ def _read_through(text: str, cures: bool = True) -> tuple[Problem | None, list[S
         mistakes = [first, *first.others]
         first.others = ()
         if cures:
-            mistakes = [_with_what_helps(text, lines, each, len(mistakes)) for each in mistakes]
+            # Each cure costs a reading of the whole.
+            for number, each in enumerate(mistakes[:_CURED]):
+                mistakes[number] = _with_what_helps(text, lines, each, len(mistakes))
+            for each in mistakes[_CURED:]:
+                each.fixes = ()
         return None, mistakes
     return replace(problem, notes=(*story.notes, *doubts(problem))), []
 
@@ -137,17 +142,19 @@ def _with_what_helps(
         if begun:
             line = begun[-1]
             mistake = with_guess(line.source, line.word, mistake, declared_names(lines))
-    mistake.fixes = tuple(fix for fix in mistake.fixes if _helps(text, fix, count))
+    mistake.fixes = tuple(fix for fix in mistake.fixes if _helps(text, fix, mistake, count))
     return mistake
 
 
-def _helps(text: str, fix: Fix, count: int) -> bool:
-    """Whether a text has fewer mistakes with a fix."""
+def _helps(text: str, fix: Fix, mistake: StatementError, count: int) -> bool:
+    """Whether a text with a fix has no more mistakes than ``count``, and not this one."""
     try:
         problem, left = _read_through(mended(text, fix), cures=False)
     except StatementError:
         return False  # the text has grown too long
-    return problem is not None or len(left) < count
+    same = (mistake.line, mistake.column, mistake.message)
+    gone = all((each.line, each.column, each.message) != same for each in left)
+    return problem is not None or (gone and len(left) <= count)
 
 
 def _first_mistake(line: Line, names: Mapping[str, str]) -> StatementError | None:
