@@ -146,7 +146,7 @@ _IN_A_NUMBER = frozenset(
     ["NUMBER", "DEGREES", "FRACTION", "PI", "UNIT", "LPAR", "RPAR", "FUNCTION", "FUNCTION_CALL"]
     + ["STAR", "SLASH", "POW", "MEASURE"]
 )
-_NO_NUMBER = frozenset(["LETTER", "NAME", "QUANTITY", "QUANTITY_CALL", "WORD"])
+_NO_NUMBER = frozenset(["LETTER", "NAME", "QUANTITY", "QUANTITY_CALL"])
 _NUMERIC = frozenset(("NUMBER", "DEGREES", "FRACTION"))
 _BODY_LINES = frozenset(("SPHERE", "WALL", "POINT"))
 

@@ -334,8 +334,11 @@ def _multiple(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
 def _polar(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
     size, angle = spans[0], spans[2]
     if isinstance(angle.value, Pair):
+        begin, end = size.last.end_pos or 0, spans[1].first.start_pos or 0
         raise reading.error(
-            "expected an angle after 'at' (a place, at (x, y), stands after a comma)", angle.place
+            "expected an angle after 'at' (a place, at (x, y), stands after a comma)",
+            angle.place,
+            reading.scan.source.fix(begin, end, ", ", "Put in ','"),
         )
     origin = wall = None
     if len(spans) == 5:

@@ -59,6 +59,7 @@ _STRIKES = (
 # that is certain.
 _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     # how a line begins
+    ("other", r"^\s*(?P<x>[Ww]hat\s+(?:is|are)\b)", _meant("find")),
     (
         "other",
         rf"^\s*(?P<x>(?P<body>{_NAME})\s+(?:then\s+|now\s+)?{_STOPS})",
@@ -202,7 +203,10 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ("sphere event", r"[ij]\s*(?P<x>,)\s*[-+−]?\s*[\d.]*\s*[a-z]?\s*[ij]\b", _meant("+")),
     (
         "sphere",
-        r"\bvelocity\s+(?P<x>(?P<a>[\d.\w]+)\s*,?\s*(?P<b>\d[\d.]*\s*(?:°|deg)))",
+        (
+            r"\bvelocity\s+(?P<x>(?P<a>[\d.\w]+(?:\s*m)?(?:\s*/\s*s)?)\s*,?\s*"
+            r"(?:in\s+)?(?:the\s+)?(?:direction\s+)?(?P<b>\d[\d.]*\s*(?:°|deg(?:rees?)?)))"
+        ),
         _meant("{a} at {b}"),
     ),
     (
@@ -264,7 +268,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ("event", r"\be\s*(?P<x>:|is\b|of\b)", _meant("=")),
     (
         "sphere event",
-        r"(?<=[^\s:,])\s+(?P<x>mass|velocity|radius|along|offset|at\s+rest)\b",
+        r"(?<=[^\s:,])\s+(?P<x>mass|velocity|radius|along|offset|at\s+rest|at(?=\s*\())\b",
         _Cure("expected ',' before '{x}'", ", {x}", tight=True),
     ),
     (
@@ -310,7 +314,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         "sphere",
         (
             r"[:,]\s*(?P<x>(?!velocity\s*[^=\s])(?:[uvUV]\w*|speed|initial\s+(?:velocity|speed)|moving|moves"
-            r"|travelling|moving\s+with\s+(?:velocity|speed))(?:\s*=|\b)(?:\s*(?:of|is|with\s+\w+)\b)?)"
+            r"|travelling|moving\s+with\s+(?:velocity|speed))(?:\s*=|\b)(?:\s*(?:of|is|with\s+\w+|at(?!\s+rest))\b)?)"
         ),
         _meant("velocity"),
     ),
@@ -332,6 +336,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at|angle)\b)",
         _meant("along"),
     ),
+    ("wall", r"\balong\s[^,]*?(?P<x>\bto\s+(?:the\s+)?i)\s*(?:,|$)", _CUT),
     (
         "wall",
         r"[:,]\s*(?P<x>perp\w*(?:\s+to)?)",
@@ -374,6 +379,23 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
             rf"{_KINETIC}\s+(?:that\s+is\s+)?(?:lost|loss))"
         ),
         _meant("energy_lost/energy(0)"),
+    ),
+    (
+        "other given show",
+        (
+            r"(?P<x>(?P<n>\d[\d.]*\s*%)\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)*"
+            rf"{_KINETIC}\s+is\s+lost)"
+        ),
+        _meant("energy_lost = {n} of energy(0)"),
+    ),
+    ("find", r"(?P<x>(?:the\s+)?total\s+momentum)\b", _meant("momentum")),
+    (
+        _ASKED,
+        (
+            rf"(?P<x>(?:the\s+)?angle\s+(?:through\s+which\s+|that\s+)?{_BODY}\s+is\s+"
+            r"(?:deflected|turned)(?:\s+(?:through|by))?)"
+        ),
+        _meant("deflection({body})"),
     ),
     (
         _ASKED,
@@ -514,7 +536,10 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         _ASKED,
-        r"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after|following)\b(?:\s+\w+){0,3})",
+        (
+            r"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after(?:wards)?|following)\b"
+            r"(?:\s+(?!(?:is|equals?|in|as|and)\b)\w+){0,3})"
+        ),
         _Cure(
             "leave out '{x}': a quantity is the one after the events told so far, "
             "and speed(A, 1) the one after event 1",
