@@ -26,14 +26,15 @@ from restitution.web import Settings, api, work
 from restitution.web.work import Made
 
 ORDINARY = ("corner", "two-spheres-with-vectors", "rejected-root", "find-e-at-a-wall", "bank-shot")
-SLOW = examples.text("corner").replace("title ", "title Slow: ", 1)
+# No worker begins with it, so that it is not at hand.
+SLOW = examples.text("both-moving-at-angles").replace("title ", "title Slow: ", 1)
 
 
 def explained(statement: str, limit: float, early: str | None = None) -> Made:
-    """As the page has it; but over a question called slow each look at a clock takes a second."""
+    """As the page has it; but over a question called slow each look at a clock takes an hour."""
     if "title Slow: " not in statement:
         return work.explained(statement, limit, early)
-    clock = SimpleNamespace(monotonic=count().__next__)
+    clock = SimpleNamespace(monotonic=count(step=3600).__next__)
     with mock.patch("restitution.work.time", clock):
         return work.explained(statement, limit, early)
 
