@@ -837,7 +837,11 @@ def work_out(setting: Setting) -> Outcome:
             # Letters replaced by what the facts between letters say are back-substituted.
             combined = _combine(values, angles, found)
             trials.append(setting.try_out(combined, letters_, story, wanted))
-        last = letters_, story
+        # What is asked of the story later, such as an impulse, names unknowns of its own.
+        kept = replace(
+            letters_, hidden_roles=dict(letters_.hidden_roles), phrases=dict(letters_.phrases)
+        )
+        last = kept, story
     if last is None or not trials:
         raise failed or _clash(setting)
     trials = _without_touching(_distinct(trials))
