@@ -179,3 +179,10 @@ def test_grams_are_exact(mass, unit) -> None:
         return tree.value if hasattr(tree, "value") else tree.left.value / tree.right.value
 
     assert value(typed) == value(plain) == mass / per
+
+
+def test_a_letter_behind_an_angle_is_a_letter():
+    text = "wall W: along i\nsphere P: velocity 19 at 3{} to W\nP hits W: e = 1\nfind speed(P)"
+    with_letter, plain = parse(text.format("m")), parse(text.format("*m"))
+    assert with_letter.spheres == plain.spheres
+    assert parse(text.format("0° m/s")).spheres == parse(text.format("0°")).spheres

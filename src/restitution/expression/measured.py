@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     Apply,
     AtTime,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Measured,
@@ -104,8 +105,13 @@ def without_units(
 def _polar(tree: Polar, slot: Slot, inside: Callable[[Any, Slot], Expression]) -> Expression:
     size, angle, origin = tree.size, tree.angle, tree.origin
     behind: Any = angle
-    if isinstance(behind, Measured) and behind.unit != "rad" and not has_unit(size):
-        # ``5 at 30° m/s``: the unit is that of the size.
+    if (
+        isinstance(behind, Measured)
+        and behind.unit != "rad"
+        and not has_unit(size)
+        and (len(behind.unit) > 1 or any(isinstance(x, Degrees) for x in walk(behind.operand)))
+    ):
+        # ``5 at 30° m/s``: the unit is that of the size. In ``5 at 3m``, m is a letter.
         size = replace(behind, operand=size, place=tree.place)  # type: ignore[assignment]
         angle = behind.operand
     return replace(
