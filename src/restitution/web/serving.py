@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import logging
 import os
 import signal
 import socket
@@ -64,6 +65,9 @@ def serve(
         threading.Thread(target=greet, daemon=True).start()
         for each in (signal.SIGINT, signal.SIGTERM):
             signal.signal(each, _end)  # uvicorn heeds them itself, and passes them on in the end
+        # Whoever ends the server need not be told which requests were under way.
+        quiet = logging.getLogger("uvicorn.error")
+        quiet.addFilter(lambda _: not server.should_exit)
         server.run([door])
 
 
