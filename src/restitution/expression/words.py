@@ -230,14 +230,13 @@ def meant_name(name: str, names: Mapping[str, str]) -> str | None:
     """The declared name that was probably meant, or None."""
     if name.capitalize() in names:
         return name.capitalize()
-    meant = near(name, sorted(names), cutoff=0.5)
-    return next(iter(names)) if meant is None and len(names) == 1 else meant
+    return near(name, sorted(names), cutoff=0.5)
 
 
 def unknown_name(name: str, names: Mapping[str, str]) -> str:
     """What to say of a name that no line declares."""
     meant = meant_name(name, names)
     said = f"unknown name '{name}': no sphere, wall or point is called that"
-    if meant is None and 1 < len(names) <= 6:
-        return f"{said}; there are {', '.join(names)}"
+    if meant is None and 0 < len(names) <= 6:
+        return f"{said}; there {'is only' if len(names) == 1 else 'are'} {', '.join(names)}"
     return said + (f"; did you mean '{meant}'?" if meant else "")

@@ -7,11 +7,12 @@ quantity, letters for it stand for numbers, as in a velocity of (p**i** + 3**j**
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import sympy
+from sympy import QQ
+from sympy.polys.matrices import DomainMatrix
 
 from restitution.expression.dimensions import (
     ENERGY,
@@ -55,6 +56,11 @@ _UNITS = {
 }
 
 
+def _rank(dimensions: Sequence[Dimension]) -> int:
+    rows = [list(map(QQ, each)) for each in dimensions]
+    return int(DomainMatrix(rows, (len(rows), len(NONE)), QQ).rank())
+
+
 @dataclass(frozen=True)
 class Style:
     """How the values of a statement are printed.
@@ -67,14 +73,13 @@ class Style:
 
     @cached_property
     def _rank(self) -> int:
-        return int(sympy.Matrix([NONE, *sorted(self.fixed)]).rank())
+        return _rank([NONE, *sorted(self.fixed)])
 
     def fixes(self, dimension: Dimension) -> bool:
         """Whether the numbers of the statement give the scale of a quantity."""
         if dimension == NONE or not self.fixed:
             return False
-        extended = sympy.Matrix([*sorted(self.fixed), dimension])
-        return int(extended.rank()) == self._rank
+        return _rank([*sorted(self.fixed), dimension]) == self._rank
 
     def unit(self, dimension: Dimension | None) -> str:
         """The unit to print behind a value of that dimension, with its blank; or nothing."""
