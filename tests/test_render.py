@@ -555,7 +555,7 @@ def test_the_tangent_of_a_right_angle() -> None:
     result = solve(parse(text + "find tan(deflection(P)), deflection(P)"))
     error = result["tan(deflection(P))"].error
     assert error is not None
-    assert error.message == "The tangent has no value, as the angle is a right angle"
+    assert error.message == "the tangent has no value, as the angle is a right angle"
     assert result["deflection(P)"].display == "90°"
 
 
