@@ -139,6 +139,7 @@ function showRefusal({ error }) {
 }
 
 async function showSolved({ kind, text, reply }) {
+  if (text === editor.text) settle(text); // so that Back and Forward bring back what was solved
   solved = { text, reply };
   const { answer } = reply;
   mark([]);

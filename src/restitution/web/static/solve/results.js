@@ -19,13 +19,14 @@ export function answersOf({ answer, working }, editor) {
   return [...warningsOf(answer, editor), ...(error ? [failure(error, editor.goTo)] : []), ...nodes];
 }
 
-function answered({ item, values, equal, holds, undecided, counterexample, error, rejected }) {
+function answered(told) {
+  const { item, values, equal, holds, undecided, counterexample, error, rejected, unit } = told;
   return html(
     "li",
-    {},
+    holds === null && values.length ? { class: "row" } : {},
     html("span", { class: "item" }, grown(item)),
     " ",
-    ...(holds === null ? equals(values, equal) : shown(holds, counterexample, values)),
+    ...(holds === null ? equals(values, equal, unit) : shown(holds, counterexample, values)),
     undecided ? html("strong", { class: "undecided" }, "? Not decided") : null,
     error ? html("p", { class: "problem" }, `No answer: ${error}`) : null,
     rejected.map(({ value, reason }) =>
@@ -38,15 +39,20 @@ const shown = (holds, counterexample, values) =>
   [verdict(holds, counterexample), values.length ? ": " : null, ...alternatives(values)];
 
 // `speed(P) = …`, but `range of e: …`, whose answer is a sentence.
-function equals(values, equal) {
+function equals(values, equal, unit) {
   if (!values.length) return [];
   const [kind, sign] = equal ? ["sign", "="] : ["colon", ":"];
-  return [html("span", { class: kind }, sign), ...alternatives(values)];
+  return [
+    html("span", { class: kind }, sign),
+    // The forms of a range are no choice.
+    html("span", { class: "values" }, alternatives(values, equal ? " or " : "; "),
+      unit ? html("span", { class: "unit" }, `\u00a0${unit}`) : null),
+  ];
 }
 
-const alternatives = (values) =>
+const alternatives = (values, between = " or ") =>
   values.flatMap((value, index) =>
-    [index ? html("span", { class: "or" }, " or ") : null, maths(value)]);
+    [index ? html("span", { class: "or" }, between) : null, maths(value)]);
 
 const maths = (value) => html("span", { class: "value" }, grown(value));
 
