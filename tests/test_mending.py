@@ -262,6 +262,9 @@ def test_edits_are_made_from_the_end() -> None:
 
 def test_fixes_come_through_a_pipe() -> None:
     (mistake,) = mistakes("fnd e")
+    # Dask, where it is loaded, sends along what an error arose from.
+    assert mistake.__cause__ is None
+    assert mistake.__context__ is None
     assert pickle.loads(pickle.dumps(mistake)).fixes == mistake.fixes != ()
 
 

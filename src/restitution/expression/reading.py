@@ -141,10 +141,14 @@ def expression_parser() -> Lark:
 
 def parse_tokens(parser: Lark, reading: Reading, builders: Mapping[str, Builder]) -> Span:
     """What a line of tokens says. Raises StatementError with what was expected where."""
+    mistake: StatementError | None = None
     try:
         tree: Any = parser.parse(reading.scan.tokens)
     except UnexpectedToken as error:
-        raise _explain(reading, error) from None
+        mistake = _explain(reading, error)
+    if mistake is not None:
+        # Raised here it holds nothing of the parser, and goes from process to process.
+        raise mistake
     return _fold(reading, tree, builders)
 
 
