@@ -94,7 +94,7 @@ def test_problems_survive_the_round_trip(problem) -> None:
     again = parse(text)
     assert again == problem
     # What is written is never doubtful; what it says may be.
-    assert again.notes == tuple(doubts(again))
+    assert again.notes == tuple(doubts(again, text))
     assert to_statement(again) == text
 
 

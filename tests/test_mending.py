@@ -338,3 +338,20 @@ def test_the_command_checks_in_json(tmp_path) -> None:
     assert note["fixes"][0]["edits"] == [
         {"line": 1, "column": 17, "end_line": 1, "end_column": 20, "text": ""}
     ]
+
+
+def test_a_name_behind_a_quantity_goes_into_its_brackets() -> None:
+    text = "wall W: along i\nsphere A: velocity 8 at 60°\nA hits W: e = 1/2\nfind deflection A"
+    assert mend(text)[0].endswith("find deflection(A)")
+
+
+@pytest.mark.parametrize("angle", ["60", "60.0", "7.5"])
+def test_degrees_without_their_sign_get_it(angle: str) -> None:
+    text = f"wall W: along i\nsphere A: velocity 8 at {angle} to W\nA hits W\ngiven e = 1\nfind e"
+    (note,) = parse(text).notes
+    assert mended(text, note.fixes[0]) == text.replace(f"at {angle}", f"at {angle}°")
+
+
+def test_a_quotient_that_is_an_angle_is_not_cut() -> None:
+    text = "wall W: along i\nsphere A: velocity 8 at 90/2 to W\nA hits W: e = 1\nfind speed(A)"
+    assert all(note.fixes == () for note in parse(text).notes)

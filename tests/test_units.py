@@ -186,3 +186,11 @@ def test_a_letter_behind_an_angle_is_a_letter():
     with_letter, plain = parse(text.format("m")), parse(text.format("*m"))
     assert with_letter.spheres == plain.spheres
     assert parse(text.format("0° m/s")).spheres == parse(text.format("0°")).spheres
+
+
+@pytest.mark.parametrize("blank", ["", " "])
+@pytest.mark.parametrize("unit", ["m s^-1", "m s^(-1)", "m s⁻¹", "m/s", "ms^-1"])
+def test_a_unit_before_a_closing_bracket(unit, blank):
+    text = "wall W: along i\nsphere P: velocity {}\nP hits W: e = 1\nfind speed(P)"
+    measured = text.format(f"(3 {unit}){blank}i - (4 {unit}){blank}j")
+    assert parse(measured).spheres == parse(text.format("3i - 4j")).spheres

@@ -30,7 +30,8 @@ NAMES: Mapping[Dimension, tuple[str, str]] = {
     NONE: ("angle", "rad"),
 }
 
-_POWER = r"(?:\^|\*\*)?\s?[({]?\s?[-−–]\s?1\s?[)}]?|⁻¹"
+_MINUS_ONE = r"[-−–]\s?1"
+_POWER = rf"(?:\^|\*\*)?\s?(?:\(\s?{_MINUS_ONE}\s?\)|\{{\s?{_MINUS_ONE}\s?\}}|{_MINUS_ONE})|⁻¹"
 _DOT = r"\s?[·⋅∙.]?\s?"
 PER_SECOND = rf"{_DOT}s\s?(?:{_POWER})|\s?/\s?s(?:ec)?|\s+per\s+second"
 _PER_HOUR = rf"{_DOT}h(?:r|our)?\s?(?:{_POWER})|\s?/\s?h(?:r|our)?|\s+per\s+hour"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
@@ -23,7 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
-from restitution.mending import Fix, Note
+from restitution.mending import Edit, Fix, Note
 from restitution.problem import (
     Compare,
     Find,
@@ -38,13 +39,17 @@ from restitution.problem import (
 )
 
 _TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
+_ALONE = re.compile(r"\d+(?:\.\d+)?(?![\w.°^*/])")
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
 _ANGLES = frozenset(("direction", "angle", "deflection"))
 
 
-def doubts(problem: Problem) -> Iterator[Note]:
-    """Warnings: numbers of degrees without their sign, facts tied to nothing."""
-    yield from _radians(problem)
+def doubts(problem: Problem, text: str) -> Iterator[Note]:
+    """Warnings: numbers of degrees without their sign, facts tied to nothing.
+
+    ``text`` is what the problem was read from.
+    """
+    yield from _radians(problem, text)
     yield from _idle_facts(problem)
 
 
@@ -55,7 +60,7 @@ def _note(place: Place | None, said: str, *fixes: Fix) -> Note:
 # --- degrees without a sign -------------------------------------------------------------------
 
 
-def _radians(problem: Problem) -> Iterator[Note]:
+def _radians(problem: Problem, text: str) -> Iterator[Note]:
     said: set[Place | None] = set()
     for angle in _angles(problem):
         for term in _terms(angle):
@@ -65,7 +70,21 @@ def _radians(problem: Problem) -> Iterator[Note]:
                 yield _note(
                     term.place,
                     f"{number} was read as {number} radians: if you mean degrees, write {number}°",
+                    *_with_degrees(term.place, text),
                 )
+
+
+def _with_degrees(place: Place | None, text: str) -> Iterator[Fix]:
+    """The sign of degrees behind a number that stands alone in its text."""
+    if place is None:
+        return
+    line = text.split("\n")[place.line - 1 : place.line]
+    number = re.compile(r"\d+(?:\.\d+)?(?![\w.°^*/])").match(
+        line[0] if line else "", place.column - 1
+    )
+    if number is not None:
+        end = place.column + len(number[0])
+        yield Fix(f"Write {number[0]}°", (Edit(place.line, end, place.line, end, "°"),))
 
 
 def _angles(problem: Problem) -> Iterator[Expression]:

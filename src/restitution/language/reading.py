@@ -130,7 +130,7 @@ def _read_through(text: str, cures: bool = True) -> tuple[Problem | None, list[S
             for each in mistakes[_CURED:]:
                 each.fixes = ()
         return None, mistakes
-    return replace(problem, notes=(*story.notes, *doubts(problem))), []
+    return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
 
 
 def _with_what_helps(

@@ -484,7 +484,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         _ASKED,
-        r"(?P<x>angle\s+of\s+deflection|angle\s+(?:turned|deflected)|deflection)(?!\s*\(\s*[A-Z])",
+        r"(?P<x>angle\s+of\s+deflection|angle\s+(?:turned|deflected)|deflection)(?!\s*\(?\s*[A-Z])",
         _meant("deflection(A)"),
     ),
     (

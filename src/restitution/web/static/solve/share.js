@@ -69,7 +69,7 @@ export function makeShare(root, now, { sheet, say }) {
     const { text, reply, picture, hidden } = now();
     paper.value = chosen ?? (hidden ? "question" : "solution");
     document.body.dataset.paper = paper.value;
-    const can = { latex: reply?.latex, svg: picture, pdf: reply, print: reply };
+    const can = { latex: !hidden && reply?.latex, svg: picture, pdf: reply, print: reply };
     for (const each of buttons) {
       const name = each.dataset.do;
       each.disabled = name in can ? !can[name] : !text.trim();
