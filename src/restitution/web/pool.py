@@ -155,14 +155,17 @@ class Pool:
         self, function: Callable[..., _Made], arguments: Sequence[Any], limit: float
     ) -> _Made:
         crew = self._crew
-        for _ in range(self._workers + 1):
+        crashes = 0
+        for _ in range(2 * self._workers + 2):
             began = time.monotonic()
             try:
                 return await crew.done(function, arguments, limit + _GRACE)
             except ProcessExpired as error:
                 if abs(error.exitcode) == signal.SIGTERM:
                     raise BusyError(_AFTERWARDS) from error
-                if error.exitcode != _SPENT:
+                # Once more, in case it was ended for the sake of work that somebody gave up.
+                crashes += error.exitcode != _SPENT
+                if crashes > 1:
                     raise LostError("the process that solves ended without an answer") from error
             except (BrokenProcessPool, RuntimeError) as error:
                 self._replace(crew)
