@@ -11,7 +11,6 @@ import contextlib
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Literal
 
 import sympy as sp
@@ -55,8 +54,6 @@ PROVED = Verdict("proved", "algebra")
 UNDECIDED = Verdict("undecided", "undecided")
 REFUTED = Verdict("refuted", "witness")
 _ARCS = (sp.atan, sp.asin, sp.acos, sp.atan2)
-# Below this a number of a hundred digits may well be 0: then it is for the oracle to say.
-_NOTHING = TINY
 _POINTS = 12
 _LONG = 80
 _PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
@@ -79,51 +76,16 @@ def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
 def _may_not_vanish(gap: sp.Expr, numbers: Mapping[str, Any]) -> bool:
     """Whether it is worth asking, in intervals, for the sign of an expression at a point."""
     try:
-        return bool(abs(at(gap, numbers)) > _NOTHING)
+        return bool(abs(at(gap, numbers)) > TINY)
     except (UndefinedError, KeyError, ArithmeticError):
         return False
-
-
-class _Known(Oracle):
-    """An oracle that keeps what it was asked beyond one working, with the work that it took.
-
-    So the same claim in another telling of the part, in another part, or in the statement with a
-    line changed, is decided once.
-    """
-
-    def with_facts(self, facts: Iterable[Formula]) -> Oracle:
-        return _Known(self.roles, (*self.facts, *facts))
-
-    def decide(self, claim: Formula) -> Verdict:
-        return _decided(self._key, self.facts, claim)
-
-    def sign(self, x: sp.Expr) -> int | None:
-        return _sign_of(self._key, self.facts, sp.sympify(x, strict=True))
-
-    @cached_property
-    def _key(self) -> tuple[tuple[str, Role], ...]:
-        return tuple(self.roles.items())
-
-
-@remembered(2048)
-def _decided(
-    roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], claim: Formula
-) -> Verdict:
-    return Oracle(dict(roles), facts).decide(claim)
-
-
-@remembered(2048)
-def _sign_of(
-    roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], x: sp.Expr
-) -> int | None:
-    return Oracle(dict(roles), facts).sign(x)
 
 
 @remembered(256)
 def _admitted(
     roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], names: frozenset[str]
 ) -> tuple[tuple[Point, Mapping[str, Any]], ...]:
-    """A few points at which facts hold, with the numbers of a hundred digits of each."""
+    """A few points at which facts hold, with each as numbers of many digits."""
     return tuple(
         (point, {name: number_of(value) for name, value in point.items()})
         for point in Oracle(dict(roles), facts).points(names, _POINTS)
@@ -323,7 +285,7 @@ class Model:
         """Made again when the telling has come to a hidden unknown that is new."""
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
         if names not in self._made:
-            ground = _Known({**self.unknowns.roles, **self.unknowns.hidden_roles})
+            ground = Oracle({**self.unknowns.roles, **self.unknowns.hidden_roles})
             known = self.branch.oracle
             self._made[names] = ground, ground if known is None else self._renamed(known)
         return self._made[names]
@@ -336,7 +298,7 @@ class Model:
             roles = {
                 name: replace(role, closed=(False, False)) for name, role in ground.roles.items()
             }
-            self._inside[id(ground)] = _Known(roles)
+            self._inside[id(ground)] = Oracle(roles)
         return self._inside[id(ground)]
 
     def _renamed(self, known: Oracle) -> Oracle:
@@ -392,9 +354,9 @@ class Model:
         return UNDECIDED if open_ and not verdict else verdict
 
     def _is_not_zero(self, constant: sp.Expr) -> bool:
-        """Whether a constant is seen not to vanish, in numbers of a hundred digits."""
+        """Whether a constant is seen not to vanish, in numbers of many digits."""
         try:
-            return bool(abs(self.number(constant)) > _NOTHING)
+            return bool(abs(self.number(constant)) > TINY)
         except (UndefinedError, ArithmeticError):
             return False
 
@@ -420,7 +382,7 @@ class Model:
             return False
 
     def _points(self, names: frozenset[str]) -> Sequence[tuple[Point, Mapping[str, Any]]]:
-        """Points that the solution admits, with the numbers of a hundred digits of each."""
+        """Points that the solution admits, with each as numbers of many digits."""
         oracle = self.oracle
         return _admitted(tuple(oracle.roles.items()), oracle.facts, names)
 
@@ -535,7 +497,7 @@ class Model:
             value = self.number(x)
         except (UndefinedError, KeyError, ArithmeticError):
             return 0
-        if abs(value) < _NOTHING and self.decide(x, "=", 0).answer != "refuted":
+        if abs(value) < TINY and self.decide(x, "=", 0).answer != "refuted":
             return 0
         return 1 if value >= 0 else -1
 
@@ -559,7 +521,7 @@ class Model:
                 name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names
             }
             try:
-                if abs(at(x, point)) > _NOTHING:
+                if abs(at(x, point)) > TINY:
                     return False
             except (UndefinedError, KeyError, ArithmeticError):
                 return False

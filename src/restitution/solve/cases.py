@@ -18,7 +18,7 @@ from restitution.errors import RestitutionError, UnsupportedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.solve import forms
-from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
+from restitution.solve.numbers import TINY, Sample, UndefinedError, at, bound, sample
 from restitution.solve.regions import End, Piece, deciding, inside_of, to_set, zeros
 
 KINDS = ("positive", "real", "angle", "restitution")
@@ -166,8 +166,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
 
 
 def _within(value: Any, role: Role) -> bool:
-    low = None if role.low is None else at(role.low, {})
-    high = None if role.high is None else at(role.high, {})
+    low, high = bound(role.low), bound(role.high)
     return (low is None or value > low + TINY) and (high is None or value < high - TINY)
 
 

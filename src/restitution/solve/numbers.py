@@ -1,7 +1,7 @@
 """Numbers of high precision for letters: to decide signs and zeros, and to verify.
 
 Symbols are compared by their values at random admissible points: two different expressions of the
-size met here do not agree there by chance. There are a hundred digits, so that even the root of
+size met here do not agree there by chance. There are four hundred digits, so that even the root of
 something that ought to vanish is seen to vanish.
 """
 

@@ -18,6 +18,7 @@ from restitution.oracle.roles import Role
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.neat import neat
+from restitution.solve.numbers import TINY
 from restitution.solve.polynomials import numerator
 
 # Equations that are solved together in one stage, at most.
@@ -25,7 +26,7 @@ _LARGEST = 4
 # The sign of an expression in letters with more operations than these is hardly plain.
 _PLAIN = 60
 # What is nearer to zero than this has no sign here.
-_SMALL = sp.Float("1e-95", 30)
+_SMALL = sp.Float(str(TINY), 30)
 
 
 @dataclass(frozen=True)
