@@ -235,22 +235,8 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
         if isinstance(option, Condition)
     ]
     one, other = relation.first.name, relation.second.name
-    story = work.model.story
-    wall = story.walls[other]
-    known = story.place(one, now)
-    if wall.start is not None and known is not None:
-        through = story.read_vector(wall.start, "the end of a wall")
-        normal = story.wall_direction(relation.second).turned_left()
-        v = story.velocity(one, now)
-        work.reach(work.open(tuple(v)))
-        flight = normal.dot(through - known[0]) / normal.dot(v)
-        point = work.put(known[0] + v * flight)
-        laid = lay.Coordinates((look(point.x), look(point.y)))
-        work.write(
-            "result",
-            words=(f"{one} comes to the line of {other} at the point ", laid, "."),
-            mark="M1 A1",
-        )
+    if work.model.story.walls[other].start is not None:
+        _crossing(work, relation, now, "M1 A1")
     sides = "both of these hold" if relation.happens else "either of these holds"
     words: Words = (f"{one} {'hits' if relation.happens else 'does not hit'} {other} if {sides}:",)
     found = []
@@ -259,6 +245,24 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
         sign = _SIGNS[option.relation]
         found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
     return found
+
+
+def _crossing(work: Working, relation: Meets, now: int, mark: str) -> Any:
+    """The point where a sphere comes to the line of a wall, written down; None if that is open."""
+    one, other = relation.first.name, relation.second.name
+    story = work.model.story
+    known = story.place(one, now)
+    if known is None:
+        return None
+    through = story.read_vector(story.walls[other].start, "the end of a wall")
+    normal = story.wall_direction(relation.second).turned_left()
+    v = story.velocity(one, now)
+    work.reach(work.open(tuple(v)))
+    point = work.put(known[0] + v * (normal.dot(through - known[0]) / normal.dot(v)))
+    laid = lay.Coordinates((look(point.x), look(point.y)))
+    words: Words = (f"{one} comes to the line of {other} at the point ", laid, ".")
+    work.write("result", words=words, mark=mark)
+    return point
 
 
 def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound:
@@ -1109,28 +1113,22 @@ def _show_passing(work: Working, relation: Meets, needs: Sequence[Any], now: int
     wall = story.walls[other]
     assert wall.start is not None
     assert wall.end is not None
-    known = story.place(one, now)
     first = needs[0].options[0] if isinstance(needs[0], AnyOf) else needs[0]
     towards = sp.sympify(first.value, strict=True)
-    v = story.velocity(one, now)
-    work.reach(work.open(tuple(v)))
+    work.reach(work.open(tuple(story.velocity(one, now))))
     if not relation.happens and work.model.decide(towards, ">=", 0):
         velocity = Quantity("velocity", (Name(one),))
         laid = lay.equation(lay.from_tree(velocity), look(evaluated(work, velocity, now)))
         words: Words = (f"{one} does not move towards {other}, as ", laid, ".")
         work.write("result", words=words, mark="M1 A1")
-    elif known is not None:
+    elif (point := _crossing(work, relation, now, "M1")) is not None:
         start, end = (
-            story.read_vector(each, "the end of a wall") for each in (wall.start, wall.end)
+            work.put(story.read_vector(each, "the end of a wall"))
+            for each in (wall.start, wall.end)
         )
-        normal = story.wall_direction(relation.second).turned_left()
-        point = work.put(known[0] + v * (normal.dot(start - known[0]) / normal.dot(v)))
-        start, end = work.put(start), work.put(end)
-        crossing, *ends = (lay.Coordinates((look(p.x), look(p.y))) for p in (point, start, end))
-        where: Words = (f"{one} comes to the line of {other} at the point ", crossing, ".")
-        work.write("result", words=where, mark="M1")
         row = _between_ends(work, relation, point, start, end)
         if row is not None:
+            ends = [lay.Coordinates((look(each.x), look(each.y))) for each in (start, end)]
             extent: Words = (f"{other} goes from ", ends[0], " to ", ends[1], ", and:")
             work.write("result", [row], words=extent)
     _write_meeting(work, relation)
