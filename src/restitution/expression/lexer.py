@@ -509,7 +509,7 @@ def _letters(
         return [_token(source, run.upper(), run, at, end)]
     if run in PROPERTY_WORDS and _tells_properties(before) and not text.startswith("(", end):
         return [_token(source, run.upper(), run, at, end)]
-    if run in QUANTITIES:
+    if run in QUANTITIES or names.get(run) == "quantity":
         return [_quantity(source, run, at, end)]
     if run in KEYWORDS:
         return [_token(source, KEYWORDS[run], run, at, end)]

@@ -51,6 +51,8 @@ SIGNATURES: Mapping[str, Signature] = {
         2, 2, "distance(X, Y) or distance(A, B, at t)", staged=True, at_time=True
     ),
     "dot": Signature(2, 2, "dot(V, W)"),
+    # Lines of a working alone speak of it: a statement gives e with the impact.
+    "restitution": Signature(0, 0, "restitution(n)", staged=True, stage_needed=True),
 }
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import gcd
 from typing import Any, Literal
 
 import sympy as sp
@@ -193,7 +194,7 @@ def _worth_asking(world: Polynomials, used: Sequence[str], tree: _Tree) -> bool:
 def _scale(world: Polynomials, used: Sequence[str], tree: _Tree) -> list[str]:
     """Positive letters that may be taken as 1, as only ratios to them matter."""
     places = [world.names.index(name) for name in used]
-    rows: list[list[Fraction]] = []
+    span = _Span()
     every = [*_polynomials(tree), *world.relations, *(b.polynomial for b in world.bounds)]
     for polynomial in every:
         monomials = polynomial.monoms()
@@ -201,38 +202,43 @@ def _scale(world: Polynomials, used: Sequence[str], tree: _Tree) -> list[str]:
             continue
         first = monomials[0]
         for other in monomials[1:]:
-            row = [Fraction(other[n] - first[n]) for n in places]
-            if any(row):
-                rows.append(row)
+            span.add(tuple(other[n] - first[n] for n in places))
     for name, (low, high, *_rest) in world.between.items():
         if name in used and (low or high is not None):
-            rows.append([Fraction(int(name == each)) for each in used])
+            span.add(tuple(int(name == each) for each in used))
     # A letter is free to be 1 if no pivot is needed for it: weights are what the rows leave open.
-    chosen: list[str] = []
-    for n, name in enumerate(used):
-        if world.senses[name] != "+" or name not in world.letters.values():
-            continue
-        unit = [Fraction(int(k == n)) for k in range(len(used))]
-        if _rank([*rows, unit]) > _rank(rows):
-            rows.append(unit)
-            chosen.append(name)
-    return chosen
+    return [
+        name
+        for n, name in enumerate(used)
+        if world.senses[name] == "+"
+        and name in world.letters.values()
+        and span.add(tuple(int(k == n) for k in range(len(used))))
+    ]
 
 
-def _rank(rows: Sequence[Sequence[Fraction]]) -> int:
-    left = [list(row) for row in rows]
-    rank = 0
-    for column in range(len(left[0]) if left else 0):
-        pivot = next((row for row in left if row[column]), None)
-        if pivot is None:
-            continue
-        left = [
-            [a - b * row[column] / pivot[column] for a, b in zip(row, pivot, strict=True)]
-            for row in left
-            if row is not pivot
-        ]
-        rank += 1
-    return rank
+class _Span:
+    """The span of rows of whole numbers, each reduced once."""
+
+    def __init__(self) -> None:
+        self._seen: set[tuple[int, ...]] = set()
+        self._basis: list[tuple[int, tuple[int, ...]]] = []
+
+    def add(self, row: tuple[int, ...]) -> bool:
+        """Take up a row; False where the span had it already."""
+        if row in self._seen:
+            return False
+        self._seen.add(row)
+        for column, other in self._basis:
+            if row[column]:
+                row = tuple(
+                    a * other[column] - b * row[column] for a, b in zip(row, other, strict=True)
+                )
+        column = next((n for n, value in enumerate(row) if value), None)
+        if column is None:
+            return False
+        divisor = gcd(*row)
+        self._basis.append((column, tuple(value // divisor for value in row)))
+        return True
 
 
 def covers(

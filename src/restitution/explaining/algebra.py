@@ -1,0 +1,832 @@
+"""Trees of lines as quotients of polynomials over ℚ, so that two of them can be compared exactly.
+
+A generator stands for each letter, each quantity of the motion that is not put in, and each
+component of a vector of which that is true; for each root, with its square beside it; and for
+the cosine and the sine of each angle. Sines of different arguments (θ, 2θ, ½θ) are strangers,
+and so are the sine and the cosine of one, unless an identity is named that relates them: a line
+that uses one has to say so. That tan is sin/cos is free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache
+from math import isqrt, lcm
+from typing import Any, Literal
+
+import sympy as sp
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyElement, PolyRing
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Polar,
+    Quantity,
+    Unit,
+)
+from restitution.oracle.roles import REAL, Role
+
+Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement"]
+
+_GENERATORS = 48
+_MOST_TERMS = 4000
+_MOST_POWER = 16
+_TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
+_INVERSE = frozenset({"arcsin", "arccos", "arctan"})
+_ANGLES = frozenset({"angle", "deflection", "direction"})
+_VECTORS = frozenset({"velocity", "momentum", "line_of_centres", "position"})
+
+
+class NotComparableError(Exception):
+    """A tree that cannot be made a quotient of polynomials: of more than is worth comparing."""
+
+
+@cache
+def _ring() -> PolyRing:
+    return PolyRing([f"g{n}" for n in range(_GENERATORS)], QQ)
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """A polynomial over another one, which is not zero."""
+
+    above: PolyElement
+    below: PolyElement
+
+    def __add__(self, other: Quotient) -> Quotient:
+        if self.below == other.below:
+            return _lean(self.above + other.above, self.below)
+        return _lean(self.above * other.below + other.above * self.below, self.below * other.below)
+
+    def __neg__(self) -> Quotient:
+        return Quotient(-self.above, self.below)
+
+    def __sub__(self, other: Quotient) -> Quotient:
+        return self + -other
+
+    def __mul__(self, other: Quotient) -> Quotient:
+        return _lean(self.above * other.above, self.below * other.below)
+
+    def __truediv__(self, other: Quotient) -> Quotient:
+        if not other.above:
+            raise NotComparableError("a line divides by zero")
+        return _lean(self.above * other.below, self.below * other.above)
+
+    def __pow__(self, power: int) -> Quotient:
+        if abs(power) > _MOST_POWER:
+            raise NotComparableError(f"the power {power}")
+        if power < 0:
+            return CONSTANT(1) / self**-power
+        if not power:
+            return CONSTANT(1)  # SymPy has no zero to the power of zero
+        return _lean(self.above**power, self.below**power)
+
+    @property
+    def vanishes(self) -> bool:
+        """Whether it is zero whatever the generators are."""
+        return not self.above
+
+
+def CONSTANT(value: Fraction | int) -> Quotient:  # noqa: N802 - reads as the constant that it makes
+    """A number as a quotient."""
+    value = Fraction(value)
+    ring = _ring()
+    return Quotient(ring.ground_new(QQ(value.numerator, value.denominator)), ring.one)
+
+
+def _lean(above: PolyElement, below: PolyElement) -> Quotient:
+    """The quotient without common powers of single generators, and a number below."""
+    if len(above) > _MOST_TERMS or len(below) > _MOST_TERMS:
+        raise NotComparableError("a line of too many terms")
+    if not above:
+        return Quotient(above, _ring().one)
+    if below.is_ground:
+        number = below.LC
+        return Quotient(above if number == 1 else above.quo_ground(number), _ring().one)
+    common = tuple(map(min, zip(*above, *below, strict=True)))
+    if any(common):
+        above, below = (
+            _ring().from_dict(
+                {
+                    tuple(a - b for a, b in zip(powers, common, strict=True)): value
+                    for powers, value in each.items()
+                }
+            )
+            for each in (above, below)
+        )
+        if below.is_ground:
+            return _lean(above, below)
+    return Quotient(above, below)
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A vector by its components in the directions of **i** and **j**."""
+
+    x: Quotient
+    y: Quotient
+
+
+Value = Quotient | Plane
+
+
+@dataclass(frozen=True)
+class Turn:
+    """An angle: rational multiples of letters, angles of the motion and inverse functions,
+    and a number of degrees."""
+
+    terms: tuple[tuple[Any, Fraction], ...] = ()
+    degrees: Fraction = Fraction(0)
+
+    def __add__(self, other: Turn) -> Turn:
+        total = dict(self.terms)
+        for atom, count in other.terms:
+            total[atom] = total.get(atom, Fraction(0)) + count
+        kept = sorted((item for item in total.items() if item[1]), key=repr)
+        return Turn(tuple(kept), self.degrees + other.degrees)
+
+    def __mul__(self, factor: Fraction) -> Turn:
+        if not factor:
+            return Turn()
+        return Turn(tuple((a, n * factor) for a, n in self.terms), self.degrees * factor)
+
+
+@dataclass
+class World:
+    """The generators in which some trees are compared.
+
+    ``roles`` says what a letter of the statement may be; ``vectors`` and ``angles`` name letters
+    that are such. ``directions`` gives the vector along which an axis, a wall or a vector letter
+    points, ``turns`` the value of an angle: what is cited of these. What is ``opaque`` is a
+    generator, whatever is known of it. While ``printed`` is set, what stands below a line is kept
+    among the ``denominators``, which are not zero.
+    """
+
+    roles: Mapping[str, Role]
+    vectors: frozenset[str] = frozenset()
+    angles: frozenset[str] = frozenset()
+    directions: Mapping[Expression, Expression] = field(default_factory=dict)
+    turns: Mapping[Any, Expression] = field(default_factory=dict)
+    identities: frozenset[Identity] = frozenset()
+    opaque: frozenset[Expression] = frozenset()
+    printed: bool = True
+    squares: dict[int, PolyElement] = field(default_factory=dict)
+    denominators: list[PolyElement] = field(default_factory=list)
+    _keys: dict[Any, int] = field(default_factory=dict)
+    _divisors: dict[Any, int] = field(default_factory=dict)
+    _values: dict[Expression, Value] = field(default_factory=dict)
+
+    # --- generators ------------------------------------------------------------------------------
+
+    def generator(self, key: Any) -> Quotient:
+        """The generator of a letter, a quantity, a root or a cosine."""
+        if key not in self._keys:
+            if len(self._keys) == _GENERATORS:
+                raise NotComparableError("lines of too many letters")
+            self._keys[key] = len(self._keys)
+        return Quotient(_ring().gens[self._keys[key]], _ring().one)
+
+    def keys_by_number(self) -> dict[int, Any]:
+        """All generators, by number."""
+        return {number: key for key, number in self._keys.items()}
+
+    def keys(self, *polynomials: PolyElement) -> dict[int, Any]:
+        """The generators that occur, by number."""
+        by_number = self.keys_by_number()
+        return {
+            n: by_number[n]
+            for each in polynomials
+            for powers in each
+            for n, power in enumerate(powers)
+            if power
+        }
+
+    # --- values ----------------------------------------------------------------------------------
+
+    def value(self, tree: Expression) -> Value:
+        """A tree as a scalar or a vector. Raises NotComparableError."""
+        known = self._values.get(tree)
+        if known is None:
+            known = self._values[tree] = self._value(tree)
+        return known
+
+    def scalar(self, tree: Expression) -> Quotient:
+        """A tree as a scalar. Raises NotComparableError where it is a vector."""
+        value = self.value(tree)
+        if isinstance(value, Plane):
+            raise NotComparableError("a vector where a number should stand")
+        return value
+
+    def _value(self, tree: Expression) -> Value:
+        match tree:
+            case Number(value):
+                return CONSTANT(value)
+            case Degrees() | Pi():
+                return self._measure(tree)
+            case Letter(name):
+                if name in self.vectors:
+                    return self._plane(tree)
+                if name in self.angles:
+                    return self._measure(tree)
+                return self.generator(("letter", name))
+            case Unit(axis):
+                one, nothing = CONSTANT(1), CONSTANT(0)
+                return Plane(one, nothing) if axis == "i" else Plane(nothing, one)
+            case Pair(x, y):
+                return Plane(self.scalar(x), self.scalar(y))
+            case Polar():
+                return self._polar(tree)
+            case Negate(operand):
+                return _scaled(self.value(operand), CONSTANT(-1))
+            case Binary(op, left, right):
+                return self._binary(tree, op, left, right)
+            case Apply(function, argument):
+                return self._apply(tree, function, argument)
+            case Quantity():
+                return self._quantity(tree)
+            case Name():
+                return self._plane(tree)
+        raise NotComparableError(repr(tree))
+
+    def _plane(self, tree: Expression) -> Plane:
+        return Plane(self.generator(("x", tree)), self.generator(("y", tree)))
+
+    def _binary(self, tree: Expression, op: str, left: Expression, right: Expression) -> Value:
+        if self.is_angle(tree):
+            return self._measure(tree)
+        if op == "^":
+            return self._power(left, right)
+        a, b = self.value(left), self.value(right)
+        if op in "+-":
+            if op == "-":
+                b = _scaled(b, CONSTANT(-1))
+            if isinstance(a, Plane) and isinstance(b, Plane):
+                return Plane(self.reduced(a.x + b.x), self.reduced(a.y + b.y))
+            return self.reduced(_scalar(a) + _scalar(b))
+        if op == "*":
+            if isinstance(b, Plane):
+                a, b = b, a
+            return self.reduced_value(_scaled(a, _scalar(b)))
+        below = _scalar(b)
+        if self.printed:
+            self.denominators.append(below.above)
+        return self.reduced_value(_scaled(a, CONSTANT(1) / below))
+
+    def _power(self, left: Expression, right: Expression) -> Quotient:
+        exponent = self.scalar(right)
+        if exponent.above and not (exponent.above.is_ground and exponent.below.is_ground):
+            raise NotComparableError("a letter in a power")
+        power = Fraction(int(exponent.above.LC.numerator), int(exponent.above.LC.denominator))
+        base = self.value(left)
+        if isinstance(base, Plane):
+            if power != 2:
+                raise NotComparableError("a power of a vector")
+            return self.reduced(base.x * base.x + base.y * base.y)
+        if power.denominator == 2:
+            base, power = self.root(base), Fraction(power.numerator)
+        if power.denominator != 1:
+            raise NotComparableError("a root that is not a square root")
+        return self.reduced(base ** int(power))
+
+    def _apply(self, tree: Expression, function: str, argument: Expression) -> Value:
+        if function in _TRIGONOMETRIC:
+            cosine, sine = self.cos_sin(self.turn(argument))
+            if function in ("sin", "cos"):
+                return sine if function == "sin" else cosine
+            # Who writes a tangent says that there is one.
+            self.denominators.append((cosine if function in ("tan", "sec") else sine).above)
+            match function:
+                case "tan":
+                    return self.reduced(sine / cosine)
+                case "cot":
+                    return self.reduced(cosine / sine)
+                case "sec":
+                    return CONSTANT(1) / cosine
+                case _:
+                    return CONSTANT(1) / sine
+        if function in _INVERSE:
+            return self._measure(tree)
+        value = self.value(argument)
+        if function == "sqrt":
+            return self.root(_scalar(value))
+        if isinstance(value, Plane):
+            return self.size(value)
+        if value.above.is_ground and value.below.is_ground:
+            return value if value.above.LC > 0 else -value
+        return self.root(value * value)
+
+    def size(self, vector: Plane) -> Quotient:
+        """The size of a vector."""
+        return self.root(self.reduced(vector.x * vector.x + vector.y * vector.y))
+
+    # --- vectors ---------------------------------------------------------------------------------
+
+    def _polar(self, tree: Polar) -> Plane:
+        size = self.scalar(tree.size)
+        cosine, sine = self.cos_sin(self.turn(tree.angle))
+        if tree.wall is not None:
+            along = self._unit(Quantity("direction", (tree.wall,)))
+            x, y = along.x * cosine + along.y * sine, along.y * cosine - along.x * sine
+        elif tree.origin is None:
+            x, y = cosine, sine
+        elif self.is_angle(tree.origin):
+            x, y = self.cos_sin(self.turn(tree.angle) + self.turn(tree.origin))
+        else:
+            from_ = self._unit(tree.origin)
+            x, y = from_.x * cosine - from_.y * sine, from_.x * sine + from_.y * cosine
+        return Plane(self.reduced(size * x), self.reduced(size * y))
+
+    def _unit(self, tree: Expression) -> Plane:
+        """The unit vector in a direction, where that is known, or the generators of one."""
+        vector = self.direction(tree)
+        if vector is None:
+            return self._plane(tree)
+        size = self.size(vector)
+        return Plane(self.reduced(vector.x / size), self.reduced(vector.y / size))
+
+    def direction(self, tree: Expression) -> Plane | None:
+        """A vector in the direction that a tree tells, or None where none is cited."""
+        if tree in self.directions:
+            return self.direction(self.directions[tree])
+        if isinstance(tree, Negate):
+            turned = self.direction(tree.operand)
+            return None if turned is None else Plane(-turned.x, -turned.y)
+        if isinstance(tree, Name):
+            return self.direction(Quantity("direction", (tree,)))
+        if isinstance(tree, Quantity) or (isinstance(tree, Letter) and tree.name in self.vectors):
+            return None
+        if self.is_angle(tree):
+            return Plane(*self.cos_sin(self.turn(tree)))
+        value = self.value(tree)
+        return value if isinstance(value, Plane) else None
+
+    def _quantity(self, tree: Quantity) -> Value:
+        match tree.kind:
+            case "along" | "across":
+                vector, axis = tree.arguments
+                return self._component(tree, vector, axis)
+            case "dot":
+                a, b = (self.value(each) for each in tree.arguments)
+                if not (isinstance(a, Plane) and isinstance(b, Plane)):
+                    raise NotComparableError("a scalar product of numbers")
+                return self.reduced(a.x * b.x + a.y * b.y)
+            case kind if kind in _ANGLES:
+                return self._measure(tree)
+            case kind if kind in _VECTORS or (kind == "impulse" and tree.arguments):
+                return self._plane(tree)
+        return self.generator(("quantity", tree))
+
+    def _component(self, tree: Quantity, vector: Expression, axis: Expression) -> Quotient:
+        """The component of a vector along or across a direction.
+
+        Where the direction is not cited, it is a generator of its own.
+        """
+        if isinstance(axis, Negate):
+            return -self.scalar(Quantity(tree.kind, (vector, axis.operand)))
+        if tree in self.opaque:
+            return self.generator(("quantity", tree))
+        direction = self.direction(axis)
+        if direction is None:
+            if axis in self.directions:  # another axis, or its opposite
+                return self.scalar(Quantity(tree.kind, (vector, self.directions[axis])))
+            if not isinstance(vector, Quantity):
+                return self._of_parts(tree, vector, axis)
+            return self.generator(("quantity", tree))
+        size = self.size(direction)
+        value = self.value(vector)
+        if not isinstance(value, Plane):
+            raise NotComparableError("a component of a number")
+        if tree.kind == "across":
+            direction = Plane(-direction.y, direction.x)
+        return self.reduced((value.x * direction.x + value.y * direction.y) / size)
+
+    def _of_parts(self, tree: Quantity, vector: Expression, axis: Expression) -> Quotient:
+        """The component of a sum or a multiple: that of its parts."""
+        kind = tree.kind
+        match vector:
+            case Negate(operand):
+                return -self.scalar(Quantity(kind, (operand, axis)))
+            case Binary("+" | "-", left, right):
+                a, b = (self.scalar(Quantity(kind, (each, axis))) for each in (left, right))
+                return a + b if vector.op == "+" else a - b
+            case Polar(size, angle, origin, None) if origin == axis:
+                cosine, sine = self.cos_sin(self.turn(angle))
+                return self.scalar(size) * (cosine if kind == "along" else sine)
+        return self.generator(("quantity", tree))
+
+    # --- roots -----------------------------------------------------------------------------------
+
+    def root(self, x: Quotient) -> Quotient:
+        """The square root of what is not negative, with square factors taken out."""
+        x = self.reduced(x)
+        if x.vanishes:
+            return x
+        return self._root(x.above * x.below) / Quotient(x.below, _ring().one)
+
+    def _root(self, inside: PolyElement) -> Quotient:
+        number, factors = _factors(inside)
+        outside, rest = CONSTANT(1), _ring().one
+        for factor, times in factors:
+            if times // 2:
+                outside = outside * self._positive(factor) ** (times // 2)
+            if times % 2:
+                rest = rest * factor
+        ratio = Fraction(int(number.numerator), int(number.denominator))
+        if rest == 1:
+            return outside * self._root_of_number(ratio)
+        square, free = _square_part(ratio.numerator * ratio.denominator)
+        outside = outside * CONSTANT(Fraction(square, ratio.denominator))
+        return outside * self._root_generator(rest * free)
+
+    def _root_of_number(self, ratio: Fraction) -> Quotient:
+        square, free = _square_part(ratio.numerator * ratio.denominator)
+        total = CONSTANT(Fraction(square, ratio.denominator))
+        if free < 0:
+            raise NotComparableError("the root of a negative number")
+        for prime in sp.factorint(free):
+            total = total * self._root_generator(_ring().ground_new(QQ(prime)))
+        return total
+
+    def _root_generator(self, inside: PolyElement) -> Quotient:
+        own = self.generator(("root", inside))
+        self.squares[self._keys["root", inside]] = inside
+        return own
+
+    def _positive(self, factor: PolyElement) -> Quotient:
+        """The size of a factor: itself where it is made of positive generators."""
+        if all(value > 0 for value in factor.values()) and all(
+            self._is_positive(key) for key in self.keys(factor).values()
+        ):
+            return Quotient(factor, _ring().one)
+        own = self.generator(("size", factor))
+        self.squares[self._keys["size", factor]] = factor**2
+        return own
+
+    def _is_positive(self, key: Any) -> bool:
+        if key[0] == "letter":
+            return self.roles.get(key[1], REAL).kind == "positive"
+        return key[0] in ("root", "size")
+
+    def reduced(self, x: Quotient) -> Quotient:
+        """The quotient with squares of roots (and of sines, where Pythagoras is named) put in."""
+        if not self.squares:
+            return x
+        return _lean(self._reduced(x.above), self._reduced(x.below))
+
+    def reduced_value(self, x: Value) -> Value:
+        """A scalar or a vector with squares of roots put in."""
+        if isinstance(x, Plane):
+            return Plane(self.reduced(x.x), self.reduced(x.y))
+        return self.reduced(x)
+
+    def _reduced(self, polynomial: PolyElement) -> PolyElement:
+        for number in sorted(self.squares, reverse=True):
+            square = self.squares[number]
+            while any(powers[number] > 1 for powers in polynomial):
+                total = _ring().zero
+                for powers, value in polynomial.items():
+                    half, odd = divmod(powers[number], 2)
+                    rest = (*powers[:number], odd, *powers[number + 1 :])
+                    total = total + _ring().from_dict({rest: value}) * (square**half if half else _ring().one)
+                polynomial = total
+                if len(polynomial) > _MOST_TERMS:
+                    raise NotComparableError("a line of too many terms")
+        return polynomial
+
+    # --- angles ----------------------------------------------------------------------------------
+
+    def is_angle(self, tree: Expression) -> bool:
+        """Whether a tree is the measure of an angle, as far as its form tells."""
+        match tree:
+            case Degrees():
+                return True
+            case Letter(name):
+                return name in self.angles
+            case Negate(operand):
+                return self.is_angle(operand)
+            case Binary("+" | "-", left, right):
+                return self.is_angle(left) or self.is_angle(right)
+            case Binary("*", left, right):
+                return self.is_angle(left) or self.is_angle(right)
+            case Binary("/", left, _):
+                return self.is_angle(left)
+            case Apply(function, _):
+                return function in _INVERSE
+            case Quantity(kind, _):
+                return kind in _ANGLES and not self._is_wall_direction(tree)
+        return False
+
+    @staticmethod
+    def _is_wall_direction(tree: Quantity) -> bool:
+        return tree.kind == "direction" and tree.stage is None
+
+    def turn(self, tree: Expression) -> Turn:
+        """An angle as multiples of its parts. Raises NotComparableError."""
+        match tree:
+            case Degrees(value):
+                return Turn((), value)
+            case Pi():
+                return Turn((), Fraction(180))
+            case Number(value) if not value:
+                return Turn()
+            case Negate(operand):
+                return self.turn(operand) * Fraction(-1)
+            case Binary("+", left, right):
+                return self.turn(left) + self.turn(right)
+            case Binary("-", left, right):
+                return self.turn(left) + self.turn(right) * Fraction(-1)
+            case Binary("*", left, right):
+                if (factor := _rational(left)) is not None:
+                    return self.turn(right) * factor
+                if (factor := _rational(right)) is not None:
+                    return self.turn(left) * factor
+            case Binary("/", left, right):
+                if (factor := _rational(right)) is not None and factor:
+                    return self.turn(left) * (1 / factor)
+            case Letter() | Quantity():
+                if tree in self.turns:
+                    return self.turn(self.turns[tree])
+                return Turn(((tree, Fraction(1)),))
+        return Turn(((tree, Fraction(1)),))
+
+    def _measure(self, tree: Expression) -> Quotient:
+        """An angle as a number: a generator for each part, one for the degree."""
+        turn = self.turn(tree)
+        total = CONSTANT(turn.degrees) * self.generator(("degree",)) if turn.degrees else None
+        for atom, count in turn.terms:
+            term = CONSTANT(count) * self.generator(("angle", self._atom(atom)))
+            total = term if total is None else total + term
+        return CONSTANT(0) if total is None else total
+
+    def _atom(self, atom: Any) -> Any:
+        """An inverse function by the value inside it, so that equal ones are the same."""
+        if isinstance(atom, Apply) and atom.function in _INVERSE:
+            inside = self.scalar(atom.argument)
+            return (atom.function, inside.above, inside.below)
+        return atom
+
+    def cos_sin(self, turn: Turn) -> tuple[Quotient, Quotient]:
+        """The cosine and the sine of an angle."""
+        plain = turn.degrees
+        if not turn.terms:
+            return self._plain_angle(plain)
+        if "sum" in self.identities or (len(turn.terms) == 1 and self._multiples):
+            cosine, sine = self._plain_angle(plain)
+            for atom, count in turn.terms:
+                c, s = self._multiple(atom, count)
+                cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+            return self.reduced(cosine), self.reduced(sine)
+        if "complement" in self.identities and plain % 90 == 0:
+            cosine, sine = self._stranger(Turn(turn.terms))
+            for _ in range(int(plain // 90) % 4):
+                cosine, sine = -sine, cosine
+            return cosine, sine
+        return self._stranger(turn)
+
+    @property
+    def _multiples(self) -> bool:
+        return bool(self.identities & {"double-angle", "half-angle"})
+
+    def _stranger(self, turn: Turn) -> tuple[Quotient, Quotient]:
+        """The cosine and the sine of an angle that is no multiple of any other."""
+        if len(turn.terms) == 1 and not turn.degrees:
+            ((atom, count),) = turn.terms
+            if abs(count) == 1 and isinstance(atom, Apply) and atom.function in _INVERSE:
+                cosine, sine = self._of_inverse(atom)
+                return (cosine, sine) if count == 1 else (cosine, -sine)
+        lead = turn.terms[0][1]
+        if lead < 0:
+            cosine, sine = self._stranger(turn * Fraction(-1))
+            return cosine, -sine
+        key = tuple((self._atom(atom), count) for atom, count in turn.terms), turn.degrees
+        return self._pair(key)
+
+    def _pair(self, key: Any) -> tuple[Quotient, Quotient]:
+        cosine, sine = self.generator(("cos", key)), self.generator(("sin", key))
+        if self.identities & {"pythagoras", "double-angle", "half-angle", "sum"}:
+            self.squares[self._keys["sin", key]] = 1 - cosine.above**2
+        return cosine, sine
+
+    def _multiple(self, atom: Any, count: Fraction) -> tuple[Quotient, Quotient]:
+        """The cosine and the sine of a multiple of an angle, in those of its smallest part."""
+        divisor = lcm(count.denominator, self._divisors.get(atom, 1))
+        times = count * divisor
+        if times.denominator != 1 or abs(times) > _MOST_POWER:
+            raise NotComparableError("a part of an angle")
+        c, s = self._stranger(Turn(((atom, Fraction(1, divisor)),)))
+        cosine, sine = CONSTANT(1), CONSTANT(0)
+        for _ in range(abs(int(times))):
+            cosine, sine = self.reduced(cosine * c - sine * s), self.reduced(sine * c + cosine * s)
+        return cosine, sine if times > 0 else -sine
+
+    def divide_angles(self, trees: Iterable[Expression]) -> None:
+        """Take note of the parts of angles in some trees, before identities relate them."""
+        for tree in trees:
+            for argument in _arguments(tree):
+                for atom, count in self.turn(argument).terms:
+                    self._divisors[atom] = lcm(self._divisors.get(atom, 1), count.denominator)
+
+    def _of_inverse(self, atom: Apply) -> tuple[Quotient, Quotient]:
+        x = self.scalar(atom.argument)
+        other = self.root(self.reduced(CONSTANT(1) - x * x)) if atom.function != "arctan" else None
+        if atom.function == "arcsin" and other is not None:
+            return other, x
+        if other is not None:
+            return x, other
+        long = self.root(self.reduced(CONSTANT(1) + x * x))
+        return CONSTANT(1) / long, x / long
+
+    def _plain_angle(self, degrees: Fraction) -> tuple[Quotient, Quotient]:
+        """The cosine and the sine of a number of degrees: exact where roots have it."""
+        turns, rest = divmod(degrees, 90)
+        mirrored = rest > 45
+        if mirrored:
+            rest = 90 - rest
+        cosine, sine = self._below_45(rest)
+        if mirrored:
+            cosine, sine = sine, cosine
+        for _ in range(int(turns) % 4):
+            cosine, sine = -sine, cosine
+        return cosine, sine
+
+    def _below_45(self, degrees: Fraction) -> tuple[Quotient, Quotient]:
+        if not degrees:
+            return CONSTANT(1), CONSTANT(0)
+        if degrees == 30:
+            return self._root_of_number(Fraction(3, 4)), CONSTANT(Fraction(1, 2))
+        if degrees == 45:
+            half = self._root_of_number(Fraction(1, 2))
+            return half, half
+        if degrees == 15:
+            six, two = (self._root_of_number(Fraction(n, 16)) for n in (6, 2))
+            return six + two, six - two
+        return self._pair((((), Fraction(0)), degrees))
+
+    # --- back to SymPy ---------------------------------------------------------------------------
+
+    def expression(self, x: Quotient, roles: Mapping[str, Role]) -> sp.Expr:
+        """A quotient as an expression for the oracle."""
+        above, below = (self._expression(each, roles) for each in (x.above, x.below))
+        return above / below
+
+    def _expression(self, polynomial: PolyElement, roles: Mapping[str, Role]) -> sp.Expr:
+        put = {n: self.symbol(key, roles) for n, key in self.keys(polynomial).items()}
+        return sp.Add(
+            *(
+                sp.Mul(
+                    sp.Rational(int(value.numerator), int(value.denominator)),
+                    *(put[n] ** power for n, power in enumerate(powers) if power),
+                )
+                for powers, value in polynomial.items()
+            )
+        )
+
+    def symbol(self, key: Any, roles: Mapping[str, Role]) -> sp.Expr:
+        """What a generator stands for, as an expression for the oracle."""
+        match key:
+            case ("letter", name):
+                return roles.get(name, REAL).symbol(name)
+            case ("cos", turn):
+                return sp.cos(self._radians(turn, roles))
+            case ("sin", turn):
+                return sp.sin(self._radians(turn, roles))
+            case ("root", inside):
+                return sp.sqrt(self._expression(inside, roles))
+            case ("size", inside):
+                return sp.Abs(self._expression(inside, roles))
+            case ("degree",):
+                return sp.pi / 180
+            case ("angle", atom):
+                return self._atom_in_radians(atom, roles)
+        return sp.Symbol(f"q_{self._keys[key]}", real=True)
+
+    def _radians(self, key: Any, roles: Mapping[str, Role]) -> sp.Expr:
+        terms, degrees = key
+        if terms and terms[0] == ():
+            terms = ()
+        total = sp.Rational(degrees.numerator, degrees.denominator) * sp.pi / 180
+        for atom, count in terms:
+            angle = self._atom_in_radians(atom, roles)
+            total += sp.Rational(count.numerator, count.denominator) * angle
+        return total
+
+    def _atom_in_radians(self, atom: Any, roles: Mapping[str, Role]) -> sp.Expr:
+        if isinstance(atom, Letter):
+            return roles.get(atom.name, REAL).symbol(atom.name)
+        if isinstance(atom, tuple):
+            function, above, below = atom
+            inside = self._expression(above, roles) / self._expression(below, roles)
+            return {"arcsin": sp.asin, "arccos": sp.acos, "arctan": sp.atan}[function](inside)
+        self.generator(("angle", atom))
+        return sp.Symbol(f"q_{self._keys['angle', atom]}", real=True)
+
+
+def _scalar(x: Value) -> Quotient:
+    if isinstance(x, Plane):
+        raise NotComparableError("a vector where a number should stand")
+    return x
+
+
+def _scaled(x: Value, factor: Quotient) -> Value:
+    if isinstance(x, Plane):
+        return Plane(x.x * factor, x.y * factor)
+    return x * factor
+
+
+def _rational(tree: Expression) -> Fraction | None:
+    match tree:
+        case Number(value):
+            return value
+        case Negate(operand):
+            value = _rational(operand)
+            return None if value is None else -value
+        case Binary("/", left, right):
+            above, below = _rational(left), _rational(right)
+            return above / below if above is not None and below else None
+        case Binary("*", left, right):
+            a, b = _rational(left), _rational(right)
+            return None if a is None or b is None else a * b
+    return None
+
+
+def _arguments(tree: Expression) -> Iterable[Expression]:
+    from restitution.expression.tree import walk
+
+    for each in walk(tree):
+        if isinstance(each, Apply) and each.function in _TRIGONOMETRIC:
+            yield each.argument
+        elif isinstance(each, Polar):
+            yield each.angle
+
+
+def _square_part(number: int) -> tuple[int, int]:
+    """The whole numbers a, b of number = a² b, with b free of squares."""
+    sign, number = (-1, -number) if number < 0 else (1, number)
+    root = isqrt(number)
+    if root * root == number:
+        return root, sign
+    square, free = 1, 1
+    for prime, times in sp.factorint(number).items():
+        square *= prime ** (times // 2)
+        free *= prime ** (times % 2)
+    return square, sign * free
+
+
+def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:
+    """Polynomials in a ring of their own generators only, and which of all these are."""
+    used = sorted({n for each in polynomials for m in each for n, power in enumerate(m) if power})
+    ring = _small_ring(max(len(used), 1))
+    return tuple(used), tuple(
+        ring.from_dict(
+            {tuple(m[n] for n in used) or (0,): value for m, value in each.items()},
+        )
+        for each in polynomials
+    )
+
+
+@cache
+def _small_ring(count: int) -> PolyRing:
+    return PolyRing([f"g{n}" for n in range(count)], QQ)
+
+
+def large(used: tuple[int, ...], polynomial: PolyElement) -> PolyElement:
+    """A polynomial of a small ring among all generators again."""
+    result = {}
+    for powers, value in polynomial.items():
+        monomial = [0] * _GENERATORS
+        for n, power in zip(used, powers, strict=False):
+            monomial[n] = power
+        result[tuple(monomial)] = value
+    return _ring().from_dict(result)
+
+
+def _factors(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+    """A number and irreducible factors with their powers."""
+    used, (own,) = small(polynomial)
+    if not used:
+        return polynomial.LC, []
+    number, factors = own.factor_list()
+    return number, [(large(used, factor), times) for factor, times in factors]
+
+
+factors_of = _factors
+
+
+def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyElement]:
+    """Two polynomials divided by what they have in common."""
+    used, (own_a, own_b) = small(a, b)
+    if not used or not own_a or not own_b:
+        return a, b
+    _, rest_a, rest_b = own_a.cofactors(own_b)
+    return large(used, rest_a), large(used, rest_b)

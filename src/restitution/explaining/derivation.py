@@ -1,0 +1,216 @@
+"""A working as data: numbered lines, each made by a named move from what stands above it.
+
+A line rests on *premises*: earlier lines by number, facts of the statement by their id, and what
+is known of a letter (``0 <= e``, ``acute: alpha``) by its text. Trees are those of the statement
+language. They are never evaluated when they are built: ``3((-4i - j) - (2i + 7j))`` and
+``-18i - 24j`` are two lines. Comparing them is the work of the follower.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from restitution.expression.tree import Expression, Place
+
+Ref = int | str
+"""A premise: the number of a line, the id of a fact, or the text of what is known of a letter."""
+
+MoveId = Literal[
+    "let",
+    "fact",
+    "law",
+    "define",
+    "put",
+    "rearrange",
+    "cancel",
+    "combine",
+    "divide",
+    "square-add",
+    "identity",
+    "triangle",
+    "roots",
+    "reject",
+    "sign",
+    "compare",
+    "monotone",
+    "complete",
+    "inverse",
+    "value",
+    "answer",
+    "shown",
+]
+MOVES: tuple[MoveId, ...] = get_args(MoveId)
+
+Sign = Literal["=", "<", "<=", ">", ">=", "!=", "≈", "parallel to", "perpendicular to"]
+SIGNS: tuple[Sign, ...] = get_args(Sign)
+
+
+@dataclass(frozen=True)
+class Link:
+    """``left sign right``; ``by`` is the move of a later link of a chain, where it has its own."""
+
+    left: Expression
+    sign: Sign
+    right: Expression
+    by: MoveId | None = None
+
+
+@dataclass(frozen=True)
+class Relation:
+    """What a line says: options of which one holds, each of links that hold together.
+
+    Most lines have one option of one link. A chain ``a = b = c`` is an option of links, each
+    beginning where the one before it ends.
+    """
+
+    options: tuple[tuple[Link, ...], ...]
+
+    @property
+    def only(self) -> tuple[Link, ...]:
+        """The links of a relation without alternatives. Raises ValueError where it has some."""
+        (links,) = self.options
+        return links
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """A letter that a working introduces, for one quantity and no other.
+
+    ``sense`` is the direction in which a component counts as positive, where that is not the
+    direction in which the quantity is taken.
+    """
+
+    letter: str
+    quantity: Expression
+    sense: Expression | None = None
+    vector: bool = False
+    angle: Literal["acute", "turn", "signed"] | None = None
+
+
+@dataclass(frozen=True)
+class Fact:
+    """What a statement gives: one relation, in force in one part (``part`` None: in all)."""
+
+    id: str
+    kind: Literal["data", "given", "range", "geometry", "earlier"]
+    relation: Relation
+    part: str | None = None
+    place: Place | None = None
+
+
+@dataclass(frozen=True)
+class Event:
+    """An event of the story: who meets whom. ``wall`` tells that the second body is a wall."""
+
+    number: int
+    kind: Literal["impact", "kick", "arrival"]
+    bodies: tuple[str, ...]
+    wall: bool = False
+
+
+@dataclass(frozen=True)
+class Move:
+    """How a line is made.
+
+    ``record`` names the principle, definition or identity, ``event`` and ``bodies`` what it is
+    used for, ``eliminated`` the letter or quantity that goes when two lines are combined.
+    """
+
+    id: MoveId
+    record: str | None = None
+    event: int | None = None
+    bodies: tuple[str, ...] = ()
+    eliminated: str | None = None
+
+
+@dataclass(frozen=True)
+class MarkPoint:
+    """A mark: its kind, whether it follows through, the lines it depends on, and for what."""
+
+    kind: Literal["M", "A", "B", "DM", "A*"]
+    ft: bool = False
+    on: tuple[int, ...] = ()
+    because: str = ""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of a working; ``item`` is the one on the way to which it stands."""
+
+    number: int
+    item: str | None
+    move: Move
+    premises: tuple[Ref, ...]
+    relation: Relation | Meaning
+    marks: tuple[MarkPoint, ...] = ()
+    shown: Literal["line", "inline", "silent"] = "line"
+
+
+@dataclass(frozen=True)
+class ItemEnd:
+    """Where a working reaches an item: its last line, and the answer as printed.
+
+    ``shown`` tells that the statement prints the result. There are several ends of an item that
+    has several solutions, one for each ``case``.
+    """
+
+    item: str
+    line: int
+    answer: Relation
+    part: str | None = None
+    shown: bool = False
+    case: int | None = None
+
+
+@dataclass(frozen=True)
+class Case:
+    """One of several solutions: an option of a line of alternatives, and the lines under it."""
+
+    number: int
+    line: int
+    option: int
+    lines: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Route:
+    """Another way to an item, by the principles that it would use."""
+
+    item: str
+    moves: tuple[Move, ...]
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A working: the facts of the statement, the events of its story, and lines."""
+
+    facts: tuple[Fact, ...]
+    lines: tuple[Line, ...]
+    items: tuple[ItemEnd, ...]
+    events: tuple[Event, ...] = ()
+    cases: tuple[Case, ...] = ()
+    others: tuple[Route, ...] = ()
+
+    def fact(self, id: str) -> Fact | None:
+        """The fact with an id; None where there is none."""
+        return next((each for each in self.facts if each.id == id), None)
+
+    def line(self, number: int) -> Line | None:
+        """The line with a number; None where there is none."""
+        return next((each for each in self.lines if each.number == number), None)
+
+    @property
+    def meanings(self) -> Mapping[str, Meaning]:
+        """The letters that the working introduces."""
+        return {
+            each.relation.letter: each.relation
+            for each in self.lines
+            if isinstance(each.relation, Meaning)
+        }
+
+
+def equation(left: Expression, right: Expression) -> Relation:
+    """``left = right`` as a relation."""
+    return Relation(((Link(left, "=", right),),))

@@ -1,0 +1,314 @@
+"""What a statement gives, as facts with ids, and the events of its story.
+
+Ids are short and say what they are: ``mass A``, ``velocity A``, ``wall W``, ``axis 1``, ``e 1``,
+``given 1``. A fact is one relation; stages are numbers in it, never *now*.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
+from restitution.explaining.trees import rebuilt, settled
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+)
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Find,
+    Given,
+    Impact,
+    Kick,
+    Let,
+    Problem,
+    Relation as Said,
+    Show,
+    Step,
+)
+
+# Of these, a stage left out is the one reached where the quantity stands.
+_STAGED = frozenset(
+    ("velocity", "speed", "direction", "deflection", "impulse", "energy", "energy_lost")
+    + ("momentum", "line_of_centres", "position")
+)
+_OF_AN_EVENT = frozenset({"deflection", "impulse", "energy_lost", "line_of_centres"})
+_AXES: Mapping[Expression, Expression] = {
+    Unit("i"): Unit("j"),
+    Unit("j"): Negate(Unit("i")),
+}
+
+
+@dataclass(frozen=True)
+class Given_:
+    """A relation of the statement with the events told so far, and the part it is in force in."""
+
+    relation: Said
+    events: int
+    part: str | None
+    place: Any
+
+
+def events_of(problem: Problem) -> tuple[Event, ...]:
+    """The events of a problem, in the order told."""
+    walls = {each.name for each in problem.walls}
+    found: list[Event] = []
+    for _, step in problem.steps():
+        number = len(found) + 1
+        match step:
+            case Impact():
+                wall = step.second in walls
+                found.append(Event(number, "impact", (step.first, step.second), wall))
+            case Kick():
+                found.append(Event(number, "kick", (step.body,)))
+            case Arrival():
+                found.append(Event(number, "arrival", (step.body,)))
+    return tuple(found)
+
+
+def facts_of(problem: Problem) -> tuple[Fact, ...]:
+    """What a problem gives, part by part. Made of the statement alone, once a problem."""
+    maker = _Facts(problem)
+    return tuple(maker.facts())
+
+
+class _Facts:
+    """The facts of one problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.events = events_of(problem)
+        self.walls = {each.name: each for each in problem.walls}
+
+    def facts(self) -> Iterator[Fact]:
+        """All facts: of bodies, of events, then what is given."""
+        yield from self._of_bodies()
+        yield from self._of_events()
+        yield from self._given()
+
+    def _of_bodies(self) -> Iterator[Fact]:
+        for sphere in self.problem.spheres:
+            name = Name(sphere.name)
+            told = (
+                ("mass", Quantity("mass", (name,)), sphere.mass),
+                ("velocity", Quantity("velocity", (name,), 0), sphere.velocity),
+                ("position", Quantity("position", (name,), 0), sphere.position),
+            )
+            for word, quantity, value in told:
+                if isinstance(value, Expression):
+                    if word == "velocity" and _is_nothing(value):
+                        value = Pair(value, value)
+                    yield self._fact(f"{word} {sphere.name}", quantity, value, sphere.place)
+        for wall in self.problem.walls:
+            if isinstance(wall.along, Expression):
+                direction = Quantity("direction", (Name(wall.name),))
+                along = wall.along
+                yield self._fact(f"wall {wall.name}", direction, along, wall.place, "parallel to")
+
+    def _of_events(self) -> Iterator[Fact]:
+        number = 0
+        for _, step in self.problem.steps():
+            if not isinstance(step, Impact | Kick | Arrival):
+                continue
+            number += 1
+            if isinstance(step, Kick):
+                impulse = Quantity("impulse", (Name(step.body),), number)
+                yield self._fact(f"impulse {number}", impulse, step.impulse, step.place)
+            if not isinstance(step, Impact):
+                continue
+            e = Letter("e") if step.e is None else step.e
+            yield self._fact(f"e {number}", Quantity("restitution", (), number), e, step.place)
+            axis = Quantity("line_of_centres", (), number)
+            if step.along is not None:
+                sign: Sign = "=" if step.along in (Unit("i"), Unit("j")) else "parallel to"
+                yield self._fact(f"axis {number}", axis, step.along, step.place, sign, "geometry")
+            elif step.second in self.walls:
+                normal = self._into_the_wall(step)
+                if normal is not None:
+                    sign = "=" if _is_unit(normal) else "parallel to"
+                    yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
+
+    def _into_the_wall(self, step: Impact) -> Expression | None:
+        """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
+        along = self.walls[step.second].along
+        if not isinstance(along, Expression):
+            return None
+        velocity = next(e.velocity for e in self.problem.spheres if e.name == step.first)
+        left = _turned(along)
+        if left is None:
+            return None
+        if isinstance(velocity, Polar) and velocity.wall is not None:
+            return _opposite(left)
+        return _opposite(left) if self._leads_away(velocity, left) else left
+
+    def _leads_away(self, velocity: Any, normal: Expression) -> bool:
+        """Whether a velocity, where it is plain, has a component against a direction."""
+        from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, World
+        from restitution.explaining.signs import Signs
+        from restitution.oracle import Oracle
+        from restitution.solve.letters import roles
+
+        if not isinstance(velocity, Expression):
+            return False
+        known = roles(self.problem)
+        angles = frozenset(name for name, role in known.items() if role.kind == "angle")
+        world = World(known, frozenset(), angles)
+        try:
+            a, b = world.value(velocity), world.direction(normal)
+            if not isinstance(a, Plane) or b is None:
+                return False
+            product = world.reduced(a.x * b.x + a.y * b.y) + CONSTANT(0)
+            return Signs(world, lambda: Oracle(known)).of(product) == -1
+        except NotComparableError:
+            return False
+
+    def _given(self) -> Iterator[Fact]:
+        events = number = 0
+        for part, step in self.problem.steps():
+            if isinstance(step, Impact | Kick | Arrival):
+                events += 1
+            if isinstance(step, Let):
+                quantity = self._settled(step.expression, events)
+                yield self._fact(f"let {step.letter}", quantity, Letter(step.letter), step.place)
+            if not isinstance(step, Given):
+                continue
+            for relation in step.relations:
+                for links in self._links(relation, events):
+                    number += 1
+                    yield Fact(
+                        f"given {number}", "given", Relation((links,)), part.label, step.place
+                    )
+
+    def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
+        match relation:
+            case Compare(operands, operators):
+                trees = [self._settled(each, events) for each in operands]
+                for left, sign, right in zip(trees, operators, trees[1:], strict=False):
+                    yield (Link(left, sign, right),)
+            case Aligned(left, how, right):
+                a, b = (self._settled(each, events) for each in (left, right))
+                if how == "opposite to":
+                    b = Negate(b)
+                sign_: Sign = "perpendicular to" if how == "perpendicular to" else "parallel to"
+                yield (Link(self._direction(a, events), sign_, self._direction(b, events)),)
+            case AtRest(body):
+                velocity = self._settled(Quantity("velocity", (body,), None), events)
+                from fractions import Fraction
+
+                from restitution.expression.tree import Number
+
+                zero = Number(Fraction(0))
+                yield (Link(velocity, "=", Pair(zero, zero)),)
+
+    def _direction(self, tree: Expression, events: int) -> Expression:
+        """The velocity of a sphere, where its name stands for a direction."""
+        if isinstance(tree, Name) and tree.name not in self.walls:
+            return self._settled(Quantity("velocity", (tree,), None), events)
+        return tree
+
+    def _settled(self, tree: Expression, events: int) -> Expression:
+        """A tree with the stage that *now* and *before* mean after some events."""
+
+        def change(each: Expression) -> Expression:
+            if not isinstance(each, Quantity) or each.kind not in _STAGED:
+                return each
+            if each.stage is None and each.kind == "direction" and self._is_wall(each):
+                return each
+            if each.stage not in (None, "before"):
+                return each
+            bodies = [a.name for a in each.arguments if isinstance(a, Name)]
+            latest = self._latest(bodies, events)
+            if each.stage == "before":
+                return replace(each, stage=max(0, latest - 1))
+            stage = latest if each.kind in _OF_AN_EVENT else events
+            return replace(each, stage=stage)
+
+        return settled(rebuilt(tree, change), self.events)
+
+    def _is_wall(self, tree: Quantity) -> bool:
+        return any(isinstance(a, Name) and a.name in self.walls for a in tree.arguments)
+
+    def _latest(self, bodies: list[str], events: int) -> int:
+        """The last event so far in which one of some bodies took part; of all, if there is none."""
+        own = [
+            e.number
+            for e in self.events[:events]
+            if not bodies or any(body in e.bodies for body in bodies)
+        ]
+        return max(own, default=0)
+
+    def _fact(
+        self,
+        id: str,
+        left: Expression,
+        right: Expression,
+        place: Any,
+        sign: Sign = "=",
+        kind: Any = "data",
+    ) -> Fact:
+        relation = Relation(((Link(left, sign, settled(right, self.events)),),))
+        return Fact(id, kind, relation, None, place)
+
+
+def settled_item(problem: Problem, tree: Expression, events: int) -> Expression:
+    """A tree of an item with stages as numbers, where so many events have been told."""
+    return _Facts(problem)._settled(tree, events)  # noqa: SLF001
+
+
+def asked(problem: Problem) -> Iterator[tuple[str | None, Step, int]]:
+    """What is asked: the part, the step, and the events told so far."""
+    events = 0
+    for part, step in problem.steps():
+        if isinstance(step, Impact | Kick | Arrival):
+            events += 1
+        elif isinstance(step, Find | Show):
+            yield part.label, step, events
+
+
+def _is_nothing(tree: Expression) -> bool:
+    from restitution.expression.tree import Number
+
+    return isinstance(tree, Number) and not tree.value
+
+
+def _is_unit(tree: Expression) -> bool:
+    return isinstance(tree, Unit) or (isinstance(tree, Negate) and isinstance(tree.operand, Unit))
+
+
+def _turned(along: Expression) -> Expression | None:
+    """A direction turned by +90°."""
+    if along in _AXES:
+        return _AXES[along]
+    match along:
+        case Negate(operand):
+            turned = _turned(operand)
+            return None if turned is None else _opposite(turned)
+        case Pair(x, y):
+            return Pair(_opposite(y), x)
+        case Binary("+" | "-", left, right):
+            a, b = _turned(left), _turned(right)
+            return None if a is None or b is None else Binary(along.op, a, b)
+        case Binary("*", left, right):
+            b = _turned(right)
+            if b is None:
+                return None
+            if isinstance(b, Negate):
+                return Negate(Binary("*", left, b.operand))
+            return Binary("*", left, b)
+    return None
+
+
+def _opposite(tree: Expression) -> Expression:
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)

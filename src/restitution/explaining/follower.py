@@ -1,0 +1,417 @@
+"""The follower: it reads a working as its reader does, and says where it does not follow.
+
+It knows the facts of the statement, the events, the records and the answers of the items, and
+nothing of how the working was made, or of how the problem was solved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Literal
+
+from restitution.errors import StatementError
+from restitution.explaining.algebra import NotComparableError
+from restitution.explaining.derivation import (
+    Case,
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+)
+from restitution.explaining.moves import follows
+from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.principles import RECORDS
+from restitution.explaining.step import Cited, Known, Setting, Step
+from restitution.explaining.trees import of_relation, settled, trees_of
+from restitution.expression.tree import (
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import All, Oracle, compared
+from restitution.oracle.roles import REAL
+
+Reason = Literal[
+    "premise-unknown",
+    "premise-below",
+    "premise-of-another-part",
+    "premise-of-another-case",
+    "not-known-of-letters",
+    "letter-not-introduced",
+    "letter-introduced-twice",
+    "does-not-follow",
+    "not-comparable",
+    "premise-not-needed",
+    "said-before",
+    "leads-nowhere",
+    "fact-not-used",
+    "not-the-answer",
+    "answer-missing",
+    "shown-by-itself",
+]
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """What is wrong with a working: a reason, at a line, and the premise or item concerned."""
+
+    reason: Reason
+    line: int | None = None
+    about: Ref | None = None
+
+    def __str__(self) -> str:
+        where = "" if self.line is None else f"line {self.line}: "
+        about = "" if self.about is None else f" ({self.about})"
+        return f"{where}{self.reason.replace('-', ' ')}{about}"
+
+
+def follow(
+    derivation: Derivation,
+    oracle: Oracle,
+    redundant: AbstractSet[str] = frozenset(),
+) -> tuple[Complaint, ...]:
+    """What is wrong with a working; of no complaints, it is right.
+
+    ``oracle`` knows the roles of the statement's letters. Facts that are ``redundant`` need not be
+    used.
+    """
+    return tuple(_Reader(settled_derivation(derivation), oracle, redundant).complaints())
+
+
+def settled_derivation(derivation: Derivation) -> Derivation:
+    """The same working, with each velocity numbered by the last event that changed it."""
+
+    def change(tree: Expression) -> Expression:
+        return settled(tree, derivation.events)
+
+    def of(relation: Relation | Meaning) -> Relation | Meaning:
+        if isinstance(relation, Meaning):
+            return replace(relation, quantity=change(relation.quantity))
+        return Relation(
+            tuple(
+                tuple(Link(change(e.left), e.sign, change(e.right), e.by) for e in links)
+                for links in relation.options
+            )
+        )
+
+    return replace(
+        derivation,
+        facts=tuple(replace(each, relation=of(each.relation)) for each in derivation.facts),  # type: ignore[arg-type]
+        lines=tuple(replace(each, relation=of(each.relation)) for each in derivation.lines),
+        items=tuple(replace(each, answer=of(each.answer)) for each in derivation.items),  # type: ignore[arg-type]
+    )
+
+
+class _Reader:
+    """One reading of a working."""
+
+    def __init__(
+        self, derivation: Derivation, oracle: Oracle, redundant: AbstractSet[str]
+    ) -> None:
+        self.derivation = derivation
+        self.redundant = redundant
+        self.lines = {each.number: each for each in derivation.lines}
+        self.facts = {each.id: each for each in derivation.facts}
+        self.parts = {each.item: each.part for each in derivation.items}
+        self.setting = setting_of(derivation, oracle)
+
+    def complaints(self) -> Iterator[Complaint]:
+        yield from self._letters()
+        for position, line in enumerate(self.derivation.lines):
+            above = self.derivation.lines[:position]
+            bad = list(self._premises(line, {each.number for each in above}))
+            yield from bad
+            if not bad:
+                yield from self._line(line)
+            yield from self._said_before(line, above)
+        yield from self._whole()
+
+    # --- letters --------------------------------------------------------------------------------
+
+    def _letters(self) -> Iterator[Complaint]:
+        known = set(self.setting.roles)
+        for fact in self.derivation.facts:
+            known |= _letters_of(fact.relation)
+        introduced: set[str] = set()
+        quantities: dict[Expression, str] = {}
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Meaning):
+                meaning = line.relation
+                if meaning.letter in introduced | known:
+                    yield Complaint("letter-introduced-twice", line.number, meaning.letter)
+                if meaning.quantity in quantities:
+                    yield Complaint("letter-introduced-twice", line.number, meaning.letter)
+                quantities[meaning.quantity] = meaning.letter
+                introduced.add(meaning.letter)
+                missing = letters(meaning.quantity) - known - introduced
+            else:
+                missing = _letters_of(line.relation) - known - introduced
+            for name in sorted(missing):
+                yield Complaint("letter-not-introduced", line.number, name)
+
+    # --- one line -------------------------------------------------------------------------------
+
+    def _premises(self, line: Line, above: AbstractSet[int]) -> Iterator[Complaint]:
+        part = self.parts.get(line.item or "")
+        if len(set(line.premises)) < len(line.premises):
+            yield Complaint("premise-not-needed", line.number)
+        for ref in line.premises:
+            if isinstance(ref, int):
+                if ref not in self.lines:
+                    yield Complaint("premise-unknown", line.number, ref)
+                elif ref not in above:
+                    yield Complaint("premise-below", line.number, ref)
+                elif not self._within_case(line.number, ref):
+                    yield Complaint("premise-of-another-case", line.number, ref)
+            elif ref in self.facts:
+                fact = self.facts[ref]
+                if fact.part is not None and line.item is not None and fact.part != part:
+                    yield Complaint("premise-of-another-part", line.number, ref)
+            elif known_of_letters(ref, self.setting) is None:
+                yield Complaint("not-known-of-letters", line.number, ref)
+
+    def _within_case(self, line: int, premise: int) -> bool:
+        own = {each.number for each in self.derivation.cases if line in each.lines}
+        of_premise = {each.number for each in self.derivation.cases if premise in each.lines}
+        return not of_premise or bool(own & of_premise)
+
+    def _line(self, line: Line) -> Iterator[Complaint]:
+        if isinstance(line.relation, Meaning):
+            if line.premises:
+                yield Complaint("premise-not-needed", line.number, line.premises[0])
+            if line.move.id != "let":
+                yield Complaint("does-not-follow", line.number)
+            return
+        try:
+            right = self._follows(line, line.premises)
+        except NotComparableError:
+            yield Complaint("not-comparable", line.number)
+            return
+        if not right:
+            yield Complaint("does-not-follow", line.number)
+            return
+        for n, ref in enumerate(line.premises):
+            fewer = (*line.premises[:n], *line.premises[n + 1 :])
+            if self._without(line, fewer):
+                yield Complaint("premise-not-needed", line.number, ref)
+
+    def _without(self, line: Line, premises: tuple[Ref, ...]) -> bool:
+        try:
+            return self._follows(line, premises)
+        except NotComparableError:
+            return False
+
+    def _follows(self, line: Line, premises: tuple[Ref, ...]) -> bool:
+        assert isinstance(line.relation, Relation)
+        case = next((e for e in self.derivation.cases if line.number in e.lines), None)
+        cited = tuple(
+            Cited(ref, self._cited(ref, case))
+            for ref in premises
+            if isinstance(ref, int) or ref in self.facts
+        )
+        known = tuple(
+            known
+            for ref in premises
+            if isinstance(ref, str)
+            and ref not in self.facts
+            and (known := known_of_letters(ref, self.setting)) is not None
+        )
+        return follows(Step(self.setting, line.move, cited, known), line.relation)
+
+    def _cited(self, ref: Ref, case: Case | None) -> Relation | Meaning:
+        if isinstance(ref, str):
+            return self.facts[ref].relation
+        relation = self.lines[ref].relation
+        if case is not None and case.line == ref and isinstance(relation, Relation):
+            return Relation((relation.options[case.option],))
+        return relation
+
+    def _said_before(self, line: Line, above: Iterable[Line]) -> Iterator[Complaint]:
+        if line.move.id in ("answer", "shown") or isinstance(line.relation, Meaning):
+            return
+        case = {each.number for each in self.derivation.cases if line.number in each.lines}
+        own = _told(line.relation)
+        for each in above:
+            if isinstance(each.relation, Meaning) or _told(each.relation) != own:
+                continue
+            other = {c.number for c in self.derivation.cases if each.number in c.lines}
+            if not case or not other or case & other:
+                yield Complaint("said-before", line.number, each.number)
+                return
+
+    # --- the whole ------------------------------------------------------------------------------
+
+    def _whole(self) -> Iterator[Complaint]:
+        on_the_way: set[Ref] = set()
+        for end in self.derivation.items:
+            under = self._under(end.line)
+            on_the_way |= under
+            yield from self._end(end, under)
+        for line in self.derivation.lines:
+            if line.number not in on_the_way:
+                yield Complaint("leads-nowhere", line.number)
+        yield from self._facts_used()
+
+    def _under(self, number: int) -> set[Ref]:
+        """A line, and all that it rests on."""
+        found: set[Ref] = set()
+        pending: list[Ref] = [number]
+        while pending:
+            ref = pending.pop()
+            if ref in found:
+                continue
+            found.add(ref)
+            if isinstance(ref, int) and ref in self.lines:
+                line = self.lines[ref]
+                pending.extend(line.premises)
+                pending.extend(c.line for c in self.derivation.cases if ref in c.lines)
+        return found
+
+    def _end(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
+        line = self.lines.get(end.line)
+        if line is None or isinstance(line.relation, Meaning):
+            yield Complaint("answer-missing", end.line, end.item)
+            return
+        if not any(_same(line.relation, each) for each in (end.answer,)):
+            yield Complaint("not-the-answer", end.line, end.item)
+        if not end.shown:
+            return
+        told = _told(end.answer)
+        for each in self.derivation.lines:
+            if each.number == end.line:
+                break
+            if isinstance(each.relation, Relation) and _told(each.relation) == told:
+                yield Complaint("shown-by-itself", each.number, end.item)
+
+    def _facts_used(self) -> Iterator[Complaint]:
+        used: dict[str | None, set[Ref]] = {}
+        for end in self.derivation.items:
+            used.setdefault(end.part, set()).update(self._under(end.line))
+        every = set().union(*used.values()) if used else set()
+        for fact in self.derivation.facts:
+            if fact.kind != "given" or fact.id in self.redundant:
+                continue
+            under = every if fact.part is None else used.get(fact.part, set())
+            if fact.id not in under:
+                yield Complaint("fact-not-used", None, fact.id)
+
+
+def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
+    """What all lines of a working share."""
+    names: dict[str, str] = {}
+    for event in derivation.events:
+        for position, body in enumerate(event.bodies):
+            names[body] = "wall" if event.wall and position else "sphere"
+    for fact in derivation.facts:
+        for tree in trees_of(fact.relation):
+            for each in walk(tree):
+                match each:
+                    case Quantity("mass" | "velocity" | "speed" | "energy", (Name(name), *_)):
+                        names.setdefault(name, "sphere")
+                    case Quantity("direction", (Name(name),), None):
+                        names.setdefault(name, "wall")
+                    case Name(name):
+                        names.setdefault(name, "point")
+    return Setting(oracle.roles, derivation.events, derivation.meanings, names)
+
+
+def known_of_letters(ref: str, setting: Setting) -> Known | None:
+    """What a premise such as ``acute: alpha`` or ``e <= 1`` says of letters.
+
+    None where their roles do not say so, or the text says nothing.
+    """
+    try:
+        return _known(ref, setting)
+    except (StatementError, NotComparableError, KeyError):
+        return None
+
+
+def _known(ref: str, setting: Setting) -> Known | None:
+    head, colon, text = ref.partition(":")
+    if colon and head.strip() == "acute":
+        angle = read_tree(text, setting.names)
+        zero, right = Degrees(Number(0).value), Degrees(Number(90).value)
+        relation = Relation(((Link(zero, "<", angle), Link(angle, "<", right)),))  # type: ignore[arg-type]
+        relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
+        names = letters(angle)
+    else:
+        relation = read_relation(ref, setting.names)
+        names = frozenset(_letters_of(relation))
+    if not names or any(isinstance(e, Quantity) for t in trees_of(relation) for e in walk(t)):
+        return None
+    if not _by_roles(ref, relation, setting):
+        return None
+    return Known(ref, relation, names)
+
+
+def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
+    step = Step(setting, _NO_MOVE, (), ())
+    names = _letters_of(relation)
+    roles = {name: setting.roles.get(name, REAL) for name in sorted(names)}
+    formulas = []
+    for links in relation.options:
+        for link in links:
+            left, right = (step.world.scalar(each) for each in (link.left, link.right))
+            formulas.append(
+                compared(
+                    step.world.expression(left, roles),
+                    link.sign,
+                    step.world.expression(right, roles),
+                )
+            )
+    if len(relation.options) != 1:
+        return False
+    return _proved(tuple(roles.items()), All(tuple(formulas)))
+
+
+@lru_cache(maxsize=256)
+def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
+    return Oracle(dict(roles)).decide(claim).answer == "proved"  # type: ignore[arg-type]
+
+
+def _letters_of(relation: Relation | Meaning) -> set[str]:
+    return {name for tree in trees_of(relation) for name in letters(tree)}
+
+
+def _told(relation: Relation) -> frozenset[frozenset[object]]:
+    """What a relation says, whichever way round it is written."""
+    return frozenset(frozenset(_turned(link) for link in links) for links in relation.options)
+
+
+def _turned(link: Link) -> object:
+    if link.sign in (">", ">="):
+        return ({">": "<", ">=": "<="}[link.sign], link.right, link.left)
+    if link.sign in ("=", "!=", "parallel to", "perpendicular to"):
+        return (link.sign, frozenset((link.left, link.right)))
+    return (link.sign, link.left, link.right)
+
+
+def _same(line: Relation, answer: Relation) -> bool:
+    """Whether a line says an answer: the last link of a chain does, with the first subject."""
+    if _told(line) == _told(answer):
+        return True
+    if len(line.options) != 1 or len(line.only) < 2:
+        return False
+    links = line.only
+    if any(a.right != b.left for a, b in zip(links, links[1:], strict=False)):
+        return False
+    whole = Link(links[0].left, links[-1].sign, links[-1].right)
+    return _told(Relation(((whole,),))) == _told(answer)
+
+
+from restitution.explaining.derivation import Move  # noqa: E402
+
+_NO_MOVE = Move("let")
+__all__ = ["Complaint", "Reason", "follow", "known_of_letters", "setting_of"]
+_UNUSED = (Letter, RECORDS, of_relation)

@@ -1,0 +1,900 @@
+"""The moves: what each makes of its premises, and whether a line is that.
+
+A line is right if its residual (left minus right) is k times the expected one, and k is certain
+not to be zero; for an inequality, the sign of k must be known. So equations need no prover, and a
+step is one move long: that a line is true, or a consequence, does not make it right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
+from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign
+from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.rules import Rules
+from restitution.explaining.step import Cited, Step
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    walk,
+)
+from restitution.oracle import Formula, Oracle, Relation as Claim, compared, negation
+
+FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
+_ZERO = Number(Fraction(0))
+_HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
+_RATIOS = ("sin", "cos", "tan")
+_IDENTITIES: Mapping[str, frozenset[Any]] = {
+    "pythagoras": frozenset({"pythagoras"}),
+    "double-angle": frozenset({"double-angle"}),
+    "half-angle": frozenset({"half-angle"}),
+    "sum-of-angles": frozenset({"sum"}),
+    "complement": frozenset({"complement"}),
+}
+
+
+def follows(step: Step, relation: Relation) -> bool:
+    """Whether a relation is what the move makes of what is cited.
+
+    Raises NotComparableError where that is beyond what is compared.
+    """
+    whole = _WHOLE.get(step.move.id)
+    if whole is not None:
+        return whole(step, relation)
+    return _by_links(step, relation)
+
+
+def _by_links(step: Step, relation: Relation) -> bool:
+    """Each link by itself; a later link of a chain from the one before it."""
+    bases = _bases(step)
+    if len(relation.options) != max(1, len(bases)):
+        return False
+    for number, links in enumerate(relation.options):
+        chosen = step if len(bases) < 2 else _with_base(step, bases[number])
+        if not _chain(chosen, links):
+            return False
+    return True
+
+
+def _chain(step: Step, links: tuple[Link, ...]) -> bool:
+    before: Link | None = None
+    subject: Expression | None = None
+    for link in links:
+        if before is not None and before.right == link.left and subject is not None:
+            base = Relation(((Link(subject, before.sign, before.right),),))
+            move = replace(step.move, id=link.by or "put")
+            after = step.under(move=move, cited=(Cited("", base), *step.cited))
+            own = Link(subject, link.sign, link.right)
+        else:
+            after, own, subject = step, link, link.left
+        if not _LINKS[after.move.id](after, own):
+            return False
+        before = link
+    return True
+
+
+def _bases(step: Step) -> tuple[tuple[Link, ...], ...]:
+    """The alternatives of the line that a move starts from."""
+    if step.move.id not in ("put", "rearrange", "cancel", "identity"):
+        return ()
+    first = _base(step)
+    return () if first is None else first.options
+
+
+def _base(step: Step) -> Relation | None:
+    return next((e.relation for e in step.cited if isinstance(e.relation, Relation)), None)
+
+
+def _with_base(step: Step, links: tuple[Link, ...]) -> Step:
+    first = next(e for e in step.cited if isinstance(e.relation, Relation))
+    chosen = tuple(
+        Cited(each.ref, Relation((links,))) if each is first else each for each in step.cited
+    )
+    return step.under(cited=chosen)
+
+
+def _rest(step: Step) -> tuple[Cited, ...]:
+    """What is cited beside the line that a move starts from."""
+    first = next((e for e in step.cited if isinstance(e.relation, Relation)), None)
+    return tuple(each for each in step.cited if each is not first)
+
+
+# --- one residual against another -----------------------------------------------------------------
+
+
+def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
+    """Whether a line says the expected residual to stand in that relation to zero."""
+    step.world.printed = False
+    own = step.residual(line)
+    if sign == "=" or sign == "!=":
+        return line.sign == sign and step.is_multiple(own, expected) is not None
+    k = step.is_multiple(own, expected, sign=True)
+    return k is not None and line.sign == (sign if k == 1 else FLIPPED[sign])
+
+
+def _expected(step: Step, link: Link, rules: Rules) -> Value:
+    step.world.printed = True
+    return step.residual(link, rules)
+
+
+def _law(step: Step, line: Link) -> bool:
+    return any(_is_template(step, line, each) for each in _templates(step))
+
+
+def _templates(step: Step) -> Iterator[tuple[Link, bool]]:
+    """What the record of a move says, and whether its left side is of an acute angle."""
+    record = RECORDS.get(step.move.record or "")
+    event = step.setting.event(step.move.event)
+    if record is None or not record.serves(event):
+        return
+    for relation in record.relations(event, step.move.bodies):
+        for link in relation.only:
+            yield step.setting.settled(link), record.acute
+    for link in _OWN.get(record.id, _nothing)(step, event):
+        yield step.setting.settled(link), False
+
+
+def _is_template(step: Step, line: Link, template: tuple[Link, bool]) -> bool:
+    link, acute = template
+    if link.sign in ("parallel to", "perpendicular to"):
+        return _is_tied(step, line, link)
+    try:
+        rules = step.rules()
+        if not acute:
+            return _matches(step, line, _expected(step, link, rules))
+        step.world.printed = True
+        left, right = (rules.put_into(step.world.value(each)) for each in (link.left, link.right))
+    except NotComparableError:
+        return False
+    if isinstance(left, Plane) or isinstance(right, Plane):
+        return False
+    if _oriented(step, right) == -1:
+        right = -right
+    return _matches(step, line, left - right)
+
+
+def _oriented(step: Step, x: Quotient) -> int:
+    """The sign of a ratio of components, where letters have the sense in which they are taken.
+
+    What letters of the statement may be is not asked for: an acute angle is named as such, and a
+    component that a working names is drawn in its sense.
+    """
+    from restitution.explaining.signs import Signs
+    from restitution.oracle.roles import POSITIVE
+
+    roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
+    angles = step.setting.angles & step.setting.meanings.keys()
+    roles |= {name: step.setting.roles.get(name, _acute()) for name in angles}
+    return Signs(step.world, lambda: Oracle(roles)).of(x) or 1
+
+
+def _acute() -> Any:
+    from restitution.oracle.roles import ACUTE
+
+    return ACUTE
+
+
+def _is_tied(step: Step, line: Link, template: Link) -> bool:
+    """Of two directions: parallel or perpendicular, by cross or scalar product."""
+    if line.sign != template.sign:
+        return False
+    chosen = step.under(opaque=step.opaque | {template.left})
+    rules = chosen.rules()
+    values = []
+    for each in (line, template):
+        left, right = chosen.world.value(each.left), chosen.world.value(each.right)
+        if not (isinstance(left, Plane) and isinstance(right, Plane)):
+            return False
+        if each is template:
+            right = rules.put_into(right)  # type: ignore[assignment]
+            assert isinstance(right, Plane)
+        if template.sign == "parallel to":
+            values.append(left.x * right.y - left.y * right.x)
+        else:
+            values.append(left.x * right.x + left.y * right.y)
+    return chosen.is_multiple(*values) is not None
+
+
+# --- records that are worked out and not written down --------------------------------------------
+
+
+def _nothing(step: Step, event: Event | None) -> Iterable[Link]:
+    return ()
+
+
+def _axis(event: Event) -> Expression:
+    return Quantity("line_of_centres", (), event.number)
+
+
+def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
+    return Quantity(kind, (Quantity("velocity", (Name(body),), stage), _axis(event)))
+
+
+def _sum(terms: Sequence[Expression]) -> Expression:
+    total = terms[0]
+    for each in terms[1:]:
+        total = Binary("+", total, each)
+    return total
+
+
+def _squared(tree: Expression) -> Expression:
+    return Binary("^", tree, Number(Fraction(2)))
+
+
+def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
+    """The square of a speed: by components of an event, by the vector, or as it is."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    if form == "components" and event is not None and body in event.bodies:
+        parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
+        return _sum([_squared(each) for each in parts])
+    if form == "along" and event is not None:
+        return _squared(_component("along", body, stage, event))
+    if form == "speed":
+        return _squared(Quantity("speed", (Name(body),), stage))
+    return Quantity("dot", (velocity, velocity))
+
+
+def _kinetic(form: str, body: str, stage: int, event: Event | None) -> Expression:
+    if form == "energy":
+        return Quantity("energy", (Name(body),), stage)
+    mass = Quantity("mass", (Name(body),))
+    return Binary("*", Binary("*", _HALF, mass), _squares(form, body, stage, event))
+
+
+def _total(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy of all spheres before an event and after it."""
+    number = 0 if event is None else event.number
+    for stage in {number, max(0, number - 1)}:
+        for form in ("components", "vectors", "speed", "energy"):
+            terms = [_kinetic(form, body, stage, event) for body in step.setting.spheres]
+            if terms:
+                yield Link(Quantity("energy", (), stage), "=", _sum(terms))
+
+
+def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that the bodies of an event lose: whole, or by components along the line."""
+    if event is None:
+        return
+    spheres = [each for each in event.bodies if each in step.setting.spheres]
+    for form in ("components", "along", "vectors", "speed", "energy"):
+        terms = [
+            Binary(
+                "-",
+                _kinetic(form, body, event.number - 1, event),
+                _kinetic(form, body, event.number, event),
+            )
+            for body in spheres
+        ]
+        lost = _sum(terms)
+        yield Link(Quantity("energy_lost", (), event.number), "=", lost)
+        stages = (event.number - 1, event.number)
+        before, after = (Quantity("energy", (), stage) for stage in stages)
+        yield Link(Binary("-", before, after), "=", lost)
+
+
+def _tied(step: Step, event: Event | None) -> Iterator[Link]:
+    """What a cited right angle, or a cited common direction, says of components."""
+    relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
+    for link in step.links:
+        if link.sign == relation:
+            yield from _tie(step, event, link.left, link.right, relation)
+        elif link.sign == "=" and link.left == Quantity("deflection", *_whose(link.left)):
+            angle = {"perpendicular to": 90, "parallel to": 0}[relation]
+            if link.right == Degrees(Fraction(angle)):
+                body, stage = link.left.arguments[0], link.left.stage  # type: ignore[union-attr]
+                before, after = (
+                    Quantity("velocity", (body,), each) for each in (stage - 1, stage)  # type: ignore[operator]
+                )
+                yield from _tie(step, event, before, after, relation)
+
+
+def _whose(tree: Expression) -> tuple[tuple[Expression, ...], Any]:
+    return (tree.arguments, tree.stage) if isinstance(tree, Quantity) else ((), None)
+
+
+def _tie(
+    step: Step, event: Event | None, left: Expression, right: Expression, relation: str
+) -> Iterator[Link]:
+    kinds = ("along", "across")
+    for a, b in ((left, right), (right, left)):
+        for axis in () if event is None else (_axis(event),):
+            wall = len(event.bodies) > 1 and b == Name(event.bodies[1]) if event else False
+            if b == axis or wall:
+                square = (relation == "perpendicular to") != wall
+                yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", _ZERO)
+    for axes in ((_axis(event),) if event is not None else ()):
+        (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
+        if relation == "perpendicular to":
+            yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", _ZERO)
+        else:
+            yield Link(Binary("-", Binary("*", a, d), Binary("*", b, c)), "=", _ZERO)
+    if relation == "perpendicular to":
+        yield Link(Quantity("dot", (left, right)), "=", _ZERO)
+    else:
+        yield Link(_cross(left, right), "=", _ZERO)
+
+
+def _cross(left: Expression, right: Expression) -> Expression:
+    x, y = (
+        tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right)
+    )
+    return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
+
+
+def _unit(axis: str) -> Expression:
+    from restitution.expression.tree import Unit
+
+    return Unit(axis)  # type: ignore[arg-type]
+
+
+_OWN: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
+    "total": _total,
+    "energy-lost": _energy_lost,
+    "perpendicular": _tied,
+    "parallel": _tied,
+}
+
+
+def _define(step: Step, line: Link) -> bool:
+    if step.move.record in ("component", "assemble"):
+        return _is_resolved(step, line)
+    return _law(step, line)
+
+
+def _is_resolved(step: Step, line: Link) -> bool:
+    """A component by a vector, or a vector by its components: the value is what is cited."""
+    quantity = line.left
+    if isinstance(quantity, Letter):
+        meaning = next((each for each in step.lets if each.letter == quantity.name), None)
+        if meaning is None or meaning.sense is not None:
+            return False
+        quantity = meaning.quantity
+    kinds = ("along", "across") if step.move.record == "component" else ("velocity",)
+    if line.sign != "=" or not isinstance(quantity, Quantity) or quantity.kind not in kinds:
+        return False
+    others = tuple(
+        each
+        for each in step.cited
+        if not (isinstance(each.relation, Meaning) and each.relation.quantity == quantity)
+    )
+    rules = step.rules(others)
+    value, right = step.world.value(quantity), step.world.value(line.right)
+    resolved = rules.put_into(value)
+    if resolved == value:
+        return False
+    if isinstance(resolved, Plane) and isinstance(right, Plane):
+        pairs = [(resolved.x, right.x), (resolved.y, right.y)]
+    elif isinstance(resolved, Quotient) and isinstance(right, Quotient):
+        pairs = [(resolved, right)]
+    else:
+        return False
+    return all(step.world.reduced(a - b).vanishes for a, b in pairs)
+
+
+# --- from one line ---------------------------------------------------------------------------------
+
+
+def _put(step: Step, line: Link) -> bool:
+    base = _base(step)
+    if base is None or (step.move.id == "put" and len(step.cited) < 2):
+        return False
+    rules = step.rules(_rest(step))
+    return any(_matches(step, line, _expected(step, e, rules), e.sign) for e in _flat(base.only))
+
+
+def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
+    """The links of a relation, and the first side of a chain with its last."""
+    yield from links
+    if len(links) > 1 and all(
+        each.sign == "=" and before.right == each.left
+        for before, each in zip(links, links[1:], strict=False)
+    ):
+        yield Link(links[0].left, "=", links[-1].right)
+
+
+def _rearrange(step: Step, line: Link) -> bool:
+    base = _base(step)
+    if base is None:
+        return False
+    if step.move.id == "rearrange" and sum(
+        isinstance(each.relation, Relation) for each in step.cited
+    ) > 1:
+        return _with_factor_known(step, line)
+    return any(
+        _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
+        for each in _flat(base.only)
+        if each.sign not in ("≈", "parallel to", "perpendicular to")
+    )
+
+
+def _with_factor_known(step: Step, line: Link) -> bool:
+    return _rearrange(step.under(move=replace(step.move, id="cancel")), line)
+
+
+def _identity(step: Step, line: Link) -> bool:
+    names = _IDENTITIES.get(step.move.record or "")
+    base = _base(step)
+    if names is None or base is None:
+        return False
+    chosen = step.under(identities=names)
+    trees = [t for each in (line, *base.only) for t in (each.left, each.right)]
+    chosen.world.divide_angles([*trees, *(each.quantity for each in step.lets)])
+    # Where tan ½α is t, its cosine and sine are known by t: c² = 1/(1 + t²).
+    rules = chosen.rules(_rest(step))
+    rules.complete()
+    return any(
+        _matches_with(chosen, line, _expected(chosen, each, rules), rules, each.sign)
+        for each in base.only
+    )
+
+
+def _matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: Sign) -> bool:
+    """As `_matches`, with values put into the line too: an identity may keep either form."""
+    if _matches(step, line, expected, sign):
+        return True
+    own = step.residual(line, rules)
+    if sign == "=":
+        return line.sign == "=" and step.is_multiple(own, expected) is not None
+    k = step.is_multiple(own, expected, sign=True)
+    return k is not None and line.sign == (sign if k == 1 else FLIPPED[sign])
+
+
+# --- from two lines --------------------------------------------------------------------------------
+
+
+def _pair(step: Step) -> tuple[Link, Link] | None:
+    """The two equations that are cited."""
+    equations = [e.relation for e in step.cited if isinstance(e.relation, Relation)]
+    if len(equations) < 2 or any(len(each.options) != 1 for each in equations[:2]):
+        return None
+    first, second = (_ends(each.only) for each in equations[:2])
+    return None if first is None or second is None else (first, second)
+
+
+def _ends(links: tuple[Link, ...]) -> Link | None:
+    *_, last = _flat(links)
+    return last if last.sign == "=" else None
+
+
+def _combine(step: Step, line: Link) -> bool:
+    pair = _pair(step)
+    if pair is None or line.sign != "=":
+        return False
+    step.world.printed = True
+    a, b = (step.residual(each) for each in pair)
+    if step.move.eliminated is None:
+        for sign in (1, -1):
+            other = _times(b, CONSTANT(sign))
+            if _matches(step, line, _plus(a, other)):
+                return True
+        return False
+    if isinstance(a, Plane) or isinstance(b, Plane):
+        return False
+    own = step.world.value(step.setting.tree(step.move.eliminated))
+    if not isinstance(own, Quotient):
+        return False
+    number = next(
+        (n for m in own.above for n, power in enumerate(m) if power), None
+    ) if len(own.above) == 1 else None
+    if number is None:
+        return False
+    p, q = _coefficient(a, number), _coefficient(b, number)
+    if p is None or q is None:
+        return False
+    return _matches(step, line, step.world.reduced(a * q - b * p))
+
+
+def _coefficient(x: Quotient, number: int) -> Quotient | None:
+    """The factor of a generator in what is linear in it; None where it is not, or does not occur."""
+    if any(m[number] for m in x.below) or any(m[number] > 1 for m in x.above):
+        return None
+    lead = {(*m[:number], 0, *m[number + 1 :]): v for m, v in x.above.items() if m[number]}
+    return Quotient(x.above.ring.from_dict(lead), x.below) if lead else None
+
+
+def _plus(a: Value, b: Value) -> Value:
+    if isinstance(a, Plane) and isinstance(b, Plane):
+        return Plane(a.x + b.x, a.y + b.y)
+    if isinstance(a, Plane) or isinstance(b, Plane):
+        raise NotComparableError("a vector beside a number")
+    return a + b
+
+
+def _times(a: Value, factor: Quotient) -> Value:
+    if isinstance(a, Plane):
+        return Plane(a.x * factor, a.y * factor)
+    return a * factor
+
+
+def _sides(step: Step) -> tuple[Quotient, Quotient, Quotient, Quotient] | None:
+    pair = _pair(step)
+    if pair is None:
+        return None
+    step.world.printed = True
+    sides = [step.world.value(side) for link in pair for side in (link.left, link.right)]
+    if any(isinstance(each, Plane) for each in sides):
+        return None
+    a, b, c, d = sides
+    return a, b, c, d  # type: ignore[return-value]
+
+
+def _divide(step: Step, line: Link) -> bool:
+    sides = _sides(step)
+    if sides is None:
+        return False
+    a, b, c, d = sides
+    return line.sign == "=" and _matches(step, line, step.world.reduced(a * d - b * c))
+
+
+def _square_add(step: Step, line: Link) -> bool:
+    chosen = step.under(identities=frozenset({"pythagoras"}))
+    sides = _sides(chosen)
+    if sides is None:
+        return False
+    a, b, c, d = sides
+    # Sines and cosines become known to each other only where they are squared and added.
+    expected = chosen.world.reduced(a * a + c * c - b * b - d * d)
+    return line.sign == "=" and _matches(chosen, line, expected)
+
+
+_LINKS: dict[MoveId, Callable[[Step, Link], bool]] = {
+    "law": _law,
+    "define": _define,
+    "fact": _put,
+    "put": _put,
+    "rearrange": _rearrange,
+    "cancel": _rearrange,
+    "identity": _identity,
+    "combine": _combine,
+    "divide": _divide,
+    "square-add": _square_add,
+}
+
+
+# --- whole relations -------------------------------------------------------------------------------
+
+
+def _triangle(step: Step, relation: Relation) -> bool:
+    """The other ratios of an angle, where one is known, and its range."""
+    base = _base(step)
+    if base is None or len(relation.options) != 1 or not step.known:
+        return False
+    known = {
+        link.left.argument
+        for link in base.only
+        if isinstance(link.left, Apply) and link.left.function in _RATIOS
+    }
+    return all(
+        link.sign == "="
+        and isinstance(link.left, Apply)
+        and link.left.function in _RATIOS
+        and link.left.argument in known
+        for link in relation.only
+    ) and _by_oracle(step, relation)
+
+
+def _roots(step: Step, relation: Relation) -> bool:
+    """All roots of an equation in one letter, or in one ratio."""
+    base = _base(step)
+    if base is None or len(base.options) != 1 or any(len(links) != 1 for links in relation.options):
+        return False
+    equation = _ends(base.only)
+    links = [links[0] for links in relation.options]
+    subject = links[0].left
+    if equation is None or any(each.left != subject or each.sign != "=" for each in links):
+        return False
+    rules = step.rules(_rest(step))
+    polynomial = _polynomial(step, _expected(step, equation, rules), subject)
+    if polynomial is None:
+        return False
+    for each in links:
+        root = step.world.scalar(each.right)
+        times = 0
+        while len(polynomial) > 1:
+            quotient, rest = _divided(step, polynomial, root)
+            if not rest.vanishes:
+                break
+            polynomial, times = quotient, times + 1
+        if not times:
+            return False
+    return _never_zero(step, polynomial)
+
+
+def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotient] | None:
+    """The coefficients of an equation in its subject, the constant one first."""
+    if isinstance(residual, Plane):
+        return None
+    world = step.world
+    if isinstance(subject, Binary) and subject.op == "/":
+        above, below = (world.scalar(each) for each in (subject.left, subject.right))
+        if len(above.above) != 1 or len(below.above) != 1:
+            return None
+    own = world.scalar(subject)
+    above = own.above
+    if len(above) != 1 or len(own.below) != 1:
+        return None
+    (monomial,) = above
+    (under,) = own.below
+    numbers = [n for n, power in enumerate(monomial) if power]
+    if len(numbers) != 1:
+        return None
+    (number,) = numbers
+    power = monomial[number]
+    # subject = g^p/below: each term c g^(pk) rest is c rest below^k subject^k.
+    rest = Quotient(own.below, above.ring.ground_new(above.LC))
+    found: dict[int, Quotient] = {}
+    others = [n for n, p in enumerate(under) if p]
+    for m, value in residual.above.items():
+        times, left = divmod(m[number], power)
+        if left:
+            return None
+        term = above.ring.from_dict({(*m[:number], 0, *m[number + 1 :]): value})
+        found[times] = found.get(times, CONSTANT(0)) + Quotient(term, above.ring.one) * rest**times
+    coefficients = [world.reduced(found.get(n, CONSTANT(0))) for n in range(max(found) + 1)]
+    if others:
+        # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.
+        lead = coefficients[-1]
+        coefficients = [world.reduced(each / lead) for each in coefficients]
+        if any(any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)):
+            return None
+        if step.signs.of(lead) is None:
+            return None
+    return coefficients
+
+
+def _divided(
+    step: Step, polynomial: list[Quotient], root: Quotient
+) -> tuple[list[Quotient], Quotient]:
+    """A polynomial divided by x − root: quotient and remainder."""
+    result: list[Quotient] = []
+    carried = CONSTANT(0)
+    for coefficient in reversed(polynomial):
+        carried = step.world.reduced(coefficient + carried * root)
+        result.append(carried)
+    return list(reversed(result[:-1])), result[-1]
+
+
+def _never_zero(step: Step, polynomial: list[Quotient]) -> bool:
+    """Whether what is left of an equation has no root."""
+    if len(polynomial) == 1:
+        return step.signs.of(polynomial[0]) is not None
+    x = sp.Symbol("x_subject", real=True)
+    value = sp.Add(
+        *(
+            step.world.expression(coefficient, step.roles) * x**n
+            for n, coefficient in enumerate(polynomial)
+        )
+    )
+    return step.oracle.decide(Claim(value, "!=")).answer == "proved"
+
+
+def _reject(step: Step, relation: Relation) -> bool:
+    base = _base(step)
+    if base is None or len(base.options) < 2:
+        return False
+    kept = [
+        n
+        for n, option in enumerate(base.options)
+        if any(_same_option(step, option, own) for own in relation.options)
+    ]
+    if len(kept) != len(relation.options) or len(kept) == len(base.options):
+        return False
+    rest = step.under(cited=_rest(step))
+    for n, option in enumerate(base.options):
+        if n in kept:
+            continue
+        dropped = rest.formula(Relation((option,)))
+        oracle = Oracle(rest.roles, (*rest.facts, dropped))
+        if oracle.possible.answer != "refuted":
+            return False
+    return True
+
+
+def _same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:
+    if len(a) != len(b):
+        return False
+    for one, other in zip(a, b, strict=True):
+        if one == other:
+            continue
+        if one.sign != other.sign or one.sign != "=":
+            return False
+        if step.is_multiple(step.residual(one), step.residual(other)) is None:
+            return False
+    return True
+
+
+def _by_oracle(step: Step, relation: Relation) -> bool:
+    """Whether a relation is proved by what is cited, and by that alone."""
+    return step.oracle.decide(step.formula(relation)).answer == "proved"
+
+
+def _sign(step: Step, relation: Relation) -> bool:
+    lines = [each for each in step.cited if isinstance(each.relation, Relation)]
+    if len(lines) + len(step.known) > _MOST_COMPARED:
+        return False
+    if any(link.sign in ("≈", "=") for links in relation.options for link in links):
+        return False
+    return _by_oracle(step, relation)
+
+
+_MOST_COMPARED = 4
+
+
+def _monotone(step: Step, relation: Relation) -> bool:
+    """The range of an expression in one letter, or its greatest or least value."""
+    return _by_oracle(step, relation)
+
+
+def _complete(step: Step, relation: Relation) -> bool:
+    """A square and a constant, or a sum of two that is least where they are equal."""
+    if all(link.sign == "=" for links in relation.options for link in links):
+        return _by_links(step.under(move=replace(step.move, id="rearrange")), relation)
+    return _by_oracle(step, relation)
+
+
+def _inverse(step: Step, relation: Relation) -> bool:
+    """The angle of a ratio: unique in the range that is cited, or all that lie in it."""
+    base = _base(step)
+    if base is None or len(base.options) != 1:
+        return False
+    ratio = next(
+        (e for e in base.only if isinstance(e.left, Apply) and e.left.function in _RATIOS), None
+    )
+    if ratio is None or ratio.sign != "=" or len(relation.options) != 1:
+        return False
+    *_, last = _flat(base.only)
+    value = last.right if last.left == ratio.left else ratio.right
+    assert isinstance(ratio.left, Apply)
+    (link,) = relation.only if len(relation.only) == 1 else (None,)
+    if link is None or link.sign != "=":
+        return False
+    if link.left != ratio.left.argument and not _is_multiple_of(step, link, ratio.left.argument):
+        return False
+    angle = _in_radians(step, _scaled_angle(step, link, ratio.left.argument))
+    wanted = _in_radians(step, value)
+    found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio.left.function](angle)
+    if not _equal(step, found, wanted):
+        return False
+    low, high, closed = _range_of(step, ratio.left.argument)
+    if low is None or high is None:
+        return False
+    if not _only_there(ratio.left.function, low, high):
+        return False
+    inside = [compared(low, "<=" if closed else "<", angle), compared(angle, "<=" if closed else "<", high)]
+    oracle = Oracle(step.roles)
+    return all(oracle.decide(each).answer == "proved" for each in inside)
+
+
+def _is_multiple_of(step: Step, link: Link, argument: Expression) -> bool:
+    a, b = step.world.turn(link.left), step.world.turn(argument)
+    return bool(a.terms) and len(a.terms) == len(b.terms) == 1 and a.terms[0][0] == b.terms[0][0]
+
+
+def _scaled_angle(step: Step, link: Link, argument: Expression) -> Expression:
+    if link.left == argument:
+        return link.right
+    a, b = step.world.turn(link.left), step.world.turn(argument)
+    factor = b.terms[0][1] / a.terms[0][1]
+    scaled = Binary("*", _number(factor), link.right)
+    shift = b.degrees - a.degrees * factor
+    return scaled if not shift else Binary("+", scaled, Degrees(shift))
+
+
+def _number(value: Fraction) -> Expression:
+    if value < 0:
+        return Negate(_number(-value))
+    if value.denominator == 1:
+        return Number(value)
+    return Binary("/", Number(Fraction(value.numerator)), Number(Fraction(value.denominator)))
+
+
+def _in_radians(step: Step, tree: Expression) -> sp.Expr:
+    value = step.world.scalar(tree)
+    return step.world.expression(value, step.setting.roles)
+
+
+def _equal(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
+    oracle = Oracle(step.setting.roles)
+    return oracle.decide(Claim(a - b, "=")).answer == "proved"
+
+
+def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
+    """The range of an angle, as it is cited."""
+    turn = step.world.turn(angle)
+    if turn.degrees or len(turn.terms) != 1:
+        return None, None, False
+    ((atom, count),) = turn.terms
+    acute = any(
+        isinstance(each.relation, Relation) and each.ref.startswith("acute")
+        for each in step.known
+        if atom in {t for links in each.relation.options for x in links for t in walk(x.left)}
+    )
+    if acute:
+        return sp.Integer(0), sp.pi / 2, False
+    role = step.setting.roles.get(getattr(atom, "name", ""))
+    cited = any(getattr(atom, "name", "") in each.letters for each in step.known)
+    if role is None or role.low is None or role.high is None or not cited:
+        return None, None, False
+    factor = sp.Rational(count.numerator, count.denominator)
+    ends = sorted((role.low * factor, role.high * factor))
+    return ends[0], ends[1], any(role.closed)
+
+
+def _only_there(function: str, low: sp.Expr, high: sp.Expr) -> bool:
+    """Whether a ratio has no more than one angle in a range."""
+    if function == "cos":
+        return bool(low >= 0 and high <= sp.pi)
+    return bool(low >= -sp.pi / 2 and high <= sp.pi / 2)
+
+
+def _value(step: Step, relation: Relation) -> bool:
+    """A decimal of what is exact: within half a unit of its last place."""
+    base = _base(step)
+    if base is None or len(relation.options) != 1 or len(relation.only) != 1:
+        return False
+    (link,) = relation.only
+    exact = _ends(base.only)
+    if link.sign != "≈" or exact is None or link.left != exact.left:
+        return False
+    printed = _decimal(link.right)
+    value = _in_radians(step, exact.right)
+    if printed is None or value.free_symbols:
+        return False
+    number, unit = printed
+    if isinstance(link.right, Degrees):
+        value = value * 180 / sp.pi
+    gap = sp.Abs(value - sp.Rational(number.numerator, number.denominator))
+    half = sp.Rational(unit.numerator, unit.denominator * 2)
+    return Oracle({}).decide(compared(gap, "<=", half)).answer == "proved"
+
+
+def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
+    """A decimal and the unit of its last place."""
+    negative = isinstance(tree, Negate)
+    own = tree.operand if isinstance(tree, Negate) else tree
+    if not isinstance(own, Number | Degrees):
+        return None
+    value, places = own.value, 0
+    while (value * 10**places).denominator != 1:
+        places += 1
+        if places > 30:
+            return None
+    return (-value if negative else value), Fraction(1, 10**places)
+
+
+def _as_it_stands(step: Step, relation: Relation) -> bool:
+    """The answer of an item: what the line before it says."""
+    base = _base(step)
+    return base is not None and len(step.cited) == 1 and (
+        relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
+    )
+
+
+_WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
+    "triangle": _triangle,
+    "roots": _roots,
+    "reject": _reject,
+    "sign": _sign,
+    "compare": _sign,
+    "monotone": _monotone,
+    "complete": _complete,
+    "inverse": _inverse,
+    "value": _value,
+    "answer": _as_it_stands,
+    "shown": _as_it_stands,
+}
+
+__all__ = ["FLIPPED", "Formula", "Record", "follows", "negation"]

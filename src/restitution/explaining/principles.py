@@ -1,0 +1,385 @@
+"""Principles, definitions and identities as records: what each says, what it gives, what it costs.
+
+A template is text in the language of statements. In it X is the body that a move names first and Y
+the second, F and S are the first and the second body of the event (for a wall, S is the wall), 0
+is the stage before the event, and 1 the event and the stage after it. What a record is called, why
+it holds, and the usual mistakes stand among the sentences, under the id of the record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+from restitution.explaining.derivation import Event, Relation
+from restitution.explaining.notation import read_relation
+from restitution.explaining.trees import renamed
+
+AXIS = "line_of_centres(1)"
+
+
+def _c(body: str, stage: int) -> str:
+    """The component along the line of centres, or into the wall."""
+    return f"along(velocity({body}, {stage}), {AXIS})"
+
+
+def _s(body: str, stage: int) -> str:
+    """The component across the line of centres, or parallel to the wall."""
+    return f"across(velocity({body}, {stage}), {AXIS})"
+
+
+def _square(body: str, stage: int) -> str:
+    return f"({_c(body, stage)}^2 + {_s(body, stage)}^2)"
+
+
+@dataclass(frozen=True)
+class Record:
+    """A principle, a definition or an identity.
+
+    ``templates`` are its forms, of which a line takes one. ``where`` tells at which impacts it
+    holds; ``gives`` the kinds of quantity for which it is read, ``cost`` what a line of it costs a
+    reader, ``marks`` the points it earns. ``acute`` tells that the left side is of an acute angle,
+    so that the right side is taken positive.
+    """
+
+    id: str
+    kind: Literal["principle", "definition", "identity"]
+    templates: tuple[str, ...] = ()
+    where: Literal["wall", "spheres", "impact", "any"] = "any"
+    gives: tuple[str, ...] = ()
+    cost: float = 1.0
+    marks: tuple[str, ...] = ()
+    acute: bool = False
+
+    def serves(self, event: Event | None) -> bool:
+        """Whether the record is about such an event."""
+        if self.where == "any":
+            return True
+        if event is None or event.kind != "impact":
+            return False
+        return self.where == "impact" or (self.where == "wall") == event.wall
+
+    def relations(self, event: Event | None, bodies: tuple[str, ...]) -> tuple[Relation, ...]:
+        """What the record says of some bodies in an event, in each of its forms.
+
+        Forms that speak of more bodies than there are are left out.
+        """
+        return _relations(self.templates, event, bodies)
+
+
+@cache
+def _read(template: str) -> Relation:
+    return read_relation(template, dict.fromkeys(("X", "Y", "F", "S"), "sphere"))
+
+
+@cache
+def _relations(
+    templates: tuple[str, ...], event: Event | None, bodies: tuple[str, ...]
+) -> tuple[Relation, ...]:
+    put = dict(zip(("X", "Y"), bodies, strict=False))
+    if event is not None:
+        put |= dict(zip(("F", "S"), event.bodies, strict=False))
+    number = 1 if event is None else event.number
+    found = (renamed(_read(each), put, number) for each in templates)
+    return tuple(each for each in found if each is not None)
+
+
+PRINCIPLES = (
+    Record(
+        "unchanged",
+        "principle",
+        (f"{_s('X', 1)} = {_s('X', 0)}",),
+        "impact",
+        ("across",),
+        1,
+        ("B",),
+    ),
+    Record(
+        "restitution-wall",
+        "principle",
+        (f"{_c('X', 1)} = -restitution(1) {_c('X', 0)}",),
+        "wall",
+        ("along", "restitution"),
+        1,
+        ("B",),
+    ),
+    Record(
+        "momentum",
+        "principle",
+        (
+            f"mass(F) {_c('F', 0)} + mass(S) {_c('S', 0)}"
+            f" = mass(F) {_c('F', 1)} + mass(S) {_c('S', 1)}",
+        ),
+        "spheres",
+        ("along", "mass"),
+        2,
+        ("M", "A"),
+    ),
+    Record(
+        "restitution",
+        "principle",
+        (f"{_c('S', 1)} - {_c('F', 1)} = restitution(1) ({_c('F', 0)} - {_c('S', 0)})",),
+        "spheres",
+        ("along", "restitution"),
+        2,
+        ("M", "A"),
+    ),
+    Record(
+        "momentum-vector",
+        "principle",
+        (
+            "mass(F) velocity(F, 0) + mass(S) velocity(S, 0)"
+            " = mass(F) velocity(F, 1) + mass(S) velocity(S, 1)",
+        ),
+        "spheres",
+        ("velocity", "mass"),
+        2,
+        ("M", "A"),
+    ),
+    Record(
+        "impulse-vector",
+        "principle",
+        ("impulse(X, 1) = mass(X) (velocity(X, 1) - velocity(X, 0))",),
+        "any",
+        ("impulse", "velocity", "line_of_centres"),
+        2,
+        ("M", "A"),
+    ),
+    Record(
+        "opposite-impulses",
+        "principle",
+        ("impulse(S, 1) = -impulse(F, 1)",),
+        "spheres",
+        ("impulse",),
+        1,
+    ),
+    Record(
+        "impulse",
+        "principle",
+        (
+            f"impulse(1) = mass(F) ({_c('F', 0)} - {_c('F', 1)})",
+            f"impulse(1) = mass(S) ({_c('S', 1)} - {_c('S', 0)})",
+            f"along(impulse(X, 1), {AXIS}) = mass(X) ({_c('X', 1)} - {_c('X', 0)})",
+        ),
+        "impact",
+        ("impulse", "along", "mass"),
+        2,
+        ("M", "A"),
+    ),
+    Record(
+        "across-the-impulse",
+        "principle",
+        (f"{AXIS} parallel to impulse(X, 1)",),
+        "impact",
+        ("line_of_centres",),
+        1,
+        ("M", "A"),
+    ),
+    Record(
+        "along-the-change",
+        "principle",
+        (f"{AXIS} parallel to velocity(X, 1) - velocity(X, 0)",),
+        "impact",
+        ("line_of_centres",),
+        1,
+        ("M", "A"),
+    ),
+    Record(
+        "equal-across",
+        "principle",
+        (
+            "dot(velocity(X, 1), direction(S)) = dot(velocity(X, 0), direction(S))",
+            f"dot(velocity(X, 1) - velocity(X, 0), direction(S)) = 0",  # noqa: F541
+        ),
+        "wall",
+        ("direction",),
+        1.5,
+        ("M", "A"),
+    ),
+)
+
+DEFINITIONS = (
+    Record("component", "definition", gives=("along", "across"), cost=1.5, marks=("M", "A")),
+    Record("assemble", "definition", gives=("velocity",), cost=1.5, marks=("M", "A")),
+    Record(
+        "tan",
+        "definition",
+        (
+            f"tan(angle(velocity(X, 1), {AXIS})) = {_s('X', 1)}/{_c('X', 1)}",
+            f"tan(angle(velocity(X, 0), {AXIS})) = {_s('X', 0)}/{_c('X', 0)}",
+            f"tan(angle(velocity(X, 1), S)) = {_c('X', 1)}/{_s('X', 1)}",
+            f"tan(angle(velocity(X, 0), S)) = {_c('X', 0)}/{_s('X', 0)}",
+            "tan(angle(velocity(X, 1), i)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",
+            "tan(angle(velocity(X, 1), j)) = along(velocity(X, 1), i)/along(velocity(X, 1), j)",
+        ),
+        gives=("angle",),
+        marks=("M",),
+        acute=True,
+    ),
+    Record(
+        "tan-direction",
+        "definition",
+        ("tan(direction(X, 1)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",),
+        gives=("direction",),
+        marks=("M",),
+    ),
+    Record(
+        "tan-deflection",
+        "definition",
+        (
+            f"tan(deflection(X, 1)) = ({_c('X', 0)} {_s('X', 1)} - {_s('X', 0)} {_c('X', 1)})"
+            f"/({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})",
+        ),
+        gives=("deflection",),
+        cost=2,
+        marks=("M",),
+        acute=True,
+    ),
+    Record(
+        "speed",
+        "definition",
+        (
+            f"speed(X, 1)^2 = {_square('X', 1)}",
+            f"speed(X, 0)^2 = {_square('X', 0)}",
+            "speed(X, 1)^2 = dot(velocity(X, 1), velocity(X, 1))",
+            "speed(X, 0)^2 = dot(velocity(X, 0), velocity(X, 0))",
+            f"speed(X, 1) = sqrt{_square('X', 1)}",
+            f"speed(X, 0) = sqrt{_square('X', 0)}",
+            "speed(X, 1) = abs(velocity(X, 1))",
+            "speed(X, 0) = abs(velocity(X, 0))",
+        ),
+        gives=("speed",),
+        cost=1.5,
+        marks=("M", "A"),
+    ),
+    Record(
+        "size",
+        "definition",
+        ("impulse(1) = abs(impulse(X, 1))", "impulse(1) = abs(impulse(F, 1))"),
+        gives=("impulse",),
+        marks=("M", "A"),
+    ),
+    Record(
+        "energy",
+        "definition",
+        (
+            "energy(X, 1) = 1/2 mass(X) speed(X, 1)^2",
+            "energy(X, 0) = 1/2 mass(X) speed(X, 0)^2",
+            f"energy(X, 1) = 1/2 mass(X) {_square('X', 1)}",
+            f"energy(X, 0) = 1/2 mass(X) {_square('X', 0)}",
+            "energy(X, 1) = 1/2 mass(X) dot(velocity(X, 1), velocity(X, 1))",
+            "energy(X, 0) = 1/2 mass(X) dot(velocity(X, 0), velocity(X, 0))",
+        ),
+        gives=("energy",),
+        cost=1.2,
+        marks=("M",),
+    ),
+    Record(
+        "energy-ratio",
+        "definition",
+        ("energy(X, 1)/energy(X, 0) = speed(X, 1)^2/speed(X, 0)^2",),
+        gives=("energy",),
+        cost=1.2,
+        marks=("M",),
+    ),
+    # The energies of all spheres: the terms are those of the spheres that there are.
+    Record("total", "definition", gives=("energy",), cost=2.4, marks=("M",)),
+    Record(
+        "energy-lost", "definition", where="impact", gives=("energy_lost",), cost=2.5, marks=("M",)
+    ),
+    Record(
+        "perpendicular",
+        "definition",
+        (
+            f"{_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)} = 0",
+            f"{_c('X', 1)} {_c('Y', 1)} + {_s('X', 1)} {_s('Y', 1)} = 0",
+            "dot(velocity(X, 0), velocity(X, 1)) = 0",
+            "dot(velocity(X, 1), velocity(Y, 1)) = 0",
+        ),
+        gives=("along", "across"),
+        marks=("M",),
+    ),
+    Record(
+        "parallel",
+        "definition",
+        (
+            f"{_c('X', 1)} {_s('Y', 1)} = {_s('X', 1)} {_c('Y', 1)}",
+            f"{_c('X', 0)} {_s('X', 1)} = {_s('X', 0)} {_c('X', 1)}",
+            f"{_c('X', 1)} = 0",
+            f"{_s('X', 1)} = 0",
+        ),
+        gives=("along", "across"),
+        marks=("M",),
+    ),
+    Record(
+        "scalar-angle",
+        "definition",
+        (
+            "cos(deflection(X, 1)) = dot(velocity(X, 0), velocity(X, 1))"
+            "/(abs(velocity(X, 0)) abs(velocity(X, 1)))",
+            "cos(angle(velocity(X, 1), velocity(Y, 1))) = dot(velocity(X, 1), velocity(Y, 1))"
+            "/(abs(velocity(X, 1)) abs(velocity(Y, 1)))",
+            f"cos(angle(velocity(X, 1), {AXIS})) = {_c('X', 1)}/sqrt{_square('X', 1)}",
+            f"cos(angle(velocity(X, 0), {AXIS})) = {_c('X', 0)}/sqrt{_square('X', 0)}",
+            f"cos(deflection(X, 1)) = ({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
+            f"/(sqrt{_square('X', 0)} sqrt{_square('X', 1)})",
+        ),
+        gives=("angle", "deflection"),
+        cost=3,
+        marks=("M", "A"),
+    ),
+    Record(
+        "sum",
+        "definition",
+        (
+            "deflection(X, 1) = angle(velocity(X, 0), S) + angle(velocity(X, 1), S)",
+            f"deflection(X, 1) = angle(velocity(X, 0), {AXIS}) + angle(velocity(X, 1), {AXIS})",
+        ),
+        gives=("deflection",),
+        marks=("M",),
+    ),
+    Record(
+        "difference",
+        "definition",
+        (
+            f"deflection(X, 1) = angle(velocity(X, 1), {AXIS}) - angle(velocity(X, 0), {AXIS})",
+            f"deflection(X, 1) = angle(velocity(X, 0), {AXIS}) - angle(velocity(X, 1), {AXIS})",
+            "energy_lost(1) = energy(0) - energy(1)",
+        ),
+        gives=("deflection", "energy_lost"),
+        cost=2,
+        marks=("M",),
+    ),
+    Record(
+        "momentum-of",
+        "definition",
+        ("momentum(X, 1) = mass(X) velocity(X, 1)", "momentum(X, 0) = mass(X) velocity(X, 0)"),
+        gives=("momentum",),
+        marks=("M",),
+    ),
+    Record(
+        "straight-line",
+        "definition",
+        (
+            "position(X, 1) - position(X, 0) = velocity(X, 0) (time(1) - time(0))",
+            *(
+                f"along(position(X, 1), {axis}) - along(position(X, 0), {axis})"
+                f" = along(velocity(X, 0), {axis}) (time(1) - time(0))"
+                for axis in "ij"
+            ),
+            "(along(position(X, 1), j) - along(position(X, 0), j)) along(velocity(X, 0), i)"
+            " = (along(position(X, 1), i) - along(position(X, 0), i)) along(velocity(X, 0), j)",
+        ),
+        gives=("position", "time"),
+        marks=("M",),
+    ),
+)
+
+IDENTITIES = tuple(
+    Record(id, "identity")
+    for id in ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
+)
+
+RECORDS: Mapping[str, Record] = {each.id: each for each in (*PRINCIPLES, *DEFINITIONS, *IDENTITIES)}

@@ -1,0 +1,146 @@
+"""Values put in: what is cited of a letter or a quantity takes its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sympy.polys.rings import PolyElement
+
+from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value, World
+from restitution.expression.tree import Expression
+
+
+@dataclass
+class Rules:
+    """Values for generators: what is cited with a letter or a quantity on its left side."""
+
+    world: World
+    found: list[tuple[int, int, Quotient]] = field(default_factory=list)
+
+    def add(self, left: Expression, right: Expression, sense: int = 1) -> None:
+        """Take up ``left = right`` (times the sense) where the left side is a subject."""
+        try:
+            own, value = self.world.value(left), self.world.value(right)
+        except NotComparableError:
+            return
+        if isinstance(own, Plane):
+            if isinstance(value, Quotient) and value.vanishes:
+                value = Plane(value, value)
+            if isinstance(value, Plane):
+                self._add(own.x, value.x)
+                self._add(own.y, value.y)
+        elif isinstance(value, Quotient):
+            self._add(own, value * CONSTANT(sense))
+
+    def _add(self, own: Quotient, value: Quotient) -> None:
+        own, value = self.put_into(own), self.put_into(value)  # type: ignore[assignment]
+        pivot = self._pivot(own)
+        if pivot is None:
+            return
+        number, power = pivot
+        # own = c g^p + rest over below; so g^p = (value − rest/below) below/c
+        lead = {m: v for m, v in own.above.items() if m[number]}
+        rest = {m: v for m, v in own.above.items() if not m[number]}
+        ring = own.above.ring
+        factor = ring.from_dict({_without_power(m, number): v for m, v in lead.items()})
+        other = Quotient(ring.from_dict(rest), own.below)
+        result = (value - other) * Quotient(own.below, factor)
+        if _uses(result, number):
+            return
+        self.found = [
+            (n, p, self._once(each, number, power, result)) for n, p, each in self.found
+        ]
+        self.found.append((number, power, self.world.reduced(result)))
+
+    def _pivot(self, own: Quotient) -> tuple[int, int] | None:
+        keys = self.world.keys(own.above)
+        powers = {
+            n: {m[n] for m in own.above if m[n]} for n in keys if keys[n][0] not in ("root", "size")
+        }
+        single = len(own.above) == 1
+        for n, key in keys.items():
+            if n not in powers or len(powers[n]) != 1:
+                continue
+            (power,) = powers[n]
+            others = [k for k in keys.values() if k != key]
+            if single and (not others or key[0] == "sin"):
+                return n, power
+            vector = key[0] in ("x", "y") and all(k[0] in ("x", "y", "root") for k in others)
+            if not single and vector and power == 1 and own.below.is_ground:
+                return n, power
+        return None
+
+    def complete(self) -> None:
+        """Where the sine of an angle is a multiple of its cosine, put in its cosine too.
+
+        It is for identities: from sin²+ cos² = 1, the square of the cosine is 1/(1 + tan²).
+        """
+        for number, power, result in list(self.found):
+            key = self.world.keys_by_number().get(number)
+            if key is None or key[0] != "sin" or power != 1:
+                continue
+            cosine = self.world.generator(("cos", key[1]))
+            (own,) = (n for m in cosine.above for n, p in enumerate(m) if p)
+            tangent = result / cosine
+            if not _uses(tangent, own):
+                square = CONSTANT(1) / (CONSTANT(1) + tangent * tangent)
+                self.found.append((own, 2, square))
+
+    def put_into(self, value: Value) -> Value:
+        """A value with what is cited put in."""
+        if isinstance(value, Plane):
+            return Plane(self._into(value.x), self._into(value.y))
+        return self._into(value)
+
+    def _into(self, value: Quotient) -> Quotient:
+        for number, power, result in self.found:
+            value = self._once(value, number, power, result)
+        return self.world.reduced(value)
+
+    def _once(self, value: Quotient, number: int, power: int, result: Quotient) -> Quotient:
+        if not _uses(value, number):
+            return value
+        above = _substituted(value.above, number, power, result)
+        below = _substituted(value.below, number, power, result)
+        if below.vanishes:
+            raise NotComparableError("a line divides by zero")
+        if self.world.printed:
+            self.world.denominators.append(below.above)
+        return self.world.reduced(above / below)
+
+    def uses(self, *trees: Expression) -> bool:
+        """Whether anything is put into some trees."""
+        numbers = {number for number, _, _ in self.found}
+        values = [self.world.value(each) for each in trees]
+        parts = [q for v in values for q in ((v.x, v.y) if isinstance(v, Plane) else (v,))]
+        return any(_uses(each, n) for each in parts for n in numbers)
+
+
+def _uses(value: Quotient, number: int) -> bool:
+    return any(m[number] for m in value.above) or any(m[number] for m in value.below)
+
+
+def _without_power(monomial: tuple[int, ...], number: int) -> tuple[int, ...]:
+    return (*monomial[:number], 0, *monomial[number + 1 :])
+
+
+def _substituted(
+    polynomial: PolyElement, number: int, power: int, result: Quotient
+) -> Quotient:
+    """A polynomial with g^power put in, as often as it goes."""
+    ring = polynomial.ring
+    by_times: dict[int, PolyElement] = {}
+    for monomial, coefficient in polynomial.items():
+        times, left = divmod(monomial[number], power)
+        rest = (*monomial[:number], left, *monomial[number + 1 :])
+        by_times[times] = by_times.get(times, ring.zero) + ring.from_dict({rest: coefficient})
+    most = max(by_times, default=0)
+    above = ring.zero
+    for times, rest in by_times.items():
+        above = above + rest * _power(result.above, times) * _power(result.below, most - times)
+    return Quotient(above, ring.one) / Quotient(_power(result.below, most), ring.one)
+
+
+def _power(polynomial: PolyElement, times: int) -> PolyElement:
+    """A power, of which SymPy knows none of zero to the power of zero."""
+    return polynomial**times if times else polynomial.ring.one

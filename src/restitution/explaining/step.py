@@ -1,0 +1,370 @@
+"""One line and what it cites: values to put in, directions, angles, and what is known of signs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.algebra import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    Value,
+    World,
+)
+from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation
+from restitution.explaining.notation import read_tree
+from restitution.explaining.rules import Rules
+from restitution.explaining.signs import Signs, ratio
+from restitution.explaining.trees import settled
+from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, walk
+from restitution.oracle import All, Formula, Oracle, Some, compared, joined
+from restitution.oracle.roles import REAL, Role
+
+@dataclass(frozen=True)
+class Cited:
+    """A premise that is on paper: a line or a fact."""
+
+    ref: int | str
+    relation: Relation | Meaning
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of letters, and cited: a relation that holds by their roles."""
+
+    ref: str
+    relation: Relation
+    letters: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all lines of a working share: the roles of letters, events, and letters introduced."""
+
+    roles: Mapping[str, Role]
+    events: tuple[Event, ...] = ()
+    meanings: Mapping[str, Meaning] = field(default_factory=dict)
+    names: Mapping[str, str] = field(default_factory=dict)
+
+    def event(self, number: int | None) -> Event | None:
+        """The event with a number."""
+        return next((each for each in self.events if each.number == number), None)
+
+    def settled(self, link: Link) -> Link:
+        """A link in which velocities have the number of the last event that changed them."""
+        left, right = (settled(each, self.events) for each in (link.left, link.right))
+        return Link(left, link.sign, right, link.by)
+
+    def tree(self, text: str) -> Expression:
+        """The tree of a text, such as what a move eliminates."""
+        return settled(read_tree(text, self.names), self.events)
+
+    @cached_property
+    def angles(self) -> frozenset[str]:
+        """The letters that are angles."""
+        by_role = {name for name, role in self.roles.items() if role.kind == "angle"}
+        return frozenset(by_role | {n for n, m in self.meanings.items() if _is_angle(m)})
+
+    @cached_property
+    def vectors(self) -> frozenset[str]:
+        """The letters that are vectors."""
+        return frozenset(name for name, each in self.meanings.items() if each.vector)
+
+    @cached_property
+    def silent(self) -> Mapping[str, Role]:
+        """What may be used of letters without a word: that masses, speeds, lengths are positive."""
+        return {n: role if role.kind == "positive" else REAL for n, role in self.roles.items()}
+
+    @cached_property
+    def spheres(self) -> tuple[str, ...]:
+        """The names of the spheres."""
+        return tuple(name for name, kind in self.names.items() if kind == "sphere")
+
+
+def _is_angle(meaning: Meaning) -> bool:
+    return meaning.angle is not None or (
+        isinstance(meaning.quantity, Quantity)
+        and meaning.quantity.kind in ("angle", "deflection", "direction")
+        and not meaning.vector
+    )
+
+
+@dataclass
+class Step:
+    """One line and what it cites: the room in which a move is judged."""
+
+    setting: Setting
+    move: Move
+    cited: tuple[Cited, ...]
+    known: tuple[Known, ...]
+    opaque: frozenset[Expression] = frozenset()
+    identities: frozenset[Any] = frozenset()
+
+    # --- the world of what is cited -------------------------------------------------------------
+
+    @cached_property
+    def links(self) -> list[Link]:
+        """The relations that are cited without alternatives."""
+        return [
+            link
+            for each in self.cited
+            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+            for link in each.relation.only
+        ]
+
+    @cached_property
+    def lets(self) -> list[Meaning]:
+        """The meanings that are cited."""
+        return [each.relation for each in self.cited if isinstance(each.relation, Meaning)]
+
+    @cached_property
+    def world(self) -> World:
+        """The generators, with the directions and the angles that are cited."""
+        world = World(
+            self.setting.roles,
+            self.setting.vectors,
+            self.setting.angles,
+            dict(self._directions()),
+            {},
+            self.identities,
+            self.opaque,
+        )
+        world.turns = dict(self._turns(world))
+        return world
+
+    def _directions(self) -> Iterator[tuple[Expression, Expression]]:
+        for meaning in self.lets:
+            if meaning.vector:
+                yield from self._axis_of(meaning.quantity)
+                yield meaning.quantity, Letter(meaning.letter)
+        for link in self.links:
+            if link.sign == "=":
+                yield from self._axis_of(link.left)
+        for link in self.links:
+            if link.sign not in ("=", "parallel to"):
+                continue
+            for left, right in ((link.left, link.right), (link.right, link.left)):
+                if isinstance(left, Name) and link.sign == "parallel to":
+                    left = Quantity("direction", (left,))
+                if _is_direction(left, self.setting) and left not in self.opaque:
+                    yield left, right
+                    break
+
+    def _axis_of(self, quantity: Expression) -> Iterator[tuple[Expression, Expression]]:
+        """The line of centres by an impulse: on the second body along it, on the first against."""
+        match quantity:
+            case Quantity("impulse", (Name(body),), int(stage)):
+                event = self.setting.event(stage)
+                axis = Quantity("line_of_centres", (), stage)
+                if event is not None and axis not in self.opaque:
+                    yield axis, Negate(quantity) if body == event.bodies[0] else quantity
+
+    def _turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
+        for meaning in self.lets:
+            if _is_angle(meaning):
+                yield meaning.quantity, Letter(meaning.letter)
+        for link in self.links:
+            if link.sign != "=" or link.left in self.opaque:
+                continue
+            if isinstance(link.left, Letter | Quantity) and world.is_angle(link.left):
+                if link.left not in set(walk(link.right)):
+                    yield link.left, link.right
+
+    # --- values put in --------------------------------------------------------------------------
+
+    def rules(self, cited: Iterable[Cited] | None = None) -> Rules:
+        """What is cited as values: of a letter or a quantity by a number or other letters."""
+        rules = Rules(self.world)
+        for each in self.cited if cited is None else cited:
+            if isinstance(each.relation, Meaning):
+                meaning = each.relation
+                rules.add(meaning.quantity, Letter(meaning.letter), self._sense(meaning))
+            elif len(each.relation.options) == 1:
+                for left, right in _values(each.relation.only):
+                    rules.add(left, right)
+        return rules
+
+    def _sense(self, meaning: Meaning) -> int:
+        """−1 where a component is counted against the direction in which it is taken."""
+        if meaning.sense is None or not isinstance(meaning.quantity, Quantity):
+            return 1
+        axis = meaning.quantity.arguments[-1]
+        if meaning.sense == axis:
+            return 1
+        if Negate(axis) == meaning.sense or Negate(meaning.sense) == axis:
+            return -1
+        a, b = self.world.direction(axis), self.world.direction(meaning.sense)
+        if a is None or b is None:
+            raise NotComparableError("the sense of a letter")
+        product_ = self.world.reduced(a.x * b.x + a.y * b.y)
+        return -1 if self.signs.of(product_) == -1 else 1
+
+    # --- what is known of signs -----------------------------------------------------------------
+
+    @cached_property
+    def roles(self) -> Mapping[str, Role]:
+        """What each letter may be: nothing beyond what is silent or cited."""
+        roles = dict(self.setting.silent)
+        for each in self.known:
+            for name in each.letters:
+                if self.setting.roles.get(name, REAL).kind == "angle":
+                    roles[name] = self.setting.roles[name]
+        for name, meaning in self.setting.meanings.items():
+            if name in roles:
+                continue
+            if any(each.letter == name for each in self.lets) and _never_negative(meaning.quantity):
+                roles[name] = Role("real", sp.Integer(0), None, (True, False))
+        return roles
+
+    def formula(self, relation: Relation) -> Formula:
+        """A relation for the oracle."""
+        options = [
+            joined(formula for link in links for formula in self._formulas(link))
+            for links in relation.options
+        ]
+        return options[0] if len(options) == 1 else Some(tuple(options))
+
+    def _formulas(self, link: Link) -> list[Formula]:
+        world = self.world
+        if link.sign in ("parallel to", "perpendicular to", "≈"):
+            return []
+        left, right = world.value(link.left), world.value(link.right)
+        if isinstance(left, Plane) and isinstance(right, Plane):
+            pairs = [(left.x, right.x), (left.y, right.y)]
+        elif isinstance(left, Plane) or isinstance(right, Plane):
+            raise NotComparableError("a vector beside a number")
+        else:
+            pairs = [(left, right)]
+        return [
+            compared(world.expression(a, self.roles), link.sign, world.expression(b, self.roles))
+            for a, b in pairs
+        ]
+
+    @cached_property
+    def facts(self) -> tuple[Formula, ...]:
+        """What is cited, as facts for the oracle."""
+        found: list[Formula] = []
+        for each in self.cited:
+            if isinstance(each.relation, Meaning):
+                found += self._of_meaning(each.relation)
+            else:
+                found.append(self.formula(each.relation))
+        for known in self.known:
+            if not all(self.roles.get(n, REAL).kind == "angle" for n in known.letters):
+                found.append(self.formula(known.relation))
+        return tuple(each for each in found if each != All(()))
+
+    def _of_meaning(self, meaning: Meaning) -> list[Formula]:
+        if meaning.vector or _is_angle(meaning):
+            return []
+        return self._formulas(Link(Letter(meaning.letter), "=", meaning.quantity))
+
+    @cached_property
+    def oracle(self) -> Oracle:
+        """The oracle, under what is cited."""
+        return Oracle(self.roles, self.facts)
+
+    @cached_property
+    def _plain_oracle(self) -> Oracle:
+        return Oracle(self.roles)
+
+    @cached_property
+    def signs(self) -> Signs:
+        """The signs of factors, under what is cited."""
+        return Signs(self.world, lambda: self.oracle)
+
+    # --- comparing ------------------------------------------------------------------------------
+
+    def residual(self, link: Link, rules: Rules | None = None) -> Value:
+        """Left minus right, with values put in."""
+        left, right = self.world.value(link.left), self.world.value(link.right)
+        if isinstance(left, Plane) != isinstance(right, Plane):
+            plane, other = (left, right) if isinstance(left, Plane) else (right, left)
+            if not (isinstance(other, Quotient) and other.vanishes):
+                raise NotComparableError("a vector beside a number")
+            zero = Plane(CONSTANT(0), CONSTANT(0))
+            left, right = (plane, zero) if plane is left else (zero, plane)
+        if isinstance(left, Plane) and isinstance(right, Plane):
+            value: Value = Plane(left.x - right.x, left.y - right.y)
+        else:
+            assert isinstance(left, Quotient) and isinstance(right, Quotient)
+            value = left - right
+        return value if rules is None else rules.put_into(value)
+
+    def is_multiple(self, line: Value, expected: Value, sign: bool = False) -> int | None:
+        """1 or −1 where a residual is k times the expected one, with k of that sign.
+
+        Where ``sign`` is not asked for, it is enough that k is not zero, and 1 is the answer.
+        """
+        k = self._multiple(line, expected)
+        if k is None:
+            return None
+        found = self.signs.of(k, sure=sign)
+        if found is None or (sign and found == 0):
+            return None
+        return found or 1
+
+    def _multiple(self, line: Value, expected: Value) -> Quotient | None:
+        if isinstance(line, Plane) and isinstance(expected, Plane):
+            pairs = [(line.x, expected.x), (line.y, expected.y)]
+            if any(a.vanishes != b.vanishes for a, b in pairs):
+                return None
+            pairs = [(a, b) for a, b in pairs if not b.vanishes]
+            if not pairs:
+                return None
+            if len(pairs) == 2:
+                (a, b), (c, d) = pairs
+                if not self.world.reduced(a * d - c * b).vanishes:
+                    return None
+            return ratio(self.world, *pairs[0])
+        if isinstance(line, Plane) or isinstance(expected, Plane):
+            return None
+        return ratio(self.world, line, expected)
+
+    def under(self, **changes: Any) -> Step:
+        """The same line in another world."""
+        return replace(self, **changes)
+
+
+def _values(links: Sequence[Link]) -> Iterator[tuple[Expression, Expression]]:
+    """The values that a relation gives: of a chain of equations, the last side of its first."""
+    subject, last = None, None
+    for link in links:
+        if link.sign != "=":
+            subject = None
+            continue
+        if subject is not None and link.left == last:
+            last = link.right
+            continue
+        if subject is not None:
+            assert last is not None
+            yield subject, last
+        subject, last = link.left, link.right
+    if subject is not None:
+        assert last is not None
+        yield subject, last
+
+
+def _is_direction(tree: Expression, setting: Setting) -> bool:
+    match tree:
+        case Quantity("line_of_centres", _):
+            return True
+        case Quantity("direction", (Name(name),), None):
+            return setting.names.get(name) == "wall"
+        case Quantity("impulse", (_,)):
+            return True
+        case Letter(name):
+            return name in setting.vectors
+    return False
+
+
+def _never_negative(quantity: Expression) -> bool:
+    return isinstance(quantity, Quantity) and (
+        quantity.kind in ("speed", "distance", "energy") or quantity == Quantity("impulse")
+    )

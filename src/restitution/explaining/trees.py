@@ -1,0 +1,101 @@
+"""Trees of lines rebuilt: other names, other stages, one form for what is the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, replace
+
+from restitution.explaining.derivation import Event, Link, Meaning, Relation
+from restitution.expression.tree import AtTime, Expression, Letter, Name, Quantity, walk
+
+# Of these, a stage after an event in which a body took no part is the stage before it.
+_LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
+
+
+def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
+    """A tree with each node changed, innermost first."""
+    put = {}
+    for each in fields(tree):
+        if each.name == "place":
+            continue
+        value = getattr(tree, each.name)
+        new = _rebuilt(value, change)
+        if new is not value:
+            put[each.name] = new
+    return change(replace(tree, **put) if put else tree)
+
+
+def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> object:
+    if isinstance(value, tuple):
+        new = tuple(_rebuilt(each, change) for each in value)
+        return new if any(a is not b for a, b in zip(new, value, strict=True)) else value
+    if isinstance(value, AtTime):
+        time = rebuilt(value.time, change)
+        return value if time is value.time else AtTime(time)
+    return rebuilt(value, change) if isinstance(value, Expression) else value
+
+
+def of_relation(relation: Relation, change: Callable[[Expression], Expression]) -> Relation:
+    """A relation with each node of its trees changed."""
+    return Relation(
+        tuple(
+            tuple(
+                Link(rebuilt(each.left, change), each.sign, rebuilt(each.right, change), each.by)
+                for each in links
+            )
+            for links in relation.options
+        )
+    )
+
+
+def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
+    """The trees of a relation, or of a meaning."""
+    if isinstance(relation, Meaning):
+        yield Letter(relation.letter)
+        yield relation.quantity
+        return
+    for links in relation.options:
+        for each in links:
+            yield each.left
+            yield each.right
+
+
+def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relation | None:
+    """A template for an event: its bodies by name, and its stages by number.
+
+    None where it speaks of a body for which there is no name.
+    """
+    wanted = {each.name for tree in trees_of(relation) for each in walk(tree) if _named(each)}
+    if not wanted <= names.keys():
+        return None
+
+    def change(tree: Expression) -> Expression:
+        if isinstance(tree, Name):
+            return Name(names[tree.name])
+        if isinstance(tree, Quantity) and isinstance(tree.stage, int):
+            return replace(tree, stage=tree.stage + event - 1)
+        return tree
+
+    return of_relation(relation, change)
+
+
+def _named(tree: Expression) -> bool:
+    return isinstance(tree, Name)
+
+
+def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
+    """A tree in which a velocity has the number of the last event that changed it."""
+
+    def change(tree: Expression) -> Expression:
+        if not (isinstance(tree, Quantity) and tree.kind in _LASTING and tree.arguments):
+            return tree
+        (body,) = tree.arguments
+        if not isinstance(tree.stage, int) or not isinstance(body, Name):
+            return tree
+        last = max(
+            (e.number for e in events if e.number <= tree.stage and body.name in e.bodies[:2]),
+            default=0,
+        )
+        return tree if last == tree.stage else replace(tree, stage=last)
+
+    return rebuilt(tree, change)
