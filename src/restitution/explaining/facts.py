@@ -135,12 +135,12 @@ class _Facts:
                 sign: Sign = "=" if step.along in (Unit("i"), Unit("j")) else "parallel to"
                 yield self._fact(f"axis {number}", axis, step.along, step.place, sign, "geometry")
             elif step.second in self.walls:
-                normal = self._into_the_wall(step)
+                normal = self._into_the_wall(step, number)
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
 
-    def _into_the_wall(self, step: Impact) -> Expression | None:
+    def _into_the_wall(self, step: Impact, number: int) -> Expression | None:
         """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
         along = self.walls[step.second].along
         if not isinstance(along, Expression):
@@ -149,9 +149,30 @@ class _Facts:
         left = _turned(along)
         if left is None:
             return None
+        earlier = [e for e in self.events[: number - 1] if step.first in e.bodies]
+        if earlier:
+            return self._after_a_wall(step, earlier[-1], left)
         if isinstance(velocity, Polar) and velocity.wall is not None:
             return _opposite(left)
         return _opposite(left) if self._leads_away(velocity, left) else left
+
+    def _after_a_wall(self, step: Impact, before: Event, left: Expression) -> Expression:
+        """Who comes from a wall goes to a parallel one in the opposite direction."""
+        if not before.wall:
+            return left
+        other = self.walls[before.bodies[1]]
+        if other.along != self.walls[step.second].along:
+            return left
+        own = next(
+            s for n, s in enumerate(self._impacts(), 1) if n == before.number
+        )
+        normal = self._into_the_wall(own, before.number)
+        return left if normal is None else _opposite(normal)
+
+    def _impacts(self) -> Iterator[Any]:
+        for _, step in self.problem.steps():
+            if isinstance(step, Impact | Kick | Arrival):
+                yield step
 
     def _leads_away(self, velocity: Any, normal: Expression) -> bool:
         """Whether a velocity, where it is plain, has a component against a direction."""

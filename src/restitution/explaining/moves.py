@@ -746,36 +746,38 @@ def _complete(step: Step, relation: Relation) -> bool:
 
 
 def _inverse(step: Step, relation: Relation) -> bool:
-    """The angle of a ratio: unique in the range that is cited, or all that lie in it."""
+    """The angle of a ratio: the only one in the range that is cited."""
     base = _base(step)
-    if base is None or len(base.options) != 1:
+    if base is None or len(base.options) != 1 or len(relation.options) != 1:
         return False
-    ratio = next(
-        (e for e in base.only if isinstance(e.left, Apply) and e.left.function in _RATIOS), None
-    )
-    if ratio is None or ratio.sign != "=" or len(relation.options) != 1:
+    known = next(filter(None, (_ratio_of(step, each) for each in _flat(base.only))), None)
+    if known is None or len(relation.only) != 1:
         return False
-    *_, last = _flat(base.only)
-    value = last.right if last.left == ratio.left else ratio.right
-    assert isinstance(ratio.left, Apply)
-    (link,) = relation.only if len(relation.only) == 1 else (None,)
-    if link is None or link.sign != "=":
+    (link,) = relation.only
+    (ratio_, value) = known
+    if link.sign != "=" or not _is_multiple_of(step, link, ratio_.argument):
         return False
-    if link.left != ratio.left.argument and not _is_multiple_of(step, link, ratio.left.argument):
+    angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
+    found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
+    low, high, closed = _range_of(step, ratio_.argument)
+    if low is None or high is None or not _only_there(ratio_.function, low, high):
         return False
-    angle = _in_radians(step, _scaled_angle(step, link, ratio.left.argument))
-    wanted = _in_radians(step, value)
-    found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio.left.function](angle)
-    if not _equal(step, found, wanted):
-        return False
-    low, high, closed = _range_of(step, ratio.left.argument)
-    if low is None or high is None:
-        return False
-    if not _only_there(ratio.left.function, low, high):
-        return False
-    inside = [compared(low, "<=" if closed else "<", angle), compared(angle, "<=" if closed else "<", high)]
+    sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
-    return all(oracle.decide(each).answer == "proved" for each in inside)
+    return _equal(step, found, _in_radians(step, value)) and all(
+        oracle.decide(compared(a, sign, b)).answer == "proved"
+        for a, b in ((low, angle), (angle, high))
+    )
+
+
+def _ratio_of(step: Step, link: Link) -> tuple[Apply, Expression] | None:
+    """A sine, cosine or tangent and its value, where a link gives one; also by its letter."""
+    left = link.left
+    if isinstance(left, Letter):
+        left = next((each.quantity for each in step.lets if each.letter == left.name), left)
+    if link.sign == "=" and isinstance(left, Apply) and left.function in _RATIOS:
+        return left, link.right
+    return None
 
 
 def _is_multiple_of(step: Step, link: Link, argument: Expression) -> bool:

@@ -289,30 +289,9 @@ DEFINITIONS = (
     Record(
         "energy-lost", "definition", where="impact", gives=("energy_lost",), cost=2.5, marks=("M",)
     ),
-    Record(
-        "perpendicular",
-        "definition",
-        (
-            f"{_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)} = 0",
-            f"{_c('X', 1)} {_c('Y', 1)} + {_s('X', 1)} {_s('Y', 1)} = 0",
-            "dot(velocity(X, 0), velocity(X, 1)) = 0",
-            "dot(velocity(X, 1), velocity(Y, 1)) = 0",
-        ),
-        gives=("along", "across"),
-        marks=("M",),
-    ),
-    Record(
-        "parallel",
-        "definition",
-        (
-            f"{_c('X', 1)} {_s('Y', 1)} = {_s('X', 1)} {_c('Y', 1)}",
-            f"{_c('X', 0)} {_s('X', 1)} = {_s('X', 0)} {_c('X', 1)}",
-            f"{_c('X', 1)} = 0",
-            f"{_s('X', 1)} = 0",
-        ),
-        gives=("along", "across"),
-        marks=("M",),
-    ),
+    # What a cited right angle, or a cited common direction, says of components or vectors.
+    Record("perpendicular", "definition", gives=("along", "across"), marks=("M",)),
+    Record("parallel", "definition", gives=("along", "across"), marks=("M",)),
     Record(
         "scalar-angle",
         "definition",

@@ -98,6 +98,7 @@ class Rules:
         return self.world.reduced(value)
 
     def _once(self, value: Quotient, number: int, power: int, result: Quotient) -> Quotient:
+        value = self._into_roots(value, number, power, result)
         if not _uses(value, number):
             return value
         above = _substituted(value.above, number, power, result)
@@ -108,12 +109,20 @@ class Rules:
             self.world.denominators.append(below.above)
         return self.world.reduced(above / below)
 
-    def uses(self, *trees: Expression) -> bool:
-        """Whether anything is put into some trees."""
-        numbers = {number for number, _, _ in self.found}
-        values = [self.world.value(each) for each in trees]
-        parts = [q for v in values for q in ((v.x, v.y) if isinstance(v, Plane) else (v,))]
-        return any(_uses(each, n) for each in parts for n in numbers)
+    def _into_roots(
+        self, value: Quotient, number: int, power: int, result: Quotient
+    ) -> Quotient:
+        """The value with the generator put in below its roots."""
+        for root, key in self.world.keys(value.above, value.below).items():
+            if key[0] not in ("root", "size") or not any(m[number] for m in key[1]):
+                continue
+            inside = _substituted(key[1], number, power, result)
+            new = self.world.root(inside if key[0] == "root" else inside * inside)
+            above, below = (_substituted(x, root, 1, new) for x in (value.above, value.below))
+            if below.vanishes:
+                raise NotComparableError("a line divides by zero")
+            value = self.world.reduced(above / below)
+        return value
 
 
 def _uses(value: Quotient, number: int) -> bool:

@@ -22,9 +22,18 @@ from restitution.explaining.notation import read_tree
 from restitution.explaining.rules import Rules
 from restitution.explaining.signs import Signs, ratio
 from restitution.explaining.trees import settled
-from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    walk,
+)
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
-from restitution.oracle.roles import REAL, Role
+from restitution.oracle.roles import POSITIVE, REAL, Role
 
 @dataclass(frozen=True)
 class Cited:
@@ -188,7 +197,48 @@ class Step:
             elif len(each.relation.options) == 1:
                 for left, right in _values(each.relation.only):
                     rules.add(left, right)
+        for left, right in self._resolved(self.cited if cited is None else tuple(cited)):
+            rules.add(left, right)
         return rules
+
+    def _resolved(self, cited: Sequence[Cited]) -> Iterator[tuple[Expression, Expression]]:
+        """Components of a velocity of which the size and an angle are cited.
+
+        The angle is acute. At a wall a body comes towards it and goes away; with the line of
+        centres, the components count in the sense in which they point.
+        """
+        speeds, angles = {}, {}
+        for each in cited:
+            for left, right in self._cited_values(each):
+                match left:
+                    case Quantity("speed", (body,), int(stage)):
+                        speeds[Quantity("velocity", (body,), stage)] = right
+                    case Quantity("angle", (Quantity("velocity") as velocity, axis), _):
+                        angles[velocity] = axis, right
+        for velocity, (axis, angle) in angles.items():
+            if velocity not in speeds:
+                continue
+            size = speeds[velocity]
+            cosine = Binary("*", size, Apply("cos", angle))
+            sine = Binary("*", size, Apply("sin", angle))
+            for event in self.setting.events:
+                centres = Quantity("line_of_centres", (), event.number)
+                along = Quantity("along", (velocity, centres))
+                across = Quantity("across", (velocity, centres))
+                if event.wall and axis == Name(event.bodies[1]):
+                    away = velocity.stage == event.number
+                    yield along, Negate(sine) if away else sine
+                    yield across, cosine
+                elif axis == centres:
+                    yield along, cosine
+                    yield across, sine
+
+    @staticmethod
+    def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
+        if isinstance(each.relation, Meaning):
+            yield each.relation.quantity, Letter(each.relation.letter)
+        elif len(each.relation.options) == 1:
+            yield from _values(each.relation.only)
 
     def _sense(self, meaning: Meaning) -> int:
         """−1 where a component is counted against the direction in which it is taken."""
@@ -218,7 +268,9 @@ class Step:
         for name, meaning in self.setting.meanings.items():
             if name in roles:
                 continue
-            if any(each.letter == name for each in self.lets) and _never_negative(meaning.quantity):
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind == "speed":
+                roles[name] = POSITIVE  # as the speeds of a statement are
+            elif _never_negative(meaning.quantity):
                 roles[name] = Role("real", sp.Integer(0), None, (True, False))
         return roles
 
@@ -366,5 +418,5 @@ def _is_direction(tree: Expression, setting: Setting) -> bool:
 
 def _never_negative(quantity: Expression) -> bool:
     return isinstance(quantity, Quantity) and (
-        quantity.kind in ("speed", "distance", "energy") or quantity == Quantity("impulse")
+        quantity.kind in ("distance", "energy") or quantity == Quantity("impulse")
     )
