@@ -98,7 +98,7 @@ class Quotient:
         return not self.above
 
 
-def CONSTANT(value: Fraction | int) -> Quotient:  # noqa: N802 - reads as the constant that it makes
+def CONSTANT(value: Fraction | int) -> Quotient:
     """A number as a quotient."""
     value = Fraction(value)
     ring = _ring()
@@ -144,7 +144,8 @@ Value = Quotient | Plane
 @dataclass(frozen=True)
 class Turn:
     """An angle: rational multiples of letters, angles of the motion and inverse functions,
-    and a number of degrees."""
+    and a number of degrees.
+    """
 
     terms: tuple[tuple[Any, Fraction], ...] = ()
     degrees: Fraction = Fraction(0)
@@ -498,7 +499,9 @@ class World:
                 for powers, value in polynomial.items():
                     half, odd = divmod(powers[number], 2)
                     rest = (*powers[:number], odd, *powers[number + 1 :])
-                    total = total + _ring().from_dict({rest: value}) * (square**half if half else _ring().one)
+                    total = total + _ring().from_dict({rest: value}) * (
+                        square**half if half else _ring().one
+                    )
                 polynomial = total
                 if len(polynomial) > _MOST_TERMS:
                     raise NotComparableError("a line of too many terms")

@@ -34,9 +34,11 @@ from restitution.problem import (
     Kick,
     Let,
     Problem,
-    Relation as Said,
     Show,
     Step,
+)
+from restitution.problem import (
+    Relation as Said,
 )
 
 # Of these, a stage left out is the one reached where the quantity stands.
@@ -163,9 +165,7 @@ class _Facts:
         other = self.walls[before.bodies[1]]
         if other.along != self.walls[step.second].along:
             return left
-        own = next(
-            s for n, s in enumerate(self._impacts(), 1) if n == before.number
-        )
+        own = next(s for n, s in enumerate(self._impacts(), 1) if n == before.number)
         normal = self._into_the_wall(own, before.number)
         return left if normal is None else _opposite(normal)
 
@@ -285,7 +285,7 @@ class _Facts:
 
 def settled_item(problem: Problem, tree: Expression, events: int) -> Expression:
     """A tree of an item with stages as numbers, where so many events have been told."""
-    return _Facts(problem)._settled(tree, events)  # noqa: SLF001
+    return _Facts(problem)._settled(tree, events)
 
 
 def asked(problem: Problem) -> Iterator[tuple[str | None, Step, int]]:

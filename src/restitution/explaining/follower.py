@@ -6,7 +6,7 @@ nothing of how the working was made, or of how the problem was solved.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -116,9 +116,7 @@ def settled_derivation(derivation: Derivation) -> Derivation:
 class _Reader:
     """One reading of a working."""
 
-    def __init__(
-        self, derivation: Derivation, oracle: Oracle, redundant: AbstractSet[str]
-    ) -> None:
+    def __init__(self, derivation: Derivation, oracle: Oracle, redundant: AbstractSet[str]) -> None:
         self.derivation = derivation
         self.redundant = redundant
         self.lines = {each.number: each for each in derivation.lines}

@@ -16,7 +16,7 @@ import sympy as sp
 
 from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
 from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign
-from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.principles import RECORDS
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (
@@ -31,7 +31,8 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.oracle import Formula, Oracle, Relation as Claim, compared, negation
+from restitution.oracle import Oracle, compared
+from restitution.oracle import Relation as Claim
 
 FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
 _ZERO = Number(Fraction(0))
@@ -145,6 +146,14 @@ def _templates(step: Step) -> Iterator[tuple[Link, bool]]:
             yield step.setting.settled(link), record.acute
     for link in _OWN.get(record.id, _nothing)(step, event):
         yield step.setting.settled(link), False
+
+
+def records_of(step: Step) -> Iterator[Link]:
+    """What the record of a move says of its event and bodies, form by form."""
+    for link, acute in _templates(step):
+        yield link
+        if acute:  # one of the two, as the components point
+            yield replace(link, right=Negate(link.right))
 
 
 def _is_template(step: Step, line: Link, template: tuple[Link, bool]) -> bool:
@@ -296,7 +305,8 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
             if link.right == Degrees(Fraction(angle)):
                 body, stage = link.left.arguments[0], link.left.stage  # type: ignore[union-attr]
                 before, after = (
-                    Quantity("velocity", (body,), each) for each in (stage - 1, stage)  # type: ignore[operator]
+                    Quantity("velocity", (body,), each)
+                    for each in (stage - 1, stage)  # type: ignore[operator]
                 )
                 yield from _tie(step, event, before, after, relation)
 
@@ -315,7 +325,7 @@ def _tie(
             if b == axis or wall:
                 square = (relation == "perpendicular to") != wall
                 yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", _ZERO)
-    for axes in ((_axis(event),) if event is not None else ()):
+    for axes in (_axis(event),) if event is not None else ():
         (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
         if relation == "perpendicular to":
             yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", _ZERO)
@@ -328,9 +338,7 @@ def _tie(
 
 
 def _cross(left: Expression, right: Expression) -> Expression:
-    x, y = (
-        tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right)
-    )
+    x, y = (tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right))
     return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
 
 
@@ -409,9 +417,10 @@ def _rearrange(step: Step, line: Link) -> bool:
     base = _base(step)
     if base is None:
         return False
-    if step.move.id == "rearrange" and sum(
-        isinstance(each.relation, Relation) for each in step.cited
-    ) > 1:
+    if (
+        step.move.id == "rearrange"
+        and sum(isinstance(each.relation, Relation) for each in step.cited) > 1
+    ):
         return _with_factor_known(step, line)
     return any(
         _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
@@ -486,9 +495,11 @@ def _combine(step: Step, line: Link) -> bool:
     own = step.world.value(step.setting.tree(step.move.eliminated))
     if not isinstance(own, Quotient):
         return False
-    number = next(
-        (n for m in own.above for n, power in enumerate(m) if power), None
-    ) if len(own.above) == 1 else None
+    number = (
+        next((n for m in own.above for n, power in enumerate(m) if power), None)
+        if len(own.above) == 1
+        else None
+    )
     if number is None:
         return False
     p, q = _coefficient(a, number), _coefficient(b, number)
@@ -648,7 +659,9 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
         # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.
         lead = coefficients[-1]
         coefficients = [world.reduced(each / lead) for each in coefficients]
-        if any(any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)):
+        if any(
+            any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)
+        ):
             return None
         if step.signs.of(lead) is None:
             return None
@@ -880,8 +893,10 @@ def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
 def _as_it_stands(step: Step, relation: Relation) -> bool:
     """The answer of an item: what the line before it says."""
     base = _base(step)
-    return base is not None and len(step.cited) == 1 and (
-        relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
+    return (
+        base is not None
+        and len(step.cited) == 1
+        and (relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation))
     )
 
 
@@ -899,4 +914,4 @@ _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
     "shown": _as_it_stands,
 }
 
-__all__ = ["FLIPPED", "Formula", "Record", "follows", "negation"]
+__all__ = ["FLIPPED", "follows", "records_of"]

@@ -6,7 +6,14 @@ from dataclasses import dataclass, field
 
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value, World
+from restitution.explaining.algebra import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    Value,
+    World,
+)
 from restitution.expression.tree import Expression
 
 
@@ -47,9 +54,7 @@ class Rules:
         result = (value - other) * Quotient(own.below, factor)
         if _uses(result, number):
             return
-        self.found = [
-            (n, p, self._once(each, number, power, result)) for n, p, each in self.found
-        ]
+        self.found = [(n, p, self._once(each, number, power, result)) for n, p, each in self.found]
         self.found.append((number, power, self.world.reduced(result)))
 
     def _pivot(self, own: Quotient) -> tuple[int, int] | None:
@@ -109,9 +114,7 @@ class Rules:
             self.world.denominators.append(below.above)
         return self.world.reduced(above / below)
 
-    def _into_roots(
-        self, value: Quotient, number: int, power: int, result: Quotient
-    ) -> Quotient:
+    def _into_roots(self, value: Quotient, number: int, power: int, result: Quotient) -> Quotient:
         """The value with the generator put in below its roots."""
         for root, key in self.world.keys(value.above, value.below).items():
             if key[0] not in ("root", "size") or not any(m[number] for m in key[1]):
@@ -133,9 +136,7 @@ def _without_power(monomial: tuple[int, ...], number: int) -> tuple[int, ...]:
     return (*monomial[:number], 0, *monomial[number + 1 :])
 
 
-def _substituted(
-    polynomial: PolyElement, number: int, power: int, result: Quotient
-) -> Quotient:
+def _substituted(polynomial: PolyElement, number: int, power: int, result: Quotient) -> Quotient:
     """A polynomial with g^power put in, as often as it goes."""
     ring = polynomial.ring
     by_times: dict[int, PolyElement] = {}

@@ -134,7 +134,6 @@ class Signs:
             return -1
         return 0 if oracle.decide(Relation(value, "!=")).answer == "proved" else None
 
-
     def _takes_any_value(self, factor: PolyElement, oracle: Oracle) -> bool:
         """Whether a factor is linear in what may be any number, and of which nothing is cited."""
         if self._cited is None:
@@ -172,7 +171,7 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
 
 
 def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
-    """k as the ratio of two terms, where there are roots: their common factors are not seen."""
+    """K as the ratio of two terms, where there are roots: their common factors are not seen."""
     if not world.squares:
         return None
     a, b = line.above, expected.above
@@ -193,5 +192,3 @@ def _lead(polynomial: PolyElement, roots: set[int]) -> PolyElement:
         if tuple(0 if n in roots else p for n, p in enumerate(m)) == key
     }
     return polynomial.ring.from_dict(terms)
-
-

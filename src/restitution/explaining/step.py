@@ -35,6 +35,7 @@ from restitution.expression.tree import (
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
 from restitution.oracle.roles import POSITIVE, REAL, Role
 
+
 @dataclass(frozen=True)
 class Cited:
     """A premise that is on paper: a line or a fact."""
@@ -69,6 +70,10 @@ class Setting:
         """A link in which velocities have the number of the last event that changed them."""
         left, right = (settled(each, self.events) for each in (link.left, link.right))
         return Link(left, link.sign, right, link.by)
+
+    def quantity(self, tree: Expression) -> Expression:
+        """A tree in which velocities have the number of the last event that changed them."""
+        return settled(tree, self.events)
 
     def tree(self, text: str) -> Expression:
         """The tree of a text, such as what a move eliminates."""
@@ -161,7 +166,7 @@ class Step:
             for left, right in ((link.left, link.right), (link.right, link.left)):
                 if isinstance(left, Name) and link.sign == "parallel to":
                     left = Quantity("direction", (left,))
-                if _is_direction(left, self.setting) and left not in self.opaque:
+                if is_direction(left, self.setting) and left not in self.opaque:
                     yield left, right
                     break
 
@@ -403,7 +408,8 @@ def _values(links: Sequence[Link]) -> Iterator[tuple[Expression, Expression]]:
         yield subject, last
 
 
-def _is_direction(tree: Expression, setting: Setting) -> bool:
+def is_direction(tree: Expression, setting: Setting) -> bool:
+    """Whether a tree is a direction: of an axis, a wall, an impulse, or a vector letter."""
     match tree:
         case Quantity("line_of_centres", _):
             return True

@@ -1,0 +1,239 @@
+"""A derivation as JSON, and back: nothing is lost.
+
+Relations stand as text in the notation of statements, by which they are read again, and beside it
+as LaTeX and as MathML.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from restitution.errors import StatementError
+from restitution.explaining.derivation import (
+    MOVES,
+    Case,
+    Derivation,
+    Event,
+    Fact,
+    ItemEnd,
+    Line,
+    MarkPoint,
+    Meaning,
+    Move,
+    Relation,
+    Route,
+)
+from restitution.explaining.layouts import of_relation, of_tree
+from restitution.explaining.notation import (
+    read_meaning,
+    read_relation,
+    write_meaning,
+    write_relation,
+)
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Letter, Name, Place, walk
+from restitution.render import latex, layout, mathml
+
+VERSION = 1
+
+
+def to_json(derivation: Derivation) -> dict[str, Any]:
+    """A derivation as a value of JSON."""
+    vectors = frozenset(name for name, each in derivation.meanings.items() if each.vector)
+    return {
+        "version": VERSION,
+        "names": _names(derivation),
+        "events": [_event(each) for each in derivation.events],
+        "facts": [_fact(each, vectors) for each in derivation.facts],
+        "lines": [_line(each, vectors) for each in derivation.lines],
+        "items": [_item(each, vectors) for each in derivation.items],
+        "cases": [
+            {"n": e.number, "line": e.line, "option": e.option, "lines": list(e.lines)}
+            for e in derivation.cases
+        ],
+        "others": [
+            {"item": each.item, "moves": [_move(move) for move in each.moves]}
+            for each in derivation.others
+        ],
+    }
+
+
+def _names(derivation: Derivation) -> dict[str, str]:
+    """The bodies and points that lines speak of: without them their text cannot be read."""
+    walls = {body for e in derivation.events if e.wall for body in e.bodies[1:2]}
+    spheres = {body for e in derivation.events for body in e.bodies} - walls
+    relations = [
+        *(each.relation for each in derivation.facts),
+        *(each.relation for each in derivation.lines),
+        *(each.answer for each in derivation.items),
+    ]
+    found = {
+        node.name
+        for relation in relations
+        for tree in trees_of(relation)
+        for node in walk(tree)
+        if isinstance(node, Name)
+    }
+    kinds = {**dict.fromkeys(spheres, "sphere"), **dict.fromkeys(walls, "wall")}
+    return {name: kinds.get(name, "body") for name in sorted(found | kinds.keys())}
+
+
+def _event(event: Event) -> dict[str, Any]:
+    return {
+        "n": event.number,
+        "kind": event.kind,
+        "bodies": list(event.bodies),
+        "wall": event.wall,
+    }
+
+
+def _fact(fact: Fact, vectors: frozenset[str]) -> dict[str, Any]:
+    place = fact.place
+    return {
+        "id": fact.id,
+        "kind": fact.kind,
+        "part": fact.part,
+        "place": None if place is None else [place.line, place.column],
+        **_told(fact.relation, vectors),
+    }
+
+
+def _line(line: Line, vectors: frozenset[str]) -> dict[str, Any]:
+    return {
+        "n": line.number,
+        "item": line.item,
+        **_move(line.move),
+        "premises": list(line.premises),
+        **_told(line.relation, vectors),
+        "marks": [_mark(each) for each in line.marks],
+        "shown": line.shown,
+    }
+
+
+def _move(move: Move) -> dict[str, Any]:
+    return {
+        "move": move.id,
+        "record": move.record,
+        "event": move.event,
+        "bodies": list(move.bodies),
+        "eliminated": move.eliminated,
+    }
+
+
+def _mark(mark: MarkPoint) -> dict[str, Any]:
+    return {"kind": mark.kind, "ft": mark.ft, "on": list(mark.on), "because": mark.because}
+
+
+def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
+    return {
+        "item": end.item,
+        "line": end.line,
+        "part": end.part,
+        "printed": end.shown,
+        "case": end.case,
+        **_told(end.answer, vectors),
+    }
+
+
+def _told(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
+    if isinstance(relation, Meaning):
+        own = frozenset((relation.letter,)) if relation.vector else vectors
+        laid: layout.Layout = layout.Relation(
+            (of_tree(Letter(relation.letter), own), of_tree(relation.quantity)), ("=",)
+        )
+        text = write_meaning(relation)
+    else:
+        laid, text = of_relation(relation, vectors), write_relation(relation)
+    return {"text": text, "latex": latex.to_latex(laid), "mathml": mathml.to_mathml(laid)}
+
+
+# --- reading back --------------------------------------------------------------------------------
+
+
+def from_json(value: Mapping[str, Any]) -> Derivation:
+    """The derivation that `to_json` has written.
+
+    Raises StatementError where a field is missing, or says what cannot be.
+    """
+    try:
+        return _Reading(value).derivation()
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise StatementError(f"this is no derivation as JSON: {error!r}") from error
+
+
+class _Reading:
+    """One reading of a value of JSON."""
+
+    def __init__(self, value: Mapping[str, Any]) -> None:
+        if value["version"] != VERSION:
+            raise ValueError(f"its version is {value['version']}, not {VERSION}")
+        self.value = value
+        self.names = dict(value["names"])
+
+    def derivation(self) -> Derivation:
+        """The whole."""
+        value = self.value
+        return Derivation(
+            tuple(self._fact(each) for each in value["facts"]),
+            tuple(self._line(each) for each in value["lines"]),
+            tuple(self._item(each) for each in value["items"]),
+            tuple(
+                Event(each["n"], each["kind"], tuple(each["bodies"]), each["wall"])
+                for each in value["events"]
+            ),
+            tuple(
+                Case(each["n"], each["line"], each["option"], tuple(each["lines"]))
+                for each in value["cases"]
+            ),
+            tuple(
+                Route(each["item"], tuple(self._move(move) for move in each["moves"]))
+                for each in value["others"]
+            ),
+        )
+
+    def _fact(self, value: Mapping[str, Any]) -> Fact:
+        place = None if value["place"] is None else Place(*value["place"])
+        relation = read_relation(value["text"], self.names)
+        return Fact(value["id"], value["kind"], relation, value["part"], place)
+
+    def _line(self, value: Mapping[str, Any]) -> Line:
+        text = value["text"]
+        relation = (
+            read_meaning(text, self.names)
+            if value["move"] == "let"
+            else read_relation(text, self.names)
+        )
+        return Line(
+            value["n"],
+            value["item"],
+            self._move(value),
+            tuple(value["premises"]),
+            relation,
+            tuple(
+                MarkPoint(each["kind"], each["ft"], tuple(each["on"]), each["because"])
+                for each in value["marks"]
+            ),
+            value["shown"],
+        )
+
+    def _move(self, value: Mapping[str, Any]) -> Move:
+        if value["move"] not in MOVES:
+            raise ValueError(f"there is no move {value['move']!r}")
+        return Move(
+            value["move"],
+            value["record"],
+            value["event"],
+            tuple(value["bodies"]),
+            value["eliminated"],
+        )
+
+    def _item(self, value: Mapping[str, Any]) -> ItemEnd:
+        return ItemEnd(
+            value["item"],
+            value["line"],
+            read_relation(value["text"], self.names),
+            value["part"],
+            value["printed"],
+            value["case"],
+        )

@@ -1,0 +1,829 @@
+"""Lines from anyone: which law, definition or move gives a line from what stands above it.
+
+The moves are run backwards. Every candidate is first tried in numbers: at a point at which the
+candidate holds, the line has to hold. What passes is checked exactly, by the follower's own rules.
+The answer may be that nothing was recognised; that never makes a line false.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, permutations, product
+from typing import Any, Literal
+
+from restitution.explaining.algebra import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    World,
+    without_common,
+)
+from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.follower import known_of_letters, setting_of, settled_derivation
+from restitution.explaining.moves import follows, records_of
+from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.rules import Rules
+from restitution.explaining.step import Cited, Known, Step, is_direction
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.oracle import Oracle
+from restitution.oracle.roles import REAL
+
+_POINTS = 3
+_CLOSE = 1e-9
+_NEAREST = 8
+"""So many lines above are taken in twos."""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """What gives a line: one move, a composition of two, or nothing that was recognised."""
+
+    kind: Literal["move", "composition", "unrecognised"]
+    moves: tuple[Move, ...] = ()
+    premises: tuple[Ref, ...] = ()
+
+    @property
+    def move(self) -> Move | None:
+        """The move, or the first of a composition."""
+        return self.moves[0] if self.moves else None
+
+
+UNRECOGNISED = Trace("unrecognised")
+
+
+def explain_line(relation: Relation, above: Derivation, oracle: Oracle) -> Trace:
+    """The move that gives a relation from the facts and lines of a derivation.
+
+    The lines above need neither moves nor premises; letters are introduced by theirs. For many
+    lines of one working a `Tracer` is quicker.
+    """
+    tracer = Tracer(replace(above, lines=()), oracle)
+    for line in above.lines:
+        tracer.add(line.number, line.relation)
+    return tracer.trace(relation)
+
+
+class Tracer:
+    """Recognises the lines of a working, one after another, under the facts of a statement."""
+
+    def __init__(self, statement: Derivation, oracle: Oracle) -> None:
+        self.statement = settled_derivation(statement)
+        self.setting = setting_of(self.statement, oracle)
+        self.facts = [Cited(each.id, each.relation) for each in self.statement.facts]
+        self.lines: list[Cited] = []
+        self.lets: list[Cited] = []
+        self._numbers: _Numbers | None = None
+
+    def add(self, number: int, relation: Relation | Meaning) -> None:
+        """Take up a line: those that come can rest on it."""
+        if isinstance(relation, Meaning):
+            quantity = self.setting.quantity(relation.quantity)
+            meaning = replace(relation, quantity=quantity)
+            self.lets.append(Cited(number, meaning))
+            meanings = {**self.setting.meanings, meaning.letter: meaning}
+            self.setting = replace(self.setting, meanings=meanings)
+            self._numbers = None
+            return
+        cited = Cited(number, self._settled(relation))
+        self.lines.append(cited)
+        if self._directs(cited):
+            self._numbers = None
+        if self._numbers is not None:
+            self._numbers.add(cited)
+
+    @property
+    def numbers(self) -> _Numbers:
+        """Everything that a line may come from, in numbers."""
+        if self._numbers is None:
+            self._numbers = _Numbers(self)
+            for each in self.lines:
+                self._numbers.add(each)
+        return self._numbers
+
+    def _directs(self, cited: Cited) -> bool:
+        """Whether a line tells where a wall, an axis or an impulse points."""
+        assert isinstance(cited.relation, Relation)
+        return len(cited.relation.options) == 1 and any(
+            link.sign in ("=", "parallel to") and is_direction(link.left, self.setting)
+            for link in cited.relation.only
+        )
+
+    @property
+    def directions(self) -> list[Cited]:
+        """The lines that tell where something points."""
+        return [each for each in self.lines if self._directs(each)]
+
+    def _settled(self, relation: Relation) -> Relation:
+        return Relation(
+            tuple(tuple(self.setting.settled(link) for link in links) for links in relation.options)
+        )
+
+    # --- what is tried ---------------------------------------------------------------------------
+
+    def trace(self, relation: Relation) -> Trace:
+        """The move that gives a relation, or two of them, or none that was recognised."""
+        relation = self._settled(relation)
+        for attempt in self._attempts(relation):
+            try:
+                found = attempt()
+            except NotComparableError:
+                continue
+            if found is not None:
+                return found
+        return UNRECOGNISED
+
+    def _attempts(self, relation: Relation) -> Iterator[Callable[[], Trace | None]]:
+        signs = {link.sign for links in relation.options for link in links}
+        if "≈" in signs:
+            yield lambda: self._from_one(relation, ("value",))
+            return
+        if signs <= {"=", "parallel to", "perpendicular to"}:
+            if len(relation.options) > 1:
+                yield lambda: self._from_one(relation, ("roots", "put", "rearrange"))
+                return
+            yield lambda: self._chain(relation)
+            yield lambda: self._fact(relation)
+            yield lambda: self._by_numbers(relation)
+            yield lambda: self._from_one(relation, ("roots", "reject", "inverse", "triangle"))
+            yield lambda: self._from_one(relation, ("identity",))
+            return
+        yield lambda: self._from_one(relation, ("rearrange", "put"))
+        yield lambda: self._inequality(relation)
+
+    def _chain(self, relation: Relation) -> Trace | None:
+        """A chain is what its first link is, if the others are moves of their own."""
+        links = relation.only
+        if len(links) < 2 or any(
+            a.right != b.left or b.sign != "=" for a, b in zip(links, links[1:], strict=False)
+        ):
+            return None
+        first = self.trace(Relation(((links[0],),)))
+        whole = Relation(((Link(links[0].left, "=", links[-1].right),),))
+        return first if first.kind != "unrecognised" else self.trace(whole)
+
+    def _fact(self, relation: Relation) -> Trace | None:
+        for each in self.facts:
+            if isinstance(each.relation, Relation):
+                step = Step(self.setting, Move("fact"), (each,), ())
+                if _tried(step, relation):
+                    return Trace("move", (Move("fact"),), (each.ref,))
+        return None
+
+    # --- laws, definitions, and lines above, by numbers ------------------------------------------
+
+    def all_laws(self) -> Iterator[tuple[Move, Link]]:
+        """What every record says of every event."""
+        for event in self.statement.events:
+            for record in RECORDS.values():
+                if record.kind == "identity" or not record.serves(event):
+                    continue
+                id: Any = "law" if record.kind == "principle" else "define"
+                for bodies in self._bodies(record, event.bodies):
+                    move = Move(id, record.id, event.number, bodies)
+                    step = Step(self.setting, move, tuple(self.facts), ())
+                    for link in records_of(step):
+                        yield move, link
+
+    def _bodies(self, record: Record, bodies: tuple[str, ...]) -> Iterable[tuple[str, ...]]:
+        spheres = [each for each in bodies if self.setting.names.get(each) == "sphere"]
+        both = any("Y" in _names(template) for template in record.templates)
+        if not any(_names(template) for template in record.templates):
+            return [tuple(spheres)]
+        return permutations(spheres, 2) if both and len(spheres) > 1 else [(x,) for x in spheres]
+
+    def _by_numbers(self, relation: Relation) -> Trace | None:
+        if len(relation.only) != 1:
+            return None
+        (link,) = relation.only
+        numbers = self.numbers
+        own = numbers.residual(link)
+        if own is None:
+            return None
+        for source in numbers.single(own):
+            found = (
+                self._from_law(source.move, source.link, relation)
+                if source.move is not None
+                else self._from_line(source.cited, relation)
+            )
+            if found is not None:
+                return found
+        for first, second in numbers.pairs(own):
+            if first.move is None and second.move is None:
+                found = self._from_two(second.cited, first.cited, relation)
+                if found is not None:
+                    return found
+            if numbers.follows_from_both(own, first, second):
+                moves = tuple(each.move or Move("put") for each in (first, second))
+                refs = tuple(e.cited.ref for e in (first, second) if e.move is None)
+                return Trace("composition", moves, refs)
+        return None
+
+    def _from_law(self, move: Move, law: Link, relation: Relation) -> Trace | None:
+        for with_axes in (True, False):
+            cited = self._relevant([law.left, law.right], relation, with_axes)
+            if move.record in ("perpendicular", "parallel", "across-the-impulse"):
+                cited += [x for x in self.facts if x not in cited and _is_tie(x)]
+            step = Step(self.setting, move, tuple(cited), ())
+            if _tried(step, relation):
+                return Trace("move", (move,), self._needed(step, relation))
+        return None
+
+    def _relevant(
+        self, trees: Sequence[Expression], relation: Relation, with_axes: bool
+    ) -> list[Cited]:
+        """What is known of the quantities in some trees, and is not left as it is in a line."""
+        kept = set(_outermost(trees_of(relation)))
+        chosen: list[Cited] = []
+        pending = list(trees)
+        seen: set[Expression] = set()
+        every = [*self.lets, *reversed(self.lines), *self.facts]
+        while pending:
+            for node in _outermost([pending.pop()]):
+                if node in seen:
+                    continue
+                seen.add(node)
+                source = next((x for x in every if x not in chosen and _gives(x, node)), None)
+                if source is not None and (
+                    node not in kept or isinstance(source.relation, Meaning)
+                ):
+                    chosen.append(source)
+                    pending.extend(_rights(source))
+                elif isinstance(node, Quantity) and node not in kept:
+                    pending.extend(node.arguments)
+                    if node.kind == "velocity":
+                        parts = [x for x in every if x not in chosen and _tells_of(x, node)]
+                        chosen.extend(parts)
+                        pending.extend(tree for each in parts for tree in _rights(each))
+                    if not with_axes:
+                        seen |= {x for x in node.arguments if _is_axis(x)}
+                elif isinstance(node, Quantity) and with_axes:
+                    pending.extend(x for x in node.arguments if _is_axis(x))
+        return chosen
+
+    def _from_line(self, cited: Cited, relation: Relation) -> Trace | None:
+        """A rearrangement of a line, or values put into it."""
+        step = Step(self.setting, Move("rearrange"), (cited,), ())
+        if _tried(step, relation):
+            return Trace("move", (step.move,), (cited.ref,))
+        assert isinstance(cited.relation, Relation)
+        trees = list(trees_of(cited.relation))
+        values = [each for each in self._relevant(trees, relation, True) if each.ref != cited.ref]
+        step = Step(self.setting, Move("put"), (cited, *values), ())
+        if values and _tried(step, relation):
+            return Trace("move", (step.move,), self._needed(step, relation))
+        known = self._background(relation)
+        step = Step(self.setting, Move("cancel"), (cited, *self.lets), known)
+        if known and _tried(step, relation):
+            return Trace("move", (step.move,), self._needed(step, relation))
+        return None
+
+    def _from_two(self, first: Cited, second: Cited, relation: Relation) -> Trace | None:
+        for move in (
+            *(Move("combine", eliminated=each) for each in self._shared(first, second)),
+            Move("combine"),
+            Move("divide"),
+            Move("square-add"),
+        ):
+            known = self._background(relation) if move.id == "divide" else ()
+            for pair in ((first, second), (second, first)):
+                step = Step(self.setting, move, pair, known)
+                if _tried(step, relation):
+                    return Trace("move", (move,), self._needed(step, relation))
+                if move.id == "combine":
+                    break
+        return None
+
+    def _shared(self, first: Cited, second: Cited) -> list[str]:
+        """The letters and quantities that stand in two lines."""
+        own = []
+        for each in (first, second):
+            assert isinstance(each.relation, Relation)
+            own.append(
+                {
+                    node
+                    for tree in trees_of(each.relation)
+                    for node in walk(tree)
+                    if isinstance(node, Letter)
+                    or (isinstance(node, Quantity) and node.kind in ("along", "across", "speed"))
+                }
+            )
+        return sorted(write_expression(each) for each in own[0] & own[1])
+
+    def _from_one(self, relation: Relation, ids: Sequence[str]) -> Trace | None:
+        """A move of its own kind on one line above, the newest first."""
+        known = self._background(relation)
+        for cited in reversed(self.lines):
+            for id in ids:
+                if not _may_be(id, relation, cited):
+                    continue
+                for record in _IDENTITIES if id == "identity" else (None,):
+                    move = Move(id, record)  # type: ignore[arg-type]
+                    extra = [] if id in ("value",) else self.lets
+                    step = Step(self.setting, move, (cited, *extra), known)
+                    if _tried(step, relation):
+                        return Trace("move", (move,), self._needed(step, relation))
+        return None
+
+    def _inequality(self, relation: Relation) -> Trace | None:
+        """An inequality by one line or fact, or by two, and what is known of letters."""
+        sources = [*reversed(self.lines), *(each for each in self.facts if _compares(each))]
+        letters = {n.name for t in trees_of(relation) for n in walk(t) if isinstance(n, Letter)}
+        near = [each for each in sources if _letters(each) & letters][:_NEAREST]
+        tries = [(each,) for each in near[:3]] + list(combinations(near[:3], 2))
+        for chosen in tries:
+            names = letters.union(*(_letters(each) for each in chosen))
+            step = Step(self.setting, Move("sign"), chosen, self._background_of(names))
+            if _tried(step, relation):
+                return Trace("move", (step.move,), self._needed(step, relation))
+        return None
+
+    def _background(self, relation: Relation) -> tuple[Known, ...]:
+        """What is known of the letters of a line: acute angles, coefficients up to 1."""
+        names = {n.name for t in trees_of(relation) for n in walk(t) if isinstance(n, Letter)}
+        for let in self.lets:
+            if isinstance(let.relation, Meaning) and let.relation.letter in names:
+                names |= _letters_of(let.relation.quantity)
+        return self._background_of(names)
+
+    def _background_of(self, names: Iterable[str]) -> tuple[Known, ...]:
+        found = []
+        for name in sorted(names):
+            role = self.setting.roles.get(name)
+            if role is None:
+                continue
+            texts = {"angle": (f"acute: {name}",), "restitution": (f"{name} >= 0", f"{name} <= 1")}
+            for text in texts.get(role.kind, ()):
+                known = known_of_letters(text, self.setting)
+                if known is not None:
+                    found.append(known)
+        return tuple(found)
+
+    def _needed(self, step: Step, relation: Relation) -> tuple[Ref, ...]:
+        """The premises of a step without those that it does not need."""
+        cited, known = list(step.cited), list(step.known)
+        for each in list(cited):
+            fewer = tuple(x for x in cited if x is not each)
+            if _tried(step.under(cited=fewer, known=tuple(known)), relation):
+                cited.remove(each)
+        for own in list(known):
+            rest = tuple(x for x in known if x is not own)
+            if _tried(step.under(cited=tuple(cited), known=rest), relation):
+                known.remove(own)
+        return (*(each.ref for each in cited), *(each.ref for each in known))
+
+
+_IDENTITIES = ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
+
+
+def _tried(step: Step, relation: Relation) -> bool:
+    try:
+        return follows(step, relation)
+    except NotComparableError:
+        return False
+
+
+def _may_be(id: str, relation: Relation, cited: Cited) -> bool:
+    """Whether a line has the form that a move gives, before it is tried."""
+    assert isinstance(cited.relation, Relation)
+    links = [link for option in relation.options for link in option]
+    if id == "reject":
+        return len(cited.relation.options) > len(relation.options)
+    if id in ("roots", "value"):
+        return len(cited.relation.options) == 1
+    if id in ("triangle", "inverse"):
+        ratio = any(isinstance(x.left, Apply) for x in links)
+        return len(cited.relation.options) == 1 and ratio == (id == "triangle")
+    return True
+
+
+def _compares(cited: Cited) -> bool:
+    return isinstance(cited.relation, Relation) and not any(
+        isinstance(node, Name) for tree in trees_of(cited.relation) for node in walk(tree)
+    )
+
+
+def _letters(cited: Cited) -> set[str]:
+    return {name for tree in trees_of(cited.relation) for name in _letters_of(tree)}
+
+
+def _letters_of(tree: Expression) -> set[str]:
+    return {node.name for node in walk(tree) if isinstance(node, Letter)}
+
+
+def _rights(cited: Cited) -> list[Expression]:
+    if isinstance(cited.relation, Meaning):
+        return []
+    return [link.right for link in cited.relation.only]
+
+
+def _names(template: str) -> set[str]:
+    return {each for each in ("X", "Y") if f"{each}," in template or f"{each})" in template}
+
+
+def _outermost(trees: Iterable[Expression]) -> Iterator[Expression]:
+    """The letters, quantities and walls in trees, not looking into quantities."""
+    pending = list(trees)
+    while pending:
+        tree = pending.pop()
+        if isinstance(tree, Letter | Quantity):
+            yield tree
+            continue
+        if isinstance(tree, Apply):
+            yield tree
+        if isinstance(tree, Name):
+            yield Quantity("direction", (tree,))
+        else:
+            pending.extend(children(tree))
+
+
+def _gives(cited: Cited, node: Expression) -> bool:
+    """Whether a line or a fact has a quantity for its left side."""
+    if isinstance(cited.relation, Meaning):
+        return cited.relation.quantity == node
+    if len(cited.relation.options) != 1:
+        return False
+    link = cited.relation.only[0]
+    return link.left == node and link.sign in ("=", "parallel to")
+
+
+def _tells_of(cited: Cited, velocity: Quantity) -> bool:
+    """Whether a line or a fact gives a component, the size or an angle of a velocity."""
+    if isinstance(cited.relation, Meaning):
+        left, sign = cited.relation.quantity, "="
+    elif len(cited.relation.options) == 1:
+        left, sign = cited.relation.only[0].left, cited.relation.only[0].sign
+    else:
+        return False
+    if sign != "=" or not isinstance(left, Quantity):
+        return False
+    if left.kind == "speed":
+        return left.arguments == velocity.arguments and left.stage == velocity.stage
+    return left.kind in ("along", "across", "angle") and left.arguments[0] == velocity
+
+
+def _is_axis(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+
+
+def _is_tie(cited: Cited) -> bool:
+    return isinstance(cited.relation, Relation) and any(
+        link.sign in ("perpendicular to", "parallel to") or _is_right_angle(link)
+        for links in cited.relation.options
+        for link in links
+    )
+
+
+def _is_right_angle(link: Link) -> bool:
+    return isinstance(link.left, Quantity) and link.left.kind == "deflection"
+
+
+# --- numbers ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Source:
+    """What a line may come from: a law (``move``) or a line above (``cited``), as a residual."""
+
+    value: Quotient
+    link: Link
+    move: Move | None = None
+    cited: Cited = None  # type: ignore[assignment]
+
+
+class _Numbers:
+    """Laws and lines as polynomials, with the statement's facts put in, tried at random points."""
+
+    def __init__(self, tracer: Tracer) -> None:
+        given = {each.id for each in tracer.statement.facts if each.kind == "given"}
+        data = [each for each in tracer.facts if each.ref not in given]
+        self.steps = [
+            Step(tracer.setting, Move("let"), (*each, *tracer.lets, *tracer.directions), ())
+            for each in (data, tracer.facts)
+        ]
+        self.rules = [each.rules() for each in self.steps]
+        self.samples = [_Sample(random.Random(seed)) for seed in range(_POINTS)]
+        self.sources: list[list[_Source]] = [[], []]
+        self.values: list[list[tuple[int, Quotient]]] = [[], []]
+        for each in tracer.facts:
+            if each.ref in given:
+                self.add(each, levels=(0,))
+        laws = list(tracer.all_laws())
+        for level in (0, 1):
+            for move, law in laws:
+                value = self._residual(level, law)
+                if value is not None:
+                    self.sources[level].append(_Source(value, law, move))
+
+    def _residual(self, level: int, link: Link) -> Quotient | None:
+        step = self.steps[level]
+        try:
+            if link.sign in ("parallel to", "perpendicular to"):
+                return None
+            value = step.residual(link, self.rules[level])
+        except NotComparableError:
+            return None
+        if isinstance(value, Plane):
+            # Both components matter; a fixed combination of them tells a stranger.
+            value = value.x + value.y * _SKEW
+        return None if value.vanishes else value
+
+    def residual(self, link: Link) -> tuple[Quotient | None, Quotient | None] | None:
+        """A line as residuals: with the data put in, and with what is given too."""
+        own = self._residual(0, link), self._residual(1, link)
+        return None if own == (None, None) else own
+
+    def add(self, cited: Cited, levels: Sequence[int] = (0, 1)) -> None:
+        """Take up a line above, or a fact that is used as one."""
+        if not isinstance(cited.relation, Relation) or len(cited.relation.options) != 1:
+            return
+        for level in levels:
+            for link in _flat(cited.relation.only):
+                if link.sign != "=":
+                    continue
+                value = self._residual(level, link)
+                if value is not None:
+                    self.sources[level].append(_Source(value, link, None, cited))
+                self.values[level].extend(self._as_values(level, link))
+
+    def _as_values(self, level: int, link: Link) -> Iterator[tuple[int, Quotient]]:
+        """The generators that a line gives, and their values."""
+        world = self.steps[level].world
+        if not isinstance(link.left, Letter | Quantity):
+            return
+        try:
+            left = self.rules[level].put_into(world.value(link.left))
+            right = self.rules[level].put_into(world.value(link.right))
+        except NotComparableError:
+            return
+        pairs = [(left, right)]
+        if isinstance(left, Plane) and isinstance(right, Plane):
+            pairs = [(left.x, right.x), (left.y, right.y)]
+        for own, value in pairs:
+            if isinstance(own, Plane) or isinstance(value, Plane) or len(own.above) != 1:
+                continue
+            (monomial,) = own.above
+            numbers = [n for n, power in enumerate(monomial) if power]
+            if len(numbers) == 1 and monomial[numbers[0]] == 1 and own.above.LC == 1:
+                yield numbers[0], value
+
+    def single(self, own: Any) -> Iterator[_Source]:
+        """The laws, then the lines, that vanish where the line does: the newest lines first."""
+        for values in (False, True):
+            for level in (0, 1):
+                if own[level] is None:
+                    continue
+                sources = self.sources[level]
+                laws = [each for each in sources if each.move is not None]
+                lines = [each for each in reversed(sources) if each.move is None]
+                for source in (*lines, *laws):
+                    if self._agree(level, own[level], [source], values):
+                        yield source
+
+    def pairs(self, own: Any) -> Iterator[tuple[_Source, _Source]]:
+        """Two lines, or a line and a law, where both vanish only where the line does."""
+        level = 0 if own[0] is not None else 1
+        sources = self.sources[level]
+        lines = [each for each in reversed(sources) if each.move is None][:_NEAREST]
+        laws = [each for each in sources if each.move is not None]
+        for first, second in (*combinations(lines, 2), *product(lines, laws)):
+            if self._agree(level, own[level], [first, second], False):
+                yield first, second
+
+    def follows_from_both(self, own: Any, first: _Source, second: _Source) -> bool:
+        """Whether a line is zero, exactly, where two others are: one put into both."""
+        level = 0 if own[0] is not None else 1
+        step = self.steps[level]
+        shared = sorted(
+            _linear(step.world, first.value) & _linear(step.world, own[level])
+        ) or sorted(_linear(step.world, first.value))
+        for number in shared:
+            value = _solved_for(first.value, number)
+            rules = Rules(step.world, [(number, 1, value)])
+            try:
+                line, other = (rules.put_into(each) for each in (own[level], second.value))
+            except NotComparableError:
+                continue
+            assert isinstance(line, Quotient) and isinstance(other, Quotient)
+            if line.vanishes:
+                return True
+            if other.vanishes:
+                continue
+            _, rest = without_common(line.above, other.above)
+            if step.signs.of(Quotient(rest, rest.ring.one), sure=False) is not None:
+                return True
+        return False
+
+    def _agree(self, level: int, own: Quotient, sources: Sequence[_Source], values: bool) -> bool:
+        world = self.steps[level].world
+        known = dict(self.values[level]) if values else {}
+        pivots = self._pivots(world, own, sources, known)
+        if pivots is None:
+            return len(sources) == 1 and not values and _alike(world, own, sources[0].value)
+        conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
+        return all(sample.agrees(world, own, conditions, known) for sample in self.samples)
+
+    def _pivots(
+        self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Any]
+    ) -> tuple[int, ...] | None:
+        """A generator for each source to be solved for, those of the line first."""
+        in_line = set(world.keys(own.above))
+        linear = [
+            sorted(
+                _linear(world, each.value) - known.keys(),
+                key=lambda n: (n not in in_line, _is_positive(world, n)),
+            )
+            for each in sources
+        ]
+        if len(linear) == 1:
+            return (linear[0][0],) if linear[0] and (linear[0][0] in in_line) else None
+        for a in linear[0]:
+            for b in linear[1]:
+                if a != b:
+                    return a, b
+        return None
+
+
+
+def _is_positive(world: World, number: int) -> bool:
+    """Whether a generator is a mass, a speed or another letter that is positive."""
+    key = world.keys_by_number()[number]
+    return bool(key[0] == "letter" and world.roles.get(key[1], REAL).kind == "positive")
+
+
+def _alike(world: World, own: Quotient, other: Quotient) -> bool:
+    """Whether two residuals are of the same generators, where neither can be solved for one."""
+    return set(world.keys(own.above)) == set(world.keys(other.above))
+
+
+def _solved_for(x: Quotient, number: int) -> Quotient:
+    """The value of a generator at which what is linear in it vanishes."""
+    lead = {(*m[:number], 0, *m[number + 1 :]): v for m, v in x.above.items() if m[number]}
+    rest = {m: v for m, v in x.above.items() if not m[number]}
+    ring = x.above.ring
+    return Quotient(-ring.from_dict(rest), ring.one) / Quotient(ring.from_dict(lead), ring.one)
+
+
+def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
+    yield links[0]
+    if len(links) > 1 and all(
+        a.right == b.left and b.sign == "=" for a, b in zip(links, links[1:], strict=False)
+    ):
+        yield Link(links[0].left, links[0].sign, links[-1].right)
+    else:
+        yield from links[1:]
+
+
+_SKEW = CONSTANT(7919)
+
+
+def _linear(world: World, x: Quotient) -> set[int]:
+    """The generators in which a numerator is linear, and which no root and no sine hides."""
+    keys = world.keys(x.above)
+    inside = {
+        n
+        for key in world.keys(x.above, x.below).values()
+        if key[0] in ("root", "size")
+        for n in world.keys(key[1])
+    }
+    return {
+        n
+        for n, key in keys.items()
+        if key[0] in ("letter", "quantity", "x", "y", "angle", "sin", "cos")
+        and n not in inside
+        and max(m[n] for m in x.above) == 1
+    }
+
+
+class _Sample:
+    """Random values of generators: consistent for sines and cosines of one angle, and for roots."""
+
+    def __init__(self, random_: random.Random) -> None:
+        self.random = random_
+        self.atoms: dict[Any, float] = {}
+        self.values: dict[Any, complex] = {}
+
+    def agrees(
+        self,
+        world: World,
+        own: Quotient,
+        conditions: Sequence[tuple[Quotient, int]],
+        known: dict[int, Quotient],
+    ) -> bool:
+        """Whether a quotient vanishes where others do, each solved for a generator.
+
+        What is ``known`` has the value that a line above gives it.
+        """
+        point: dict[int, complex] = {}
+        gone = {number for _, number in conditions}
+        polynomials = [own.above, *(each.above for each, _ in conditions)]
+        try:
+            for number in world.keys(*polynomials):
+                if number not in gone:
+                    point[number] = self._known(world, number, known, 0)
+        except ZeroDivisionError:
+            return False
+        try:
+            solved = _solved(conditions, point)
+        except ZeroDivisionError:
+            return False
+        if any(abs(x) < _CLOSE and _is_positive(world, n) for n, x in solved.items()):
+            return False  # a mass, or a speed, of nothing
+        point |= solved
+        value, size = _at(own.above, point)
+        return abs(value) <= _CLOSE * max(size, 1.0)
+
+    def _known(self, world: World, number: int, known: dict[int, Quotient], depth: int) -> complex:
+        key = world.keys_by_number()[number]
+        if key[0] in ("root", "size") and known and depth <= 8:
+            below = {n: self._known(world, n, known, depth + 1) for n in world.keys(key[1])}
+            value = _at(key[1], below)[0]
+            return cmath.sqrt(value) if key[0] == "root" else abs(value)
+        if number not in known or depth > 8:
+            return self._value(world, key)
+        x = known[number]
+        own = {n: self._known(world, n, known, depth + 1) for n in world.keys(x.above, x.below)}
+        return _at(x.above, own)[0] / _at(x.below, own)[0]
+
+    def _value(self, world: World, key: Any) -> complex:
+        if key not in self.values:
+            self.values[key] = self._new(world, key)
+        return self.values[key]
+
+    def _new(self, world: World, key: Any) -> complex:
+        match key:
+            case ("cos", turn):
+                return math.cos(self._angle(turn))
+            case ("sin", turn):
+                return math.sin(self._angle(turn))
+            case ("root", inside):
+                own = {n: self._value(world, k) for n, k in world.keys(inside).items()}
+                return cmath.sqrt(_at(inside, own)[0])
+            case ("size", inside):
+                own = {n: self._value(world, k) for n, k in world.keys(inside).items()}
+                return abs(_at(inside, own)[0])
+            case ("degree",):
+                return math.pi / 180
+            case ("angle", atom):
+                return self._atom(atom)
+        return self.random.uniform(0.7, 4)
+
+    def _angle(self, turn: Any) -> float:
+        terms, degrees = turn
+        total = float(degrees) * math.pi / 180
+        for term in terms:
+            if term:
+                atom, count = term
+                total += float(count) * self._atom(atom)
+        return total
+
+    def _atom(self, atom: Any) -> float:
+        if atom not in self.atoms:
+            self.atoms[atom] = self.random.uniform(0.2, 1.3)
+        return self.atoms[atom]
+
+
+def _at(polynomial: Any, point: dict[int, complex]) -> tuple[complex, float]:
+    """The value of a polynomial, and the size of its greatest term."""
+    total, size = 0j, 0.0
+    for powers, coefficient in polynomial.items():
+        term = complex(float(coefficient))
+        for n, power in enumerate(powers):
+            if power:
+                term *= point[n] ** power
+        total += term
+        size = max(size, abs(term))
+    return total, size
+
+
+def _solved(
+    conditions: Sequence[tuple[Quotient, int]], point: dict[int, complex]
+) -> dict[int, complex]:
+    """Values of one or two generators at which polynomials that are linear in them vanish."""
+    numbers = [number for _, number in conditions]
+    zero = {**point, **dict.fromkeys(numbers, 0j)}
+    constant = [_at(each.above, zero)[0] for each, _ in conditions]
+    slopes = [
+        [_at(each.above, {**zero, n: 1 + 0j})[0] - c for n in numbers]
+        for (each, _), c in zip(conditions, constant, strict=True)
+    ]
+    if len(numbers) == 1:
+        return {numbers[0]: -constant[0] / slopes[0][0]}
+    (a, b), (c, d) = slopes
+    p, q = constant
+    determinant = a * d - b * c
+    return {numbers[0]: (b * q - d * p) / determinant, numbers[1]: (c * p - a * q) / determinant}
