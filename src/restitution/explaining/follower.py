@@ -375,7 +375,7 @@ def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
 
 @lru_cache(maxsize=256)
 def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
-    return Oracle(dict(roles)).decide(claim).answer == "proved"  # type: ignore[arg-type]
+    return Oracle(dict(roles)).proves(claim)  # type: ignore[arg-type]
 
 
 def _letters_of(relation: Relation | Meaning) -> set[str]:

@@ -691,7 +691,7 @@ def _never_zero(step: Step, polynomial: list[Quotient]) -> bool:
             for n, coefficient in enumerate(polynomial)
         )
     )
-    return step.oracle.decide(Claim(value, "!=")).answer == "proved"
+    return step.oracle.proves(Claim(value, "!="))
 
 
 def _reject(step: Step, relation: Relation) -> bool:
@@ -731,7 +731,7 @@ def _same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:
 
 def _by_oracle(step: Step, relation: Relation) -> bool:
     """Whether a relation is proved by what is cited, and by that alone."""
-    return step.oracle.decide(step.formula(relation)).answer == "proved"
+    return step.oracle.proves(step.formula(relation))
 
 
 def _sign(step: Step, relation: Relation) -> bool:
@@ -778,7 +778,7 @@ def _inverse(step: Step, relation: Relation) -> bool:
     sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
     return _equal(step, found, _in_radians(step, value)) and all(
-        oracle.decide(compared(a, sign, b)).answer == "proved"
+        oracle.proves(compared(a, sign, b))
         for a, b in ((low, angle), (angle, high))
     )
 
@@ -823,7 +823,7 @@ def _in_radians(step: Step, tree: Expression) -> sp.Expr:
 
 def _equal(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
     oracle = Oracle(step.setting.roles)
-    return oracle.decide(Claim(a - b, "=")).answer == "proved"
+    return oracle.proves(Claim(a - b, "="))
 
 
 def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
@@ -873,7 +873,7 @@ def _value(step: Step, relation: Relation) -> bool:
         value = value * 180 / sp.pi
     gap = sp.Abs(value - sp.Rational(number.numerator, number.denominator))
     half = sp.Rational(unit.numerator, unit.denominator * 2)
-    return Oracle({}).decide(compared(gap, "<=", half)).answer == "proved"
+    return Oracle({}).proves(compared(gap, "<=", half))
 
 
 def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:

@@ -57,7 +57,7 @@ class Signs:
             return plain
         if not sure and self._is_printed(factor):
             return 0
-        by_oracle = self._by_oracle(factor)
+        by_oracle = self._by_oracle(factor, sure)
         return 0 if by_oracle is None and self._is_printed(factor) else by_oracle
 
     def _plain(self, factor: PolyElement) -> Sign | None:
@@ -123,16 +123,18 @@ class Signs:
                     self._printed |= {own, -own}
         return factor in self._printed
 
-    def _by_oracle(self, factor: PolyElement) -> Sign | None:
+    def _by_oracle(self, factor: PolyElement, sure: bool) -> Sign | None:
         oracle = self.oracle()
         if self._takes_any_value(factor, oracle):
             return None
         value = self.world.expression(Quotient(factor, factor.ring.one), oracle.roles)
-        if oracle.decide(Relation(value, ">")).answer == "proved":
+        if not sure:
+            return 0 if oracle.proves(Relation(value, "!=")) else None
+        if oracle.proves(Relation(value, ">")):
             return 1
-        if oracle.decide(Relation(-value, ">")).answer == "proved":
+        if oracle.proves(Relation(-value, ">")):
             return -1
-        return 0 if oracle.decide(Relation(value, "!=")).answer == "proved" else None
+        return 0 if oracle.proves(Relation(value, "!=")) else None
 
     def _takes_any_value(self, factor: PolyElement, oracle: Oracle) -> bool:
         """Whether a factor is linear in what may be any number, and of which nothing is cited."""

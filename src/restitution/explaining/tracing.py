@@ -87,7 +87,7 @@ class Tracer:
         self.facts = [Cited(each.id, each.relation) for each in self.statement.facts]
         self.lines: list[Cited] = []
         self.lets: list[Cited] = []
-        self._numbers: _Numbers | None = None
+        self._numbers: list[_Numbers] | None = None
 
     def add(self, number: int, relation: Relation | Meaning) -> None:
         """Take up a line: those that come can rest on it."""
@@ -103,16 +103,18 @@ class Tracer:
         self.lines.append(cited)
         if self._directs(cited):
             self._numbers = None
-        if self._numbers is not None:
-            self._numbers.add(cited)
+        for numbers in self._numbers or ():
+            numbers.add(cited)
 
     @property
-    def numbers(self) -> _Numbers:
-        """Everything that a line may come from, in numbers."""
+    def numbers(self) -> list[_Numbers]:
+        """Everything that a line may come from, in numbers: event by event, the latest first."""
         if self._numbers is None:
-            self._numbers = _Numbers(self)
-            for each in self.lines:
-                self._numbers.add(each)
+            events = [each.number for each in reversed(self.statement.events)]
+            self._numbers = [_Numbers(self, each) for each in events or (0,)]
+            for numbers in self._numbers:
+                for each in self.lines:
+                    numbers.add(each)
         return self._numbers
 
     def _directs(self, cited: Cited) -> bool:
@@ -186,9 +188,11 @@ class Tracer:
 
     # --- laws, definitions, and lines above, by numbers ------------------------------------------
 
-    def all_laws(self) -> Iterator[tuple[Move, Link]]:
-        """What every record says of every event."""
+    def laws_of(self, number: int) -> Iterator[tuple[Move, Link]]:
+        """What every record says of an event."""
         for event in self.statement.events:
+            if event.number != number:
+                continue
             for record in RECORDS.values():
                 if record.kind == "identity" or not record.serves(event):
                     continue
@@ -209,9 +213,14 @@ class Tracer:
     def _by_numbers(self, relation: Relation) -> Trace | None:
         if len(relation.only) != 1:
             return None
-        (link,) = relation.only
-        numbers = self.numbers
-        own = numbers.residual(link)
+        for numbers in self.numbers:
+            found = self._in(numbers, relation)
+            if found is not None:
+                return found
+        return None
+
+    def _in(self, numbers: _Numbers, relation: Relation) -> Trace | None:
+        own = numbers.residual(relation.only[0])
         if own is None:
             return None
         for source in numbers.single(own):
@@ -263,12 +272,29 @@ class Tracer:
                 ):
                     chosen.append(source)
                     pending.extend(_rights(source))
+                    if isinstance(source.relation, Meaning):
+                        pending.append(Letter(source.relation.letter))
+                elif _is_axis(node) and with_axes:
+                    assert isinstance(node, Quantity)
+                    pending.extend(
+                        each.relation.quantity
+                        for each in self.lets
+                        if isinstance(each.relation, Meaning)
+                        and _is_impulse(each.relation.quantity, node.stage)
+                    )
+                    pending.extend(
+                        Letter(each.relation.letter)
+                        for each in self.lets
+                        if isinstance(each.relation, Meaning)
+                        and _is_impulse(each.relation.quantity, node.stage)
+                    )
                 elif isinstance(node, Quantity) and node not in kept:
                     pending.extend(node.arguments)
                     if node.kind == "velocity":
                         parts = [x for x in every if x not in chosen and _tells_of(x, node)]
                         chosen.extend(parts)
                         pending.extend(tree for each in parts for tree in _rights(each))
+                        pending.extend(tree for each in parts for tree in _axes(each))
                     if not with_axes:
                         seen |= {x for x in node.arguments if _is_axis(x)}
                 elif isinstance(node, Quantity) and with_axes:
@@ -480,6 +506,25 @@ def _is_axis(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
+def _is_impulse(tree: Expression, stage: object) -> bool:
+    return (
+        isinstance(tree, Quantity)
+        and tree.kind == "impulse"
+        and bool(tree.arguments)
+        and tree.stage == stage
+    )
+
+
+def _axes(cited: Cited) -> list[Expression]:
+    """The axes in the left side of a line."""
+    left = (
+        cited.relation.quantity
+        if isinstance(cited.relation, Meaning)
+        else cited.relation.only[0].left
+    )
+    return [each for each in walk(left) if _is_axis(each)]
+
+
 def _is_tie(cited: Cited) -> bool:
     return isinstance(cited.relation, Relation) and any(
         link.sign in ("perpendicular to", "parallel to") or _is_right_angle(link)
@@ -508,21 +553,24 @@ class _Source:
 class _Numbers:
     """Laws and lines as polynomials, with the statement's facts put in, tried at random points."""
 
-    def __init__(self, tracer: Tracer) -> None:
+    def __init__(self, tracer: Tracer, event: int) -> None:
         given = {each.id for each in tracer.statement.facts if each.kind == "given"}
         data = [each for each in tracer.facts if each.ref not in given]
         self.steps = [
             Step(tracer.setting, Move("let"), (*each, *tracer.lets, *tracer.directions), ())
             for each in (data, tracer.facts)
         ]
-        self.rules = [each.rules() for each in self.steps]
+        self.rules = [
+            each.rules((*kept, *tracer.lets))
+            for each, kept in zip(self.steps, (data, tracer.facts), strict=True)
+        ]
         self.samples = [_Sample(random.Random(seed)) for seed in range(_POINTS)]
         self.sources: list[list[_Source]] = [[], []]
-        self.values: list[list[tuple[int, Quotient]]] = [[], []]
+        self.values: list[list[tuple[int, Quotient, Ref]]] = [[], []]
         for each in tracer.facts:
             if each.ref in given:
                 self.add(each, levels=(0,))
-        laws = list(tracer.all_laws())
+        laws = list(tracer.laws_of(event))
         for level in (0, 1):
             for move, law in laws:
                 value = self._residual(level, law)
@@ -558,12 +606,14 @@ class _Numbers:
                 value = self._residual(level, link)
                 if value is not None:
                     self.sources[level].append(_Source(value, link, None, cited))
-                self.values[level].extend(self._as_values(level, link))
+                self.values[level].extend(
+                    (number, own, cited.ref) for number, own in self._as_values(level, link)
+                )
 
     def _as_values(self, level: int, link: Link) -> Iterator[tuple[int, Quotient]]:
         """The generators that a line gives, and their values."""
         world = self.steps[level].world
-        if not isinstance(link.left, Letter | Quantity):
+        if not isinstance(link.left, Letter | Quantity | Apply):
             return
         try:
             left = self.rules[level].put_into(world.value(link.left))
@@ -630,12 +680,35 @@ class _Numbers:
 
     def _agree(self, level: int, own: Quotient, sources: Sequence[_Source], values: bool) -> bool:
         world = self.steps[level].world
-        known = dict(self.values[level]) if values else {}
+        own_refs = {each.cited.ref for each in sources if each.move is None}
+        known = {n: x for n, x, ref in self.values[level] if values and ref not in own_refs}
         pivots = self._pivots(world, own, sources, known)
         if pivots is None:
-            return len(sources) == 1 and not values and _alike(world, own, sources[0].value)
+            return len(sources) == 1 and self._agree_put_in(level, own, sources[0].value, known)
+        if known and len(sources) == 1:
+            used = {n for x in known.values() for n in world.keys(x.above, x.below)}
+            if used & set(pivots):
+                return self._agree_put_in(level, own, sources[0].value, known)
         conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
         return all(sample.agrees(world, own, conditions, known) for sample in self.samples)
+
+    def _agree_put_in(
+        self, level: int, own: Quotient, other: Quotient, known: dict[int, Quotient]
+    ) -> bool:
+        """As `_agree`, where nothing can be solved for before what is known is put in."""
+        step = self.steps[level]
+        if known:
+            rules = Rules(step.world, [(n, 1, value) for n, value in known.items()])
+            try:
+                line, law = (rules.put_into(each) for each in (own, other))
+            except NotComparableError:
+                return False
+            assert isinstance(line, Quotient)
+            assert isinstance(law, Quotient)
+            own, other = line, law
+            if own.vanishes or other.vanishes:
+                return False
+        return set(step.world.keys(own.above)) <= set(step.world.keys(other.above))
 
     def _pivots(
         self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Any]
@@ -663,11 +736,6 @@ def _is_positive(world: World, number: int) -> bool:
     """Whether a generator is a mass, a speed or another letter that is positive."""
     key = world.keys_by_number()[number]
     return bool(key[0] == "letter" and world.roles.get(key[1], REAL).kind == "positive")
-
-
-def _alike(world: World, own: Quotient, other: Quotient) -> bool:
-    """Whether two residuals are of the same generators, where neither can be solved for one."""
-    return set(world.keys(own.above)) == set(world.keys(other.above))
 
 
 def _solved_for(x: Quotient, number: int) -> Quotient:

@@ -79,6 +79,7 @@ class Oracle:
     facts: tuple[Formula, ...] = ()
     _verdicts: dict[Formula, Verdict] = field(default_factory=dict, repr=False)
     _signs: dict[sp.Expr, int | None] = field(default_factory=dict, repr=False)
+    _plain: bool = field(default=True, repr=False)
 
     def with_facts(self, facts: Iterable[Formula]) -> Oracle:
         """The same letters, under more facts."""
@@ -151,6 +152,16 @@ class Oracle:
             self._verdicts[claim] = verdict
         return self._verdicts[claim]
 
+    def proves(self, claim: Formula) -> bool:
+        """Whether a claim is proved, for who needs no counter-example: finding a plain one takes
+        longer than the rest."""
+        if claim in self._verdicts:
+            return bool(self._verdicts[claim])
+        try:
+            return bool(_proved(self._known(_letters_of(claim)), claim))
+        except _OpenError:
+            return False
+
     def decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
         """Whether wherever the facts hold, some values of the free letters satisfy a claim."""
         try:
@@ -196,7 +207,8 @@ class Oracle:
         return Verdict("undecided", "undecided", None, tried)
 
     def _all(self, claim: All) -> Verdict:
-        parts = [self.decide(each) for each in claim.parts]
+        decide = self.decide if self._plain else self._decide
+        parts = [decide(each) for each in claim.parts]
         tried = max((each.trials for each in parts), default=0)
         for each in parts:
             if each.answer == "refuted":
@@ -335,6 +347,8 @@ class Oracle:
 
     def _simple(self, point: Point, against: Sequence[Formula]) -> dict[str, Value]:
         """A point of the same kind in plainer numbers."""
+        if not self._plain:
+            return dict(point)
         testers = [_tester(each) for each in against]
 
         def serves(candidate: Point) -> bool:
@@ -426,6 +440,13 @@ def _oracle(known: _Known) -> Oracle:
 @remembered(2048)
 def _decided(known: _Known, claim: Formula) -> Verdict:
     return _kept(_oracle(known)._decide(claim))
+
+
+@remembered(2048)
+def _proved(known: _Known, claim: Formula) -> Verdict:
+    oracle = _oracle(known)
+    oracle._plain = False
+    return _kept(oracle._decide(claim))
 
 
 @remembered(512)
