@@ -160,7 +160,7 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
 
     None where either of them is zero. k is in lowest form, roots aside.
     """
-    if line.vanishes or expected.vanishes:
+    if line.vanishes or expected.vanishes or _strangers(world, line, expected):
         return None
     by_root = _ratio_of_leads(world, line, expected)
     if by_root is not None:
@@ -170,6 +170,17 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
         return None  # they have no factor in common that could vanish
     under, over = without_common(line.below, expected.below)
     return Quotient(*without_common(above * over, below * under))
+
+
+def _strangers(world: World, line: Quotient, expected: Quotient) -> bool:
+    """Whether one of two speaks of a quantity that the other does not know: the quick way out."""
+    ours, theirs = (set(world.keys(x.above)) for x in (line, expected))
+    names = world.keys_by_number()
+    return any(
+        names[n][0] in ("quantity", "x", "y") and not all(m[n] for m in x.above)
+        for x, own in ((line, ours - theirs), (expected, theirs - ours))
+        for n in own
+    )
 
 
 def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotient | None:

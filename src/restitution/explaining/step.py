@@ -192,19 +192,26 @@ class Step:
 
     # --- values put in --------------------------------------------------------------------------
 
-    def rules(self, cited: Iterable[Cited] | None = None) -> Rules:
+    def rules(self, cited: Sequence[Cited] | None = None) -> Rules:
         """What is cited as values: of a letter or a quantity by a number or other letters."""
+        if cited is None:
+            return self._rules
         rules = Rules(self.world)
-        for each in self.cited if cited is None else cited:
+        for each in cited:
             if isinstance(each.relation, Meaning):
                 meaning = each.relation
                 rules.add(meaning.quantity, Letter(meaning.letter), self._sense(meaning))
             elif len(each.relation.options) == 1:
                 for left, right in _values(each.relation.only):
                     rules.add(left, right)
-        for left, right in self._resolved(self.cited if cited is None else tuple(cited)):
+        for left, right in self._resolved(tuple(cited)):
             rules.add(left, right)
         return rules
+
+    @cached_property
+    def _rules(self) -> Rules:
+        """What is cited in all, as values."""
+        return self.rules(self.cited)
 
     def _resolved(self, cited: Sequence[Cited]) -> Iterator[tuple[Expression, Expression]]:
         """Components of a velocity of which the size and an angle are cited.
