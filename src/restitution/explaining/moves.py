@@ -593,6 +593,7 @@ def _triangle(step: Step, relation: Relation) -> bool:
         and isinstance(link.left, Apply)
         and link.left.function in _RATIOS
         and link.left.argument in known
+        and not any(isinstance(each, Apply) and each.function != "sqrt" for each in walk(link.right))
         for link in relation.only
     ) and _by_oracle(step, relation)
 

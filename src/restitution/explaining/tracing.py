@@ -45,6 +45,8 @@ from restitution.oracle.roles import REAL
 
 _POINTS = 3
 _CLOSE = 1e-9
+_NEAR = 4
+"""So many lines above are tried with moves that are dear to try."""
 _NEAREST = 8
 """So many lines above are taken in twos."""
 
@@ -160,9 +162,10 @@ class Tracer:
                 return
             yield lambda: self._chain(relation)
             yield lambda: self._fact(relation)
-            yield lambda: self._by_numbers(relation)
-            yield lambda: self._from_one(relation, ("roots", "reject", "inverse", "triangle"))
-            yield lambda: self._from_one(relation, ("identity",))
+            yield lambda: self._from_one(relation, ("reject", "inverse"))
+            yield lambda: self._by_numbers(relation, self._from_single)
+            yield lambda: self._from_one(relation, ("roots", "triangle", "identity"))
+            yield lambda: self._by_numbers(relation, self._from_several)
             return
         yield lambda: self._from_one(relation, ("rearrange", "put"))
         yield lambda: self._inequality(relation)
@@ -196,9 +199,9 @@ class Tracer:
             for record in RECORDS.values():
                 if record.kind == "identity" or not record.serves(event):
                     continue
-                id: Any = "law" if record.kind == "principle" else "define"
+                kind: Any = "law" if record.kind == "principle" else "define"
                 for bodies in self._bodies(record, event.bodies):
-                    move = Move(id, record.id, event.number, bodies)
+                    move = Move(kind, record.id, event.number, bodies)
                     step = Step(self.setting, move, tuple(self.facts), ())
                     for link in records_of(step):
                         yield move, link
@@ -210,19 +213,20 @@ class Tracer:
             return [tuple(spheres)]
         return permutations(spheres, 2) if both and len(spheres) > 1 else [(x,) for x in spheres]
 
-    def _by_numbers(self, relation: Relation) -> Trace | None:
+    def _by_numbers(
+        self, relation: Relation, attempt: Callable[[_Numbers, Any, Relation], Trace | None]
+    ) -> Trace | None:
         if len(relation.only) != 1:
             return None
         for numbers in self.numbers:
-            found = self._in(numbers, relation)
+            own = numbers.residual(relation.only[0])
+            found = None if own is None else attempt(numbers, own, relation)
             if found is not None:
                 return found
         return None
 
-    def _in(self, numbers: _Numbers, relation: Relation) -> Trace | None:
-        own = numbers.residual(relation.only[0])
-        if own is None:
-            return None
+    def _from_single(self, numbers: _Numbers, own: Any, relation: Relation) -> Trace | None:
+        """One law, or one line above."""
         for source in numbers.single(own):
             found = (
                 self._from_law(source.move, source.link, relation)
@@ -231,6 +235,10 @@ class Tracer:
             )
             if found is not None:
                 return found
+        return None
+
+    def _from_several(self, numbers: _Numbers, own: Any, relation: Relation) -> Trace | None:
+        """Two lines above, or a law together with a line: the latter is a composition."""
         for first, second in numbers.pairs(own):
             if first.move is None and second.move is None:
                 found = self._from_two(second.cited, first.cited, relation)
@@ -353,13 +361,14 @@ class Tracer:
     def _from_one(self, relation: Relation, ids: Sequence[str]) -> Trace | None:
         """A move of its own kind on one line above, the newest first."""
         known = self._background(relation)
-        for cited in reversed(self.lines):
-            for id in ids:
-                if not _may_be(id, relation, cited):
+        near = list(reversed(self.lines))
+        for cited in near if ids == ("reject", "inverse") else near[:_NEAR]:
+            for name in ids:
+                if not _may_be(name, relation, cited):
                     continue
-                for record in _IDENTITIES if id == "identity" else (None,):
-                    move = Move(id, record)  # type: ignore[arg-type]
-                    extra = [] if id in ("value",) else self.lets
+                for record in _IDENTITIES if name == "identity" else (None,):
+                    move = Move(name, record)  # type: ignore[arg-type]
+                    extra = [] if name == "value" else self.lets
                     step = Step(self.setting, move, (cited, *extra), known)
                     if _tried(step, relation):
                         return Trace("move", (move,), self._needed(step, relation))
@@ -423,17 +432,20 @@ def _tried(step: Step, relation: Relation) -> bool:
         return False
 
 
-def _may_be(id: str, relation: Relation, cited: Cited) -> bool:
+def _may_be(name: str, relation: Relation, cited: Cited) -> bool:
     """Whether a line has the form that a move gives, before it is tried."""
     assert isinstance(cited.relation, Relation)
     links = [link for option in relation.options for link in option]
-    if id == "reject":
+    if name == "reject":
         return len(cited.relation.options) > len(relation.options)
-    if id in ("roots", "value"):
+    if name in ("roots", "value"):
         return len(cited.relation.options) == 1
-    if id in ("triangle", "inverse"):
+    if name in ("triangle", "inverse"):
         ratio = any(isinstance(x.left, Apply) for x in links)
-        return len(cited.relation.options) == 1 and ratio == (id == "triangle")
+        known = any(isinstance(x.left, Apply | Letter) for x in cited.relation.options[0])
+        return len(cited.relation.options) == 1 and known and ratio == (name == "triangle")
+    if name == "identity":
+        return any(isinstance(n, Apply) for t in trees_of(cited.relation) for n in walk(t))
     return True
 
 
