@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.components import Model
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
+from restitution.explain.marks import without_method
 from restitution.explain.phrases import answer, chain, listed, look, sum_of_products
 from restitution.explain.quantities import (
     WHOLE,
@@ -25,6 +26,7 @@ from restitution.explain.quantities import (
     stage_of,
 )
 from restitution.explain.steps import Origin, Row, Side, Words, shown, side
+from restitution.explaining.marks import A1, A1_STAR, M1
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     AtTime,
@@ -295,10 +297,10 @@ def found_before(work: Working, tree: Expression, now: int) -> dict[str, Origin]
 def _once(work: Working, tree: Quantity, rows: list[Row]) -> list[Row]:
     """The same method for another body earns no second M."""
     key = ("method", tree.kind)
-    if tree.kind not in ("speed", "energy", "momentum") or not rows or "M1" not in rows[-1].mark:
+    if tree.kind not in ("speed", "energy", "momentum") or not rows or M1 not in rows[-1].points:
         return rows
     if key in work.done:
-        rows = [*rows[:-1], replace(rows[-1], mark=rows[-1].mark.replace("M1 ", ""))]
+        rows = [*rows[:-1], replace(rows[-1], points=without_method(rows[-1].points))]
     work.done.add(key)
     return rows
 
@@ -343,7 +345,7 @@ def _ending(
     ending = answer(pair, angle=answer_.angle, percentage=item.percentage)
     if not made and _stated(work, name, ending):
         return made  # an impulse from outside has told it
-    made.append(chain(Side(name, pair), *ending, mark="A1"))
+    made.append(chain(Side(name, pair), *ending, points=(A1,)))
     return made
 
 
@@ -377,15 +379,15 @@ def _final(
         last = work.steps[-1] if work.steps else None
         if last is not None and last.rows and last.rows[-1].operands[0] == name:
             # The line just written says the same in another form.
-            neat = chain(Side(name, value), *ending, mark="A1")
+            neat = chain(Side(name, value), *ending, points=(A1,))
             work.steps[-1] = replace(last, rows=(*last.rows[:-1], neat))
             return
         own = side(evaluated(work, tree, now), name)
         sides = [Side(name, own.value), *ending]
-        work.write("result", [chain(*sides, mark="A1")])
+        work.write("result", [chain(*sides, points=(A1,))])
         return
     made = Side(_values_in(work, tree, now), value)
-    work.write("result", [chain(Side(name, value), made, *ending, mark="A1")])
+    work.write("result", [chain(Side(name, value), made, *ending, points=(A1,))])
 
 
 def _values_in(work: Working, tree: Expression, now: int) -> Layout:
@@ -507,7 +509,7 @@ def _show_equal(
                 Side(first, a),
                 *exact[:1],
                 shown(last),
-                mark="A1*",
+                points=(A1_STAR,),
                 note=(f"to {figures} significant figures",),
             )
         )
@@ -519,9 +521,13 @@ def _show_equal(
         if quantities_in(work, right, now):
             rows.append(chain(Side(first, a), left_middle, plain_value))
             rows.append(chain(Side(last, b), right_middle, side(b, look(b, angle=angle))))
-            rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
+            rows.append(
+                chain(Side(first, a), Side(last, b), points=(A1_STAR,), note=("as required",))
+            )
         elif _stated(work, first, [plain_value]):
-            rows.append(chain(Side(first, a), Side(last, b), mark="A1*", note=("as required",)))
+            rows.append(
+                chain(Side(first, a), Side(last, b), points=(A1_STAR,), note=("as required",))
+            )
         else:
             rows.append(
                 chain(
@@ -529,7 +535,7 @@ def _show_equal(
                     left_middle,
                     plain_value,
                     Side(last, b),
-                    mark="A1*",
+                    points=(A1_STAR,),
                     note=("as required",),
                 )
             )
@@ -539,7 +545,7 @@ def _show_equal(
 def _show_quantity(work: Working, left: Expression, right: Expression, now: int) -> None:
     """A printed result for one quantity: its own lines, ending with what is printed."""
     assert isinstance(left, Quantity)
-    derived = derive(work, left, now, mark="A1*")
+    derived = derive(work, left, now, last=A1_STAR)
     work.done.add(("quantity", left, now if left.stage is None else None))
     rows = list(derived.rows)
     value = derived.value
@@ -549,7 +555,7 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
     if rows:
         final = rows[-1]
         if final.operands[0] != lay.from_tree(left):
-            rows.append(chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note))
+            rows.append(chain(Side(lay.from_tree(left), value), last, points=(A1_STAR,), note=note))
             work.write("result", rows, derived.principle, derived.words, uses=uses)
             return
         sides = [
@@ -557,10 +563,10 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
             for o, v in zip(final.operands, final.values, strict=True)
             if o is not None and v is not None
         ]
-        mark = final.mark.replace("A1*", "A1").replace("A1", "A1*")
-        rows[-1] = chain(*sides, last, mark=mark, note=note)
+        points = tuple(A1_STAR if each.kind == "A" else each for each in final.points)
+        rows[-1] = chain(*sides, last, points=points, note=note)
     else:
-        rows = [chain(Side(lay.from_tree(left), value), last, mark="A1*", note=note)]
+        rows = [chain(Side(lay.from_tree(left), value), last, points=(A1_STAR,), note=note)]
     work.write("result", rows, derived.principle, derived.words, uses=uses)
 
 
@@ -611,10 +617,10 @@ def _show_ordered(
                     ),
                     ("=", ">" if "=" not in op else "≥"),
                     (gap, gap, sp.Integer(0)),
-                    "M1",
+                    (M1,),
                 )
             )
-    rows.append(Row((first, last), (sign,), (a, b), "A1*", ("as required",)))
+    rows.append(Row((first, last), (sign,), (a, b), (A1_STAR,), ("as required",)))
     work.write("result", rows, words=words)
 
 
@@ -638,7 +644,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
                 side(total, lay.product(_in_brackets(first), _in_brackets(last), sign="·")),
                 side(total, sum_of_products(products)),
                 side(sp.Integer(0)),
-                mark="M1 A1",
+                points=(M1, A1),
             )
             work.write("result", [row], words=("The scalar product is",))
     else:
@@ -649,13 +655,13 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
                 side((a.x, a.y), first),
                 side((a.x, a.y)),
                 side((a.x, a.y), _times(ratio, look((b.x, b.y)))),
-                mark="M1",
+                points=(M1,),
             )
             work.write("result", [row])
     work.write(
         "result",
         words=("So ", first, f" is {relation.relation} ", last, ", as required."),
-        mark="A1*",
+        points=(A1_STAR,),
     )
 
 
@@ -678,7 +684,7 @@ def _show_rest(work: Working, relation: AtRest, now: int) -> None:
     velocity = Quantity("velocity", (Name(relation.body.name),))
     prepare(work, velocity, now)
     value = evaluated(work, velocity, now)
-    row = chain(side(value, lay.from_tree(velocity)), side(value), mark="A1*")
+    row = chain(side(value, lay.from_tree(velocity)), side(value), points=(A1_STAR,))
     work.write("result", [row])
     work.write("result", words=(f"So {relation.body.name} is at rest, as required.",))
 

@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.explain.geometry import given_after
 from restitution.explain.phrases import bold_velocity, chain, look, product_of
 from restitution.explain.steps import side
+from restitution.explaining.marks import A1, M1
 from restitution.problem import Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Brackets, Layout
@@ -42,7 +43,7 @@ def kick(work: Working, number: int) -> None:
     kinds = given_after(work, body, number)
     turned = "speed" in kinds and bool(kinds & {"direction", "deflection"})
     if sought and turned:
-        row = chain(side((v.x, v.y), name), side((v.x, v.y)), mark="M1")
+        row = chain(side((v.x, v.y), name), side((v.x, v.y)), points=(M1,))
         words = (f"By the speed and the direction of {body} after the impulse,",)
         work.write("fact", [row], words=words)
     if sought and not turned and "velocity" not in kinds:
@@ -53,9 +54,9 @@ def kick(work: Working, number: int) -> None:
             chain(
                 side(raw),
                 side(raw, _times(mass, _difference(name, u))),
-                mark="M1",
+                points=(M1,),
             ),
-            chain(side((put.x, put.y), name), side((put.x, put.y)), mark="A1"),
+            chain(side((put.x, put.y), name), side((put.x, put.y)), points=(A1,)),
         ]
         work.write("principle", rows, "Impulse = change of momentum")
         return
@@ -67,7 +68,7 @@ def kick(work: Working, number: int) -> None:
                 side(raw),
                 side((push.x, push.y), _times(mass, _difference(look((v.x, v.y)), u))),
                 side((push.x, push.y)),
-                mark="M1 A1",
+                points=(M1, A1),
             )
         ]
         work.write("principle", rows, "Impulse = change of momentum")
@@ -80,9 +81,9 @@ def kick(work: Working, number: int) -> None:
         chain(
             side((push.x, push.y)),
             side((push.x, push.y), _times(mass, _difference(name, u))),
-            mark="M1",
+            points=(M1,),
         ),
-        chain(side((v.x, v.y), name), side((v.x, v.y)), mark="A1"),
+        chain(side((v.x, v.y), name), side((v.x, v.y)), points=(A1,)),
     ]
     del story
     work.done.add(("velocity", body, number))

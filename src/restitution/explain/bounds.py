@@ -20,6 +20,7 @@ from restitution.explain.phrases import answer, chain, listed, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import Row, Side, Words, side
 from restitution.explain.working import TANGENT, by_tangent
+from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Marks
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Name, Quantity, has_quantity
 from restitution.oracle import BeyondError, Formula, compared
@@ -236,7 +237,7 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
     ]
     one, other = relation.first.name, relation.second.name
     if work.model.story.walls[other].start is not None:
-        _crossing(work, relation, now, "M1 A1")
+        _crossing(work, relation, now, (M1, A1))
     sides = "both of these hold" if relation.happens else "either of these holds"
     words: Words = (f"{one} {'hits' if relation.happens else 'does not hit'} {other} if {sides}:",)
     found = []
@@ -247,7 +248,7 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
     return found
 
 
-def _crossing(work: Working, relation: Meets, now: int, mark: str) -> Any:
+def _crossing(work: Working, relation: Meets, now: int, points: Marks) -> Any:
     """The point where a sphere comes to the line of a wall, written down; None if that is open."""
     one, other = relation.first.name, relation.second.name
     story = work.model.story
@@ -261,7 +262,7 @@ def _crossing(work: Working, relation: Meets, now: int, mark: str) -> Any:
     point = work.put(known[0] + v * (normal.dot(through - known[0]) / normal.dot(v)))
     laid = lay.Coordinates((look(point.x), look(point.y)))
     words: Words = (f"{one} comes to the line of {other} at the point ", laid, ".")
-    work.write("result", words=words, mark=mark)
+    work.write("result", words=words, points=points)
     return point
 
 
@@ -432,16 +433,16 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     right = _final_side(work, bound.right)
     several = _among_several(bound)
     checked = () if several else (left.value, right.value)
-    rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), "M1")]
+    rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), (M1,))]
     value = work.put(bound.value)
     simple, sign = _reduced(work, value, bound.asks, x)
     if bound.bare and simple.free_symbols:
-        rows = [Row((look(factored(simple)), right.layout), (sign,), (simple, right.value), "M1")]
+        rows = [Row((look(factored(simple)), right.layout), (sign,), (simple, right.value), (M1,))]
     if simple.free_symbols and several:
         # Where only one of them need hold, none can be checked by itself.
         alone = not _one_of_several(bound)
         rows = [
-            Row(each.operands, each.signs, each.values if alone else (None, None), "M1 A1")
+            Row(each.operands, each.signs, each.values if alone else (None, None), (M1, A1))
             for each in _solved(work, simple, sign, x, rows[0])
         ]
     elif simple.free_symbols:
@@ -452,7 +453,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
         ]
     if not several and rows[-1].operands != rows[0].operands:
         last = rows[-1]
-        rows[-1] = Row(last.operands, last.signs, last.values, "A1", last.note)
+        rows[-1] = Row(last.operands, last.signs, last.values, (A1,), last.note)
     work.write("fact", rows, words=bound.words, uses=work.uses(bound.value))
 
 
@@ -594,7 +595,7 @@ def explain_range(work: Working, tree: Expression, answers: Sequence[Answer], no
         laid: lay.Layout = lay.display_set(each.value, name, angle=each.angle)
         if len(answers) > 1 and each.condition_layout is not None:
             laid = lay.Phrase((laid, lay.Phrase((lay.Words("for"), each.condition_layout))), ", ")
-        rows.append(Row((laid,), (), (None,), "A1"))
+        rows.append(Row((laid,), (), (None,), (A1,)))
     work.write("result", rows, words=(words,))
 
 
@@ -731,7 +732,7 @@ def _ends(
             *_from_to(grows, ends[0], ends[1], is_angle),
             ".",
         )
-        work.write("result", rows, words=words, mark="M1")
+        work.write("result", rows, words=words, points=(M1,))
 
 
 def _from_to(verb: str, low: sp.Expr, high: sp.Expr, angle: bool) -> Words:
@@ -819,7 +820,7 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
         signs = tuple(lay.SIGNS.get(op, op) for op in relation.operators)
         work.write(
             "result",
-            [Row(operands, signs, (None,) * len(operands), "A1*", ("as required",))],
+            [Row(operands, signs, (None,) * len(operands), (A1_STAR,), ("as required",))],
             words=("So",),
         )
     elif isinstance(subject, Extremum):
@@ -834,7 +835,7 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
                     (name, *operands[1:]),
                     ("=",) * (len(operands) - 1),
                     (None,) * len(operands),
-                    "A1*",
+                    (A1_STAR,),
                     ("as required",),
                 )
             ],
@@ -856,7 +857,7 @@ def explain_extremum(work: Working, item: Extremum, answer_: Answer, now: int) -
                 (name, *(s.layout for s in sides)),
                 ("=",) * len(sides),
                 (None,) * (len(sides) + 1),
-                "A1",
+                (A1,),
                 () if answer_.reached else ("approached, but not reached",),
             )
         ],
@@ -911,7 +912,7 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         (lay.product(rate, lay.Brackets(name)), look(slope.xreplace(put))),
         ("=",),
         (None, own_slope),
-        "M1 A1",
+        (M1, A1),
     )
     lines: list[Row] = []
     if variable is not x:
@@ -928,10 +929,10 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             (look(factor.xreplace(put)), lay.Number("0")),
             ("=",),
             (None, None),
-            "DM1",
+            (DM1,),
             ("for a stationary value",),
         ),
-        Row((look(letter), look(place)), ("=",), (None, None), "A1"),
+        Row((look(letter), look(place)), ("=",), (None, None), (A1,)),
     ]
     work.write("result", lines, words=words)
 
@@ -1043,7 +1044,7 @@ def _at_an_end(
                 " = ",
                 look(end, angle=angle),
             ]
-        work.write("result", words=(*words, "."), mark="DM1")
+        work.write("result", words=(*words, "."), points=(DM1,))
 
 
 def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> list[Row]:
@@ -1067,7 +1068,7 @@ def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> 
                 (name, *(each.layout for each in sides)),
                 ("=",) * len(sides),
                 (None,) * (len(sides) + 1),
-                "M1" if end == role.low else "",
+                (M1,) if end == role.low else (),
                 ("when ", place),
             )
         )
@@ -1095,12 +1096,12 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
                 (_difference(left, right), look(gap), lay.Number("0")),
                 ("=", bound.sign),
                 (gap, gap, sp.Integer(0)),
-                "M1 A1",
+                (M1, A1),
             )
         )
     else:
         rows.append(
-            Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), "M1 A1")
+            Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), (M1, A1))
         )
     work.write("result", rows, words=bound.words)
     _write_meeting(work, relation)
@@ -1120,8 +1121,8 @@ def _show_passing(work: Working, relation: Meets, needs: Sequence[Any], now: int
         velocity = Quantity("velocity", (Name(one),))
         laid = lay.equation(lay.from_tree(velocity), look(evaluated(work, velocity, now)))
         words: Words = (f"{one} does not move towards {other}, as ", laid, ".")
-        work.write("result", words=words, mark="M1 A1")
-    elif (point := _crossing(work, relation, now, "M1")) is not None:
+        work.write("result", words=words, points=(M1, A1))
+    elif (point := _crossing(work, relation, now, (M1,))) is not None:
         start, end = (
             work.put(story.read_vector(each, "the end of a wall"))
             for each in (wall.start, wall.end)
@@ -1147,12 +1148,12 @@ def _between_ends(work: Working, relation: Meets, point: Any, start: Any, end: A
     if relation.happens:
         values = (sp.sympify(each, strict=True) for each in (low, place, high))
         low, place, high = values
-        return Row((look(low), look(place), look(high)), ("<", "<"), (low, place, high), "A1")
+        return Row((look(low), look(place), look(high)), ("<", "<"), (low, place, high), (A1,))
     for sign, border in (("≤", low), ("≥", high)):
         if work.model.decide(place, sign, border):
             strict = {"≤": "<", "≥": ">"}[sign]
             sign = strict if work.model.decide(place, strict, border) else sign
-            return Row((look(place), look(border)), (sign,), (place, border), "A1")
+            return Row((look(place), look(border)), (sign,), (place, border), (A1,))
     return None
 
 
@@ -1165,7 +1166,7 @@ def _write_meeting(work: Working, relation: Meets) -> None:
         text = f"So {relation.first.name} "
         text += "will hit" if relation.happens else "will not hit"
         text += f" {relation.second.name}{happens}"
-    work.write("result", words=(f"{text}, as required.",), mark="A1*")
+    work.write("result", words=(f"{text}, as required.",), points=(A1_STAR,))
 
 
 def _difference(left: Side, right: Side) -> Layout:

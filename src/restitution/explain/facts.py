@@ -22,6 +22,7 @@ from restitution.explain.quantities import (
 )
 from restitution.explain.steps import Row, Side, Step, Words, shown, side
 from restitution.explain.working import Equation
+from restitution.explaining.marks import A1, B1, M1, Marks
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Binary, Expression, Letter, Quantity, has_quantity, letters
 from restitution.problem import (
@@ -254,7 +255,7 @@ def _equality(work: Working, left: Expression, right: Expression, now: int) -> l
 def _scalar_step(work: Working, left: Expression, right: Expression, now: int) -> Step:
     a, b = put_in(work, left, now), put_in(work, right, now)
     words = _words(left, right)
-    row = chain(a, b, mark="M1 A1")
+    row = chain(a, b, points=(M1, A1))
     rows = [row]
     return Step("fact", tuple(rows), words=words)
 
@@ -284,7 +285,7 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
                 result,
                 square(right.value) if not has_quantity(other) else _squared(right.layout),
             ),
-            mark="M1 A1",
+            points=(M1, A1),
         )
         return Step("fact", (row,), words=_words(tree, other))
 
@@ -310,7 +311,7 @@ def _speed_along(
     w = tidy(-w) if work.model.sign(w) < 0 else w
 
     def step() -> Step:
-        row = chain(side(work.put(w)), put_in(work, other, now), mark="B1")
+        row = chain(side(work.put(w)), put_in(work, other, now), points=(B1,))
         return Step("fact", (row,), words=_words(tree, other))
 
     residual = sp.sympify(w - sp.sympify(value, strict=True), strict=True)
@@ -350,7 +351,7 @@ def _vectors(
                 p, q = q, p
             return Step(
                 "fact",
-                (chain(side(p), side(q), mark="B1" if index == 0 else ""),),
+                (chain(side(p), side(q), points=(B1,) if index == 0 else ()),),
                 words=_words(left, right),
             )
 
@@ -382,7 +383,7 @@ def _after_a_blow(
         def step(push: Any = push, gained: Any = gained) -> Step:
             p, q = work.put(push), work.put(gained)
             return Step(
-                "fact", (chain(side(p), side(q), mark="A1"),), words=("Comparing components:",)
+                "fact", (chain(side(p), side(q), points=(A1,)),), words=("Comparing components:",)
             )
 
         found.append(
@@ -448,7 +449,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         if idle is not None:
             total, laid = _component_in(work, body, stage, idle[0])
             words = (*words[:-1], ", so the component in the direction of ", lay.Bold(idle[1]))
-            row = chain(side(total, laid), side(sp.Integer(0)), mark="M1 A1")
+            row = chain(side(total, laid), side(sp.Integer(0)), points=(M1, A1))
             return Step("fact", (row,), words=(*words, " is zero:"))
         if x != 0:
             return Step(
@@ -457,8 +458,8 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
     a_, b_ = put_in(work, left, now), put_in(work, right, now)
     tangents = [side(tidy(sp.tan(sp.sympify(each.value, strict=True)))) for each in (a_, b_)]
     if not any(each.value.has(sp.zoo, sp.nan) for each in tangents):
-        return Step("fact", (chain(*tangents, mark="M1"),), words=words)
-    return Step("fact", (chain(a_, b_, mark="M1"),), words=words)
+        return Step("fact", (chain(*tangents, points=(M1,)),), words=words)
+    return Step("fact", (chain(a_, b_, points=(M1,)),), words=words)
 
 
 def _of_either_sign(work: Working, symbol: sp.Symbol) -> bool:
@@ -511,7 +512,7 @@ def _tangent_row(target: sp.Expr, made: Side) -> Row:
     if not target.has(sp.atan, sp.acos, sp.asin):
         sides.append(side(tangent, lay.function("tan", look(target, angle=True))))
     sides.append(side(tangent))
-    return chain(*sides, mark="M1 A1")
+    return chain(*sides, points=(M1, A1))
 
 
 def _ratio(above: sp.Expr, below: sp.Expr) -> Layout:
@@ -535,16 +536,16 @@ def _two_directions(work: Working, tree: Quantity, now: int) -> tuple[Vector, Ve
     return a, b
 
 
-def _zero_dot(work: Working, a: Vector, b: Vector, mark: str = "M1 A1") -> Row:
+def _zero_dot(work: Working, a: Vector, b: Vector, points: Marks = (M1, A1)) -> Row:
     a, b = work.put(a), work.put(b)
     products = [(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
     total = sum((x * y for x, y in products), sp.Integer(0))
     if len(products) == 1:
         # One of the two is zero.
         total = next((x for x in products[0] if work.model.sign(x) == 0), total)
-        return chain(side(total), side(sp.Integer(0)), mark=mark)
+        return chain(side(total), side(sp.Integer(0)), points=points)
     laid = sum_of_products(products) if products else None
-    return chain(side(total, laid), side(sp.Integer(0)), mark=mark)
+    return chain(side(total, laid), side(sp.Integer(0)), points=points)
 
 
 def _component_row(work: Working, relation: Aligned, now: int, need: StoryEquation) -> Row:
@@ -560,9 +561,9 @@ def _component_row(work: Working, relation: Aligned, now: int, need: StoryEquati
         for name in ("x", "y"):
             total, laid = _component_in(work, body, stage, name)
             if work.model.sign(total) == 0:
-                return chain(side(total, laid), side(sp.Integer(0)), mark="M1 A1")
+                return chain(side(total, laid), side(sp.Integer(0)), points=(M1, A1))
     residual = work.numerator(need.value)
-    return chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1")
+    return chain(side(tidy(residual)), side(sp.Integer(0)), points=(M1,))
 
 
 def _directions_step(work: Working, relation: Relation, now: int, need: StoryEquation) -> Any:
@@ -571,7 +572,7 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
             residual = work.put(need.value)
             return Step(
                 "fact",
-                (chain(side(residual), side(sp.Integer(0)), mark="B1"),),
+                (chain(side(residual), side(sp.Integer(0)), points=(B1,)),),
                 words=(f"{relation.body.name} is at rest:",),
             )
         assert isinstance(relation, Aligned)
@@ -603,7 +604,7 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
         row = chain(
             side(tidy(a.x * b.y), sum_of_products([(a.x, b.y)])),
             side(tidy(a.y * b.x), sum_of_products([(a.y, b.x)])),
-            mark="M1 A1",
+            points=(M1, A1),
         )
         return Step("fact", (row,), words=(*words, ", so their components are in proportion:"))
 

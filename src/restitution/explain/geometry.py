@@ -17,6 +17,7 @@ from restitution.explain.phrases import (
     vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
+from restitution.explaining.marks import A1, B1, M1
 from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
 from restitution.problem import Aligned, AtRest, Compare, Impact, Relation, trees_of_relation
 from restitution.render import layout as lay
@@ -355,7 +356,7 @@ def _told_directly(work: Working, frame: Frame, known: Mapping[str, frozenset[st
                 _way(frame),
                 ".",
             ),
-            mark="B1",
+            points=(B1,),
         )
     return direct is not None
 
@@ -416,7 +417,7 @@ def _by_impulse(work: Working, frame: Frame, body: str) -> None:
             _way(frame),
             ".",
         ),
-        mark="M1 A1",
+        points=(M1, A1),
     )
 
 
@@ -438,7 +439,7 @@ def _by_change(
     if how == "made":
         work.write(
             "fact",
-            [chain(side((v.x, v.y), Bold("v", body)), side((v.x, v.y)), mark="M1")],
+            [chain(side((v.x, v.y), Bold("v", body)), side((v.x, v.y)), points=(M1,))],
             words=(f"By the speed and the direction of {body} after the impact,",),
         )
     row = chain(
@@ -451,7 +452,7 @@ def _by_change(
             vector_difference(v, u),
         ),
         side((change.x, change.y)),
-        mark="M1",
+        points=(M1,),
     )
     if how == "still":
         work.write(
@@ -462,7 +463,7 @@ def _by_change(
                 direction_words(*(frame.n if work.sign(v.dot(frame.n)) > 0 else -frame.n)),
                 ".",
             ),
-            mark="M1",
+            points=(M1,),
         )
         return
     words: tuple[Any, ...] = (
@@ -479,7 +480,7 @@ def _by_change(
             "." if frame.wall is None else ", and parallel to ",
             *(() if frame.wall is None else (direction_words(frame.t.x, frame.t.y), ".")),
         ),
-        mark="A1",
+        points=(A1,),
     )
 
 
@@ -493,7 +494,7 @@ def _line_together(work: Working, frame: Frame) -> None:
             _way(frame),
             ".",
         ),
-        mark="M1 A1",
+        points=(M1, A1),
     )
 
 
@@ -521,9 +522,9 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
             shown(lay.function("sin", theta)),
             side(ratio, lay.fraction(_size_of(step.offset), look(tidy(2 * work.put(r))))),
             side(ratio),
-            mark="M1",
+            points=(M1,),
         ),
-        chain(shown(lay.function("cos", theta)), side(cosine), mark="A1"),
+        chain(shown(lay.function("cos", theta)), side(cosine), points=(A1,)),
     ]
     still = happening.before[step.second]
     path = f"the path of {step.first}"

@@ -9,6 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explain.phrases import answer, chain, difference, look, minus, product_of
 from restitution.explain.steps import Row, Side, Step, Words, side
+from restitution.explaining.marks import A1, M1
 from restitution.expression.tree import AtTime, Expression, Name, Quantity
 from restitution.problem import Arrival, Impact
 from restitution.render import layout as lay
@@ -96,11 +97,11 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, lis
     ratio = Side(_quotient(distance, speed), tidy(distance / speed))
     rows: list[Row]
     if when == 0:
-        rows = [chain(name, ratio, side(flight), mark="M1 A1")]
+        rows = [chain(name, ratio, side(flight), points=(M1, A1))]
     else:
         total = lay.total([time_letter(_since(work, body, number)), ratio.layout])
         rows = [
-            chain(name, side(value, total), *answer(value), mark="M1 A1"),
+            chain(name, side(value, total), *answer(value), points=(M1, A1)),
         ]
     return words, rows
 
@@ -127,16 +128,16 @@ def _to_circle(
             (lay.total(squares), lay.power(lay.bracketed(look(reach)), lay.Number("2"))),
             ("=",),
             (total, reach**2),
-            "M1 A1",
+            (M1, A1),
         ),
-        chain(side(flight, lay.Letter("t")), *answer(flight), mark="A1"),
+        chain(side(flight, lay.Letter("t")), *answer(flight), points=(A1,)),
     ]
     name = side(value, time_letter(event.number))
     if when != 0:
         made = lay.total([time_letter(_since(work, step.first, event.number)), lay.Letter("t")])
         rows.append(chain(name, side(value, made), *answer(value)))
     else:
-        rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), mark="A1")
+        rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), points=(A1,))
     return (
         (
             f"{step.first} is at the distance ",
@@ -217,10 +218,10 @@ def _meeting(
                 ),
                 ("=",),
                 (left.xreplace({t: flight}), reach**2),
-                "M1 A1",
+                (M1, A1),
             )
         ]
-        rows.append(chain(name, *answer(value), mark="A1"))
+        rows.append(chain(name, *answer(value), points=(A1,)))
         return (
             (
                 f"{step.first} and {step.second} touch when their centres are ",
@@ -246,10 +247,10 @@ def _meeting(
     )
     begun = work.put(start)
     if begun == 0:
-        return words, [chain(name, ratio, *answer(value), mark="M1 A1")]
+        return words, [chain(name, ratio, *answer(value), points=(M1, A1))]
     since = max(_since(work, step.first, number), _since(work, step.second, number))
     total = lay.total([time_letter(since), ratio.layout])
-    return words, [chain(name, side(value, total), *answer(value), mark="M1 A1")]
+    return words, [chain(name, side(value, total), *answer(value), points=(M1, A1))]
 
 
 def _squared(gap: sp.Expr, w: sp.Expr) -> Layout:
@@ -280,7 +281,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
         travel(work, tree.stage)
         if any(time_letter(tree.stage) in row.operands for s in work.steps for row in s.rows):
             return Derived((), value)
-        return Derived((chain(Side(name, value), *answer(value), mark="A1"),), value)
+        return Derived((chain(Side(name, value), *answer(value), points=(A1,)),), value)
     bodies = [a for a in tree.arguments if isinstance(a, Name) and a.name in story.spheres]
     stage = tree.stage
     rows: list[Row] = []
@@ -302,7 +303,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
         operands = laid.operands if isinstance(laid, lay.Relation) else (laid,)
         sides.append(Side(operands[0], value))
         sides += [Side(each, None) for each in operands[1:]]
-        return Derived((chain(*sides, mark="M1 A1"),), value)
+        return Derived((chain(*sides, points=(M1, A1)),), value)
     one, other = tree.arguments
     for each in (one, other):
         if isinstance(each, Quantity) and each.kind == "position" and each.stage != 0:
@@ -321,7 +322,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
 
         made_ = Side(lay.Root(lay.total([square(gap.x), square(gap.y)])), value)
     final = [Side(name, value), *([made_] if made_ else []), *answer(value)]
-    rows.append(chain(*final, mark="M1 A1"))
+    rows.append(chain(*final, points=(M1, A1)))
     return Derived(tuple(rows), value)
 
 
@@ -393,7 +394,7 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
         row = chain(
             Side(_product(v.y, way.x), tidy(v.y * way.x)),
             Side(_product(v.x, way.y), tidy(v.x * way.y)),
-            mark="M1 A1",
+            points=(M1, A1),
         )
         target = lay.from_tree(event.step.target)
         words: Words = (
@@ -407,7 +408,7 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
     residual = work.put(equation.value)
     return Step(
         "fact",
-        (chain(side(tidy(residual)), side(sp.Integer(0)), mark="M1 A1"),),
+        (chain(side(tidy(residual)), side(sp.Integer(0)), points=(M1, A1)),),
         words=(f"{equation.reason[0].upper()}{equation.reason[1:]} unless",),
     )
 
@@ -435,7 +436,7 @@ def _triangle_of_chords(work: Working, event: Happening, body: str, point: Vecto
             (a + b) / (1 - a * b),
         ),
         Side(look(tidy(1 / c)), 1 / c),
-        mark="M1 A1",
+        points=(M1, A1),
     )
     words: Words = (
         (

@@ -23,23 +23,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.explain.steps import Step
+from restitution.explaining.marks import A1, B1, M1, Mark, Marks
 
 _FOLLOWED = frozenset({"impact", "part", "item"})
 _HERE = frozenset({"method", "impact", "item"})
 
 
 def settled(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """The steps of a part with marks that agree with each other."""
+    """The steps of a part with marks that agree with each other, each with its reason."""
     seen: set[str] = set()
     out = []
     for step in steps:
         step = _followed(step)
-        mark, seen = _earned(step.mark, seen)
+        points, seen = _earned(step.points, seen)
         rows = []
         for row in step.rows:
-            own, seen = _earned(row.mark, seen)
-            rows.append(replace(row, mark=own))
-        out.append(replace(step, rows=tuple(rows), mark=mark))
+            own, seen = _earned(row.points, seen)
+            rows.append(replace(row, points=own))
+        out.append(replace(step, rows=tuple(rows), points=points))
     return tuple(out)
 
 
@@ -48,15 +49,15 @@ def again(steps: Sequence[Step]) -> list[Step]:
     last: dict[int | None, tuple[int, int]] = {}
     for index, step in enumerate(steps):
         for line, row in enumerate(step.rows):
-            if "A1" in row.mark:
+            if any(mark.kind == "A" for mark in row.points):
                 last[step.item] = (index, line)
     kept = set(last.values())
     return [
         replace(
             step,
-            mark="",
+            points=(),
             rows=tuple(
-                replace(row, mark="A1" if (index, line) in kept else "")
+                replace(row, points=(A1,) if (index, line) in kept else ())
                 for line, row in enumerate(step.rows)
             ),
         )
@@ -64,43 +65,62 @@ def again(steps: Sequence[Step]) -> list[Step]:
     ]
 
 
+def without_method(points: Marks) -> Marks:
+    """The same without an M1 before other marks: the method has been shown, or is not."""
+    return points[1:] if len(points) > 1 and points[0] == M1 else points
+
+
 def _followed(step: Step) -> Step:
     """DM1 and A1ft, by where the values come from that are put in."""
     origins = set(step.uses.values())
     proposed = {
-        each for mark in (step.mark, *(row.mark for row in step.rows)) for each in mark.split()
+        mark for points in (step.points, *(row.points for row in step.rows)) for mark in points
     }
     depends = step.principle is None and bool(origins & _HERE)
-    follows = "M1" in proposed and bool(origins & _FOLLOWED)
+    follows = M1 in proposed and bool(origins & _FOLLOWED)
 
-    def changed(mark: str) -> str:
-        words = mark.split()
-        if depends:
-            words = ["DM1" if each == "M1" else each for each in words]
-        if follows:
-            words = ["A1ft" if each == "A1" else each for each in words]
-        return " ".join(words)
+    def changed(points: Marks) -> Marks:
+        return tuple(
+            replace(mark, dependent=True)
+            if depends and mark.kind == "M"
+            else replace(mark, ft=True)
+            if follows and mark == A1
+            else mark
+            for mark in points
+        )
 
-    rows = tuple(replace(row, mark=changed(row.mark)) for row in step.rows)
-    return replace(step, rows=rows, mark=changed(step.mark))
+    rows = tuple(replace(row, points=changed(row.points)) for row in step.rows)
+    return replace(step, rows=rows, points=changed(step.points))
 
 
-def _earned(mark: str, seen: set[str]) -> tuple[str, set[str]]:
-    """A mark that has what it needs before it, and the kinds of marks seen after it."""
-    words: list[str] = []
-    for each in mark.split():
-        kind = each
-        if each == "DM1" and "M" not in seen:
-            kind = "M1"
-        elif each.startswith("A1") and not seen & {"M", "B"}:
-            if each == "A1*":
-                words.append("M1")
+def _earned(points: Marks, seen: set[str]) -> tuple[Marks, set[str]]:
+    """Marks that have what they need before them, and the kinds of marks seen after them."""
+    earned: list[Mark] = []
+    for mark in points:
+        if mark.dependent and "M" not in seen:
+            mark = replace(mark, dependent=False)
+        elif mark.kind == "A" and not seen & {"M", "B"}:
+            if mark.star:
+                earned.append(_reasoned(M1))
                 seen = seen | {"M"}
             else:
-                kind = "B1"
-        words.append(kind)
-        seen = seen | {kind.lstrip("D")[0]}
-    return " ".join(words), seen
+                mark = B1
+        earned.append(_reasoned(mark))
+        seen = seen | {mark.kind}
+    return tuple(earned), seen
 
 
-__all__ = ["again", "settled"]
+def _reasoned(mark: Mark) -> Mark:
+    """A mark with the id of the sentence that says what it is given for."""
+    if mark.star:
+        return replace(mark, because="mark.printed")
+    if mark.ft:
+        return replace(mark, because="mark.follow-through")
+    if mark.dependent:
+        return replace(mark, because="mark.dependent")
+    return replace(mark, because=_BECAUSE[mark.kind])
+
+
+_BECAUSE = {"M": "mark.method", "A": "mark.accuracy", "B": "mark.independent"}
+
+__all__ = ["again", "settled", "without_method"]

@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.explaining.marks import Marks
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Number, Product, Relation, Sum
 
@@ -42,7 +43,7 @@ def _rounded_only(laid: Layout, value: Any, angle: bool) -> bool:
     return not isinstance(value, tuple) and laid != lay.from_sympy(value, degrees=angle)
 
 
-def chain(*sides: Any, mark: str = "", note: Words = ()) -> Row:
+def chain(*sides: Any, points: Marks = (), note: Words = ()) -> Row:
     """Sides with ``=`` between them; one that looks like the side before it is left out."""
     kept: list[Side] = []
     for each in sides:
@@ -61,7 +62,7 @@ def chain(*sides: Any, mark: str = "", note: Words = ()) -> Row:
         tuple(each.layout for each in kept),
         ("=",) * (len(kept) - 1),
         tuple(each.value for each in kept),
-        mark,
+        points,
         note,
     )
 
@@ -107,10 +108,10 @@ def _ratio_of(laid: Layout) -> Ratio | None:
     return None
 
 
-def relation(left: Any, sign: str, right: Any, mark: str = "", note: Words = ()) -> Row:
+def relation(left: Any, sign: str, right: Any, points: Marks = (), note: Words = ()) -> Row:
     """Two sides with any sign between them."""
     a, b = side(left), side(right)
-    return Row((a.layout, b.layout), (lay.SIGNS.get(sign, sign),), (a.value, b.value), mark, note)
+    return Row((a.layout, b.layout), (lay.SIGNS.get(sign, sign),), (a.value, b.value), points, note)
 
 
 def product_of(*factors: Any) -> Layout:

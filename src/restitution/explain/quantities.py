@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
+from restitution.explain.marks import without_method
 from restitution.explain.phrases import (
     answer,
     chain,
@@ -21,6 +22,7 @@ from restitution.explain.phrases import (
     vector_difference,
 )
 from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.explaining.marks import A1, M1, Mark, Marks
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -268,19 +270,19 @@ def derive(
     now: int,
     *,
     percentage: bool = False,
-    mark: str = "A1",
+    last: Mark = A1,
     name: Layout | None = None,
 ) -> Derived:
     """The lines by which a quantity is found once the components are known."""
     body = name_of(tree)
     value = evaluated(work, tree, now)
     if name is not None:
-        own = derive(work, tree, now, percentage=percentage, mark=mark)
+        own = derive(work, tree, now, percentage=percentage, last=last)
         return _renamed(own, lay.from_tree(tree), name)
     name = lay.from_tree(tree)
     kind = tree.kind
     if kind == "velocity" and body is not None:
-        return _derive_velocity(work, tree, body, now, mark)
+        return _derive_velocity(work, tree, body, now, last)
     if kind == "deflection" and body is not None:
         return _derive_deflection(work, tree, body, now)
     if kind == "angle":
@@ -304,10 +306,10 @@ def derive(
                     place = f"parallel to {frame.wall}"
                 words = (f"The components {place} do not change, and lose no kinetic energy:",)
         made = formula(work, tree, now)
-        row = _result(name, made, value, mark=f"M1 {mark}", principle=bool(words))
+        row = _result(name, made, value, points=(M1, last), principle=bool(words))
         return Derived((row,), value, words)
     if kind == "impulse":
-        return _derive_impulse(work, tree, body, now, mark)
+        return _derive_impulse(work, tree, body, now, last)
     if kind == "line_of_centres":
         return _derive_line(work, tree, now, value)
     if kind in ("position", "time", "distance"):
@@ -319,7 +321,7 @@ def derive(
     if kind == "dot":
         a, b = (evaluated(work, each, now) for each in tree.arguments)
         made = Side(lay.total([product_of(x, y) for x, y in zip(a, b, strict=True)]), value)
-        return Derived((_result(name, made, value, mark=mark),), value)
+        return Derived((_result(name, made, value, points=(last,)),), value)
     if kind == "total_energy_lost":
         return _derive_total_loss(work, tree, now, value)
     made = formula(work, tree, now)
@@ -330,7 +332,7 @@ def derive(
                 made,
                 value,
                 percentage=percentage,
-                mark=f"M1 {mark}" if kind != "mass" else mark,
+                points=(M1, last) if kind != "mass" else (last,),
             ),
         ),
         value,
@@ -347,7 +349,7 @@ def _renamed(derived: Derived, old: Layout, new: Layout) -> Derived:
             tuple(table.get(o, o) if o is not None else o for o in row.operands),
             row.signs,
             row.values,
-            row.mark,
+            row.points,
             row.note,
         )
         for row in derived.rows
@@ -362,19 +364,19 @@ def _result(
     *,
     angle: bool = False,
     percentage: bool = False,
-    mark: str = "A1",
+    points: Marks = (A1,),
     principle: bool = False,
 ) -> Row:
     sides: list[Any] = [name if isinstance(name, Side) else Side(lay.as_layout(name), value)]
     if made is not None and made.layout != look(value, angle=angle):
         sides.append(made)
-    elif mark.startswith("M1 ") and not principle:
-        mark = mark.removeprefix("M1 ")  # the value alone shows no method
+    elif not principle:
+        points = without_method(points)  # the value alone shows no method
     sides += answer(value, angle=angle, percentage=percentage)
-    return chain(*sides, mark=mark)
+    return chain(*sides, points=points)
 
 
-def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, mark: str) -> Derived:
+def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: Mark) -> Derived:
     stage = stage_of(work, tree, now, body)
     value = evaluated(work, tree, now)
     frame = work.model.owner(body, stage)
@@ -385,7 +387,7 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, mark: s
         return (
             Derived((), value)
             if ("kick", event.number) in work.done and _told(work, body, stage)
-            else Derived((_result(lay.from_tree(tree), None, value, mark=mark),), value)
+            else Derived((_result(lay.from_tree(tree), None, value, points=(last,)),), value)
         )
     if frame is not None and frame.axis is None and value != (0, 0):
         v = work.model.story.velocity(body, stage)
@@ -401,7 +403,7 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, mark: s
             terms.append(product_of(part, unit) if part != 1 else unit)
         if terms:
             made = Side(lay.total(terms), value)
-    rows.append(_result(lay.from_tree(tree), made, value, mark=mark))
+    rows.append(_result(lay.from_tree(tree), made, value, points=(last,)))
     return Derived(tuple(rows), value)
 
 
@@ -422,7 +424,7 @@ def _derive_component(work: Working, tree: Quantity, now: int) -> Derived:
     size = tidy(sp.sqrt(tidy(d.dot(d))))
     above = lay.product(Brackets(look(v)), Brackets(look((d.x, d.y))), sign="·")
     made = Side(lay.fraction(above, look(size)), value)
-    return Derived((_result(name, made, value, mark="M1 A1"),), value)
+    return Derived((_result(name, made, value, points=(M1, A1)),), value)
 
 
 def _derive_direction(
@@ -438,7 +440,7 @@ def _derive_direction(
     tangent = tidy(y / x)
     plain_ratio = isinstance(look(y), lay.Fraction) or isinstance(look(x), lay.Fraction)
     made = side(tangent) if plain_ratio else side(tangent, lay.fraction(look(y), look(x)))
-    first = chain(side(tangent, lay.function("tan", name)), made, side(tangent), mark="M1")
+    first = chain(side(tangent, lay.function("tan", name)), made, side(tangent), points=(M1,))
     return Derived((first, row), value)
 
 
@@ -456,7 +458,7 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     dot = tidy(a.dot(b))
     final = _result(name, None, value, angle=True)
     if work.sign(dot) == 0:
-        row = chain(shown(_dot_layout(a, b)), side(sp.Integer(0)), mark="M1")
+        row = chain(shown(_dot_layout(a, b)), side(sp.Integer(0)), points=(M1,))
         return Derived((row, final), value, ("The scalar product is zero:",))
     frame = _frame_along(work, tree, now)
     if sharp and frame is not None:
@@ -470,7 +472,7 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
                 side(tangent, lay.function("tan", _short_angle(name))),
                 side(tangent, lay.fraction(look(v), look(u))),
                 side(tangent),
-                mark="M1",
+                points=(M1,),
             ),
             final,
         )
@@ -493,7 +495,7 @@ def _tangent_to(work: Working, name: Layout, axis: Vector, v: Vector) -> Row:
         side(tangent, lay.function("tan", Brackets(name))),
         side(tangent, lay.fraction(look(across), look(along))),
         side(tangent),
-        mark="M1",
+        points=(M1,),
     )
 
 
@@ -536,7 +538,7 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
             side(cosine, lay.function("cos", theta)),
             side(cosine, lay.fraction(above, below)),
             side(cosine),
-            mark="M1",
+            points=(M1,),
         )
     ]
 
@@ -563,7 +565,7 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
     dot = tidy(before.dot(after))
     if work.sign(dot) == 0:
         return Derived(
-            (chain(shown(_dot_layout(before, after)), side(sp.Integer(0)), mark="M1"), final),
+            (chain(shown(_dot_layout(before, after)), side(sp.Integer(0)), points=(M1,)), final),
             value,
             ("The scalar product of the velocities before and after is zero:",),
         )
@@ -630,7 +632,7 @@ def _deflection_at_wall(work: Working, number: int, body: str, value: Any, name:
         tidy(first + second),
     )
     return Derived(
-        (_result(name, made, value, angle=True, mark="M1 A1"),),
+        (_result(name, made, value, angle=True, points=(M1, A1)),),
         value,
         (
             (
@@ -671,7 +673,7 @@ def _deflection_by_tangents(
             side(tangent, lay.function("tan", Brackets(name))),
             side(tangent, laid),
             side(tangent),
-            mark="M1 A1",
+            points=(M1, A1),
         )
     ]
     if sp.sympify(value, strict=True).is_number or not sp.sympify(value, strict=True).has(
@@ -736,7 +738,7 @@ def _times(a: sp.Expr, b: sp.Expr) -> Layout:
 
 
 def _derive_impulse(
-    work: Working, tree: Quantity, body: str | None, now: int, mark: str
+    work: Working, tree: Quantity, body: str | None, now: int, last: Mark
 ) -> Derived:
     value = evaluated(work, tree, now)
     name = lay.from_tree(tree)
@@ -749,11 +751,11 @@ def _derive_impulse(
             gap = vector_difference(v, u)
             made = Side(product_of(mass, Brackets(gap)) if mass != 1 else gap, value)
             return Derived(
-                (_result(name, made, value, mark=f"M1 {mark}", principle=True),),
+                (_result(name, made, value, points=(M1, last), principle=True),),
                 value,
                 principle="Impulse = change of momentum",
             )
-        return Derived((_result(name, None, value, mark=mark),), value)
+        return Derived((_result(name, None, value, points=(last,)),), value)
     made_ = formula(work, tree, now)
     principle = None
     if event.number in work.model.frames:
@@ -763,7 +765,7 @@ def _derive_impulse(
         if frame.wall is not None:
             along = f"perpendicular to {frame.wall}"
         principle = f"Impulse = change of momentum of {which} {along}"
-    rows = (_result(name, made_, value, mark=f"M1 {mark}", principle=True),)
+    rows = (_result(name, made_, value, points=(M1, last), principle=True),)
     return Derived(rows, value, principle=principle)
 
 
@@ -788,13 +790,13 @@ def _derive_momentum(
             laid = Brackets(laid)
         terms.append(product_of(work.put(story.mass(each)), laid))
     made = Side(lay.total(terms), value) if terms else None
-    return Derived((_result(lay.from_tree(tree), made, value, mark="M1 A1"),), value)
+    return Derived((_result(lay.from_tree(tree), made, value, points=(M1, A1)),), value)
 
 
 def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
     laid = _total_loss(work, tree, now)
     made = None if laid is None else Side(laid, value)
-    return Derived((_result(lay.from_tree(tree), made, value, mark="M1 A1"),), value)
+    return Derived((_result(lay.from_tree(tree), made, value, points=(M1, A1)),), value)
 
 
 def _total_loss(work: Working, tree: Quantity, now: int) -> Layout | None:

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
+from restitution.explaining.marks import Marks, written
 from restitution.render.layout import Layout, as_layout, vector
 
 if TYPE_CHECKING:
@@ -31,15 +32,20 @@ class Row:
 
     ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
     only approximate or is no number), by which the line has been checked. ``operands[0]`` None
-    goes on from the line above. ``mark`` is what an examiner would give; ``note`` are words
+    goes on from the line above. ``points`` are what an examiner would give; ``note`` are words
     behind the line.
     """
 
     operands: tuple[Layout | None, ...]
     signs: tuple[str, ...]
     values: tuple[Any, ...] = field(default=(), compare=False, repr=False)
-    mark: str = ""
+    points: Marks = ()
     note: Words = ()
+
+    @property
+    def mark(self) -> str:
+        """The marks as they stand beside the line."""
+        return written(self.points)
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,7 @@ class Step:
     rows: tuple[Row, ...] = ()
     principle: str | None = None
     words: Words = ()
-    mark: str = ""
+    points: Marks = ()
     values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
     uses: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     item: int | None = field(default=None, compare=False, repr=False)
@@ -66,7 +72,16 @@ class Step:
     @property
     def marks(self) -> int:
         """How many marks the step is worth."""
-        return sum(len(each.split()) for each in (self.mark, *(row.mark for row in self.rows)))
+        return sum(
+            mark.number
+            for points in (self.points, *(row.points for row in self.rows))
+            for mark in points
+        )
+
+    @property
+    def mark(self) -> str:
+        """The marks of its words as they stand beside them; those of its lines are theirs."""
+        return written(self.points)
 
 
 @dataclass(frozen=True)
@@ -162,15 +177,3 @@ def side(value: Any, layout: Any = None) -> Side:
 def shown(layout: Any) -> Side:
     """An operand that is only shown, and not checked (a rounded value, words)."""
     return Side(as_layout(layout), None)
-
-
-def row(*parts: Any, mark: str = "", note: Words = ()) -> Row:
-    """``row(a, "=", b, "=", c)``: a chain; operands are sides, SymPy expressions or layouts."""
-    sides = [side(each) if not isinstance(each, Layout) else shown(each) for each in parts[0::2]]
-    return Row(
-        tuple(each.layout for each in sides),
-        tuple(parts[1::2]),
-        tuple(each.value for each in sides),
-        mark,
-        note,
-    )

@@ -36,6 +36,7 @@ from restitution.explain.phrases import (
     sum_of_products,
 )
 from restitution.explain.steps import Origin, Row, Side, Step, StepKind, Words, side
+from restitution.explaining.marks import A1, B1, DM1, M1, Marks
 from restitution.expression.evaluate import Value
 from restitution.expression.tree import Expression
 from restitution.problem import Arrival, Impact, Kick
@@ -155,7 +156,7 @@ class Working:
         rows: Iterable[Row] = (),
         principle: str | None = None,
         words: Words = (),
-        mark: str = "",
+        points: Marks = (),
         values: Mapping[str, Any] | None = None,
         uses: Mapping[str, Origin] | None = None,
         event: int | None = None,
@@ -173,7 +174,7 @@ class Working:
                 checked.append(row)
             else:
                 self.dropped.append(_plain(row))
-        if not checked and not words and not (principle and mark):
+        if not checked and not words and not (principle and points):
             return
         if not checked and rows and kind == "solve":
             return  # "So" would stand alone
@@ -182,7 +183,7 @@ class Working:
             tuple(checked),
             principle,
             words,
-            mark,
+            points,
             dict(values or {}),
             dict(uses or {}),
             self.item,
@@ -197,7 +198,7 @@ class Working:
             and checked
             and last.words == words
             and last.rows
-            and ((last.kind, last.principle, last.mark) == (kind, principle, mark))
+            and ((last.kind, last.principle, last.points) == (kind, principle, points))
         ):
             rows_ = tuple(r for r in checked if r not in last.rows)
             self.steps[-1] = replace(
@@ -213,7 +214,13 @@ class Working:
         """Adds a step that is ready, after the same check."""
         if step is not None:
             self.write(
-                step.kind, step.rows, step.principle, step.words, step.mark, step.values, step.uses
+                step.kind,
+                step.rows,
+                step.principle,
+                step.words,
+                step.points,
+                step.values,
+                step.uses,
             )
 
     def determine(self, symbol: sp.Symbol, value: Any | None = None) -> None:
@@ -276,9 +283,9 @@ class Working:
         if self.is_angle(symbol) and name is symbol:
             return self.value_row(symbol, value=value)
         if value.free_symbols & set(self.known):
-            return chain(side(name), side(value), side(self.put(value)), mark="M1")
+            return chain(side(name), side(value), side(self.put(value)), points=(M1,))
         if symbol in self.known:
-            return chain(side(name), side(value), side(self.known[symbol]), mark="M1")
+            return chain(side(name), side(value), side(self.known[symbol]), points=(M1,))
         return chain(side(name), side(value))
 
     def _told_about(self, symbol: sp.Symbol) -> None:
@@ -291,7 +298,7 @@ class Working:
         rows = []
         for symbol in symbols:
             self.determine(symbol)
-            rows.append(self.value_row(symbol, mark=self._mark_of(symbol)))
+            rows.append(self.value_row(symbol, points=self._points_of(symbol)))
         self.write("solve", rows, words=("The equations together give",))
         self._confirm()
 
@@ -393,7 +400,7 @@ class Working:
         if step is not None:
             self.add(replace(step, uses=self.uses(equation.residual, equation.number)))
         return equation.kind == "carried" or (
-            step is not None and any("M1" in row.mark for row in step.rows)
+            step is not None and any(M1 in row.points for row in step.rows)
         )
 
     def _pair(
@@ -409,25 +416,25 @@ class Working:
 
     def _solved(self, words: str, symbols: Sequence[sp.Symbol]) -> None:
         """What several equations give together."""
-        rows = [self.value_row(x, mark=self._mark_of(x)) for x in symbols]
-        self.write("solve", rows, words=(words,), mark="DM1")
+        rows = [self.value_row(x, points=self._points_of(x)) for x in symbols]
+        self.write("solve", rows, words=(words,), points=(DM1,))
 
-    def _mark_of(self, x: sp.Symbol) -> str:
+    def _points_of(self, x: sp.Symbol) -> Marks:
         """A value is worth a mark if it is asked for; on the way to another it is not."""
-        return "A1" if x in self.asked else ""
+        return (A1,) if x in self.asked else ()
 
     def _ordered(self, symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
         order = [each.symbol for each in self.model.components.values()]
         return sorted(symbols, key=lambda s: (order.index(s) if s in order else len(order), s.name))
 
-    def value_row(self, x: sp.Symbol, mark: str = "", value: Any = None) -> Row:
+    def value_row(self, x: sp.Symbol, points: Marks = (), value: Any = None) -> Row:
         """``v = 2``."""
         found = self.put(x) if value is None else value
         if self.is_angle(x):
-            return chain(side(x), *answer(tidy_angle(found), angle=True), mark=mark)
+            return chain(side(x), *answer(tidy_angle(found), angle=True), points=points)
         if x.name in self.model.unknowns.roles:
-            return chain(side(x), *answer(found), mark=mark)
-        return chain(side(x), side(found), mark=mark)
+            return chain(side(x), *answer(found), points=points)
+        return chain(side(x), side(found), points=points)
 
     def is_angle(self, x: sp.Symbol) -> bool:
         role = self.model.unknowns.roles.get(x.name)
@@ -640,8 +647,8 @@ class Working:
         if self._already(rows):
             return
         last = rows[-1]
-        if not last.mark:
-            rows[-1] = replace(last, mark=self._mark_of(x))
+        if not last.points:
+            rows[-1] = replace(last, points=self._points_of(x))
         self.write("solve", rows, values={x.name: value})
 
     def _linear_in(self, x: sp.Symbol, residual: sp.Expr) -> bool:
@@ -948,7 +955,7 @@ class Working:
                     look(ut),
                     " along it.",
                 ),
-                mark="M1",
+                points=(M1,),
             )
         elif frame.by_values or frame.angle is not None:
             self.line_of_centres(frame)
@@ -1006,14 +1013,14 @@ class Working:
                 "principle",
                 principle=f"Parallel to {frame.wall} the velocity does not change",
                 words=("the component stays ", value, "."),
-                mark="B1",
+                points=(B1,),
             )
             return
         self.write(
             "principle",
             principle="Perpendicular to the line of centres the velocities do not change",
             words=("the components stay ", *listed(parts), "."),
-            mark="B1",
+            points=(B1,),
         )
 
     def letters(self) -> set[sp.Symbol]:
@@ -1032,7 +1039,7 @@ class Working:
         right_value = sum((m * v for m, v in right_terms), sp.Integer(0))
         left = side(left_value, sum_of_products(left_terms) if left_terms else None)
         right = side(right_value, sum_of_products(right_terms) if right_terms else None)
-        rows = [chain(left, right, mark="M1 A1")]
+        rows = [chain(left, right, points=(M1, A1))]
         rows += self._simpler(masses, left_terms, right_terms, rows[0])
         return Step("principle", tuple(rows), "Conservation of momentum along the line of centres")
 
@@ -1067,7 +1074,7 @@ class Working:
             sides = [side(w), side(value, made)]
             if not same_term(made, look(value)):
                 sides.append(side(value))
-            return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
+            return Step("principle", (chain(*sides, points=(M1, A1)),), "Newton's experimental law")
         first, second = happening.bodies
         u1, u2 = (self.put(self.model.before(number, name)[0]) for name in (first, second))
         v, w = (self.put(self.model.after(number, name)) for name in (first, second))
@@ -1090,7 +1097,7 @@ class Working:
             sides.append(side(e * approach, product_of(e, bracket)))
         if not same_term(sides[-1].layout, look(tidy(e * approach))):
             sides.append(side(tidy(e * approach)))
-        return Step("principle", (chain(*sides, mark="M1 A1"),), "Newton's experimental law")
+        return Step("principle", (chain(*sides, points=(M1, A1)),), "Newton's experimental law")
 
 
 # The same few expressions are looked at again and again while a working grows.

@@ -1,0 +1,41 @@
+"""Marks as data: what an examiner would give for a line, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from restitution.explaining.sentences import SentenceId
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One mark: M for a method, A for accuracy, B for what stands by itself.
+
+    ``dependent`` needs an earlier method mark; ``star`` goes to a printed result that is to be
+    shown; ``ft`` follows through from an earlier slip. ``because`` is the id of a sentence.
+    """
+
+    kind: Literal["M", "A", "B"]
+    number: int = 1
+    dependent: bool = False
+    star: bool = False
+    ft: bool = False
+    because: SentenceId = ""
+
+    def __str__(self) -> str:
+        before, star, ft = "D" * self.dependent, "*" * self.star, "ft" * self.ft
+        return f"{before}{self.kind}{self.number}{star}{ft}"
+
+
+Marks = tuple[Mark, ...]
+
+M1, A1, B1 = Mark("M"), Mark("A"), Mark("B")
+DM1 = Mark("M", dependent=True)
+A1_STAR = Mark("A", star=True)
+
+
+def written(marks: Sequence[Mark]) -> str:
+    """Marks as they stand beside a line: ``M1 A1ft``."""
+    return " ".join(map(str, marks))

@@ -1,0 +1,136 @@
+"""A sentence put together is a value, its id and what stands in its slots; words come last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from string import Formatter
+from typing import TypeAlias
+
+from restitution.explaining.sentences import SENTENCES, SentenceId
+from restitution.render.layout import Layout, Phrase
+from restitution.render.layout import Words as Text
+
+Words = tuple[str | Layout, ...]
+"""Words with mathematics among them, as they are printed."""
+
+Slot: TypeAlias = "str | int | Layout | Sentence | tuple[Slot, ...]"
+"""What stands in a slot: a name, a number, mathematics, a sentence, or a list of these."""
+
+_CAPITAL = "capital"
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A sentence of `SENTENCES` with its slots filled; `say` makes one."""
+
+    id: SentenceId
+    slots: tuple[tuple[str, Slot], ...] = ()
+
+    @property
+    def topic(self) -> str:
+        """What the sentence speaks of: the id up to its first dot."""
+        return topic_of(self.id)
+
+    @property
+    def words(self) -> Words:
+        """The sentence in words."""
+        return _merged(_spoken(self))
+
+    def __str__(self) -> str:
+        """The words of a sentence without mathematics; raises TypeError where there is some."""
+        return "".join(self.words)  # type: ignore[arg-type]
+
+
+def say(id: SentenceId, /, **slots: Slot | Sequence[Slot]) -> Sentence:
+    """A sentence by its id; ``say("carried.part", label="a")``.
+
+    Raises KeyError for an id that is not there, and TypeError unless every slot is filled, and
+    no other.
+    """
+    wanted = {slot for _, slot, _ in _pieces(id) if slot is not None}
+    if wanted != slots.keys():
+        raise TypeError(f"{id} has the slots {sorted(wanted)}, and not {sorted(slots)}")
+    filled = (
+        (name, tuple(slot) if isinstance(slot, list) else slot) for name, slot in slots.items()
+    )
+    return Sentence(id, tuple(sorted(filled, key=lambda each: each[0])))  # type: ignore[arg-type]
+
+
+def topic_of(id: SentenceId) -> str:
+    """The topic of an id: what stands before its first dot."""
+    return id.partition(".")[0]
+
+
+def words_of(sentences: Iterable[Sentence], between: str = " ") -> Words:
+    """Several sentences as one run of words."""
+    spoken: list[str | Layout] = []
+    for each in sentences:
+        spoken += [between, *each.words] if spoken else each.words
+    return _merged(spoken)
+
+
+def laid(sentence: Sentence) -> Layout:
+    """A sentence as an operand of a line: words and formulas side by side."""
+    items = [Text(each.strip()) if isinstance(each, str) else each for each in sentence.words]
+    return items[0] if len(items) == 1 else Phrase(tuple(items))
+
+
+@lru_cache(maxsize=1024)
+def _pieces(id: SentenceId) -> tuple[tuple[str, str | None, str], ...]:
+    """Words, the slot that follows them (None at the end), and how it is filled."""
+    return tuple((text, slot, how or "") for text, slot, how, _ in Formatter().parse(SENTENCES[id]))
+
+
+def slots_of(id: SentenceId) -> frozenset[str]:
+    """The names of the slots of a sentence."""
+    return frozenset(slot for _, slot, _ in _pieces(id) if slot is not None)
+
+
+def _spoken(sentence: Sentence) -> Iterator[str | Layout]:
+    slots: Mapping[str, Slot] = dict(sentence.slots)
+    for text, slot, how in _pieces(sentence.id):
+        if text:
+            yield text
+        if slot is not None:
+            yield from _filled(slots[slot], how)
+
+
+def _filled(slot: Slot, how: str) -> Words:
+    if isinstance(slot, tuple):
+        return _listed(slot, how)
+    if isinstance(slot, Sentence):
+        words = slot.words
+    else:
+        words = (slot,) if isinstance(slot, Layout) else (str(slot),)
+    if how == _CAPITAL and words and isinstance(words[0], str):
+        first = words[0]
+        words = (f"{first[:1].upper()}{first[1:]}", *words[1:])
+    return words
+
+
+def _listed(items: tuple[Slot, ...], how: str) -> Words:
+    """``a, b and c``, or joined as the template says."""
+    last = SENTENCES[f"list.{how}"]
+    between = SENTENCES["list.comma"] if how == "and" else last
+    spoken: list[str | Layout] = []
+    for index, each in enumerate(items):
+        if index:
+            spoken.append(last if index == len(items) - 1 else between)
+        spoken += _filled(each, "")
+    return tuple(spoken)
+
+
+def _merged(words: Iterable[str | Layout]) -> Words:
+    """The same words with strings that follow each other as one."""
+    merged: list[str | Layout] = []
+    for each in words:
+        if isinstance(each, str) and merged and isinstance(merged[-1], str):
+            merged[-1] += each
+        elif each != "":
+            merged.append(each)
+    return tuple(merged)
+
+
+__all__ = ["Sentence", "Slot", "Words", "laid", "say", "slots_of", "topic_of", "words_of"]

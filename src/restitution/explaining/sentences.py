@@ -1,0 +1,567 @@
+"""Every sentence of a worked solution, by id: the one file for whoever writes it in other words.
+
+Between braces stand slots, for names, values and sentences. ``{bodies:and}`` is a list, ``a, b and
+c``; after a colon ``or``, ``comma`` and ``semicolon`` join in other ways, and ``capital`` begins
+with a capital letter. What stands before the first dot of an id is a topic; a topic with a ``why``
+is a principle, about which a reader may ask: why it holds and, as ``mistakes``, what goes wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+SentenceId = str
+
+SENTENCES: Mapping[SentenceId, str] = {
+    # --- joining ----------------------------------------------------------------------------------
+    "list.comma": ", ",
+    "list.and": " and ",
+    "list.or": " or ",
+    "list.semicolon": "; ",
+    "ordinal.1": "first",
+    "ordinal.2": "second",
+    "ordinal.3": "third",
+    "ordinal.4": "fourth",
+    "ordinal.5": "fifth",
+    "ordinal.6": "sixth",
+    "ordinal.7": "seventh",
+    "ordinal.8": "eighth",
+    "so": "So",
+    "again": " again",
+    "quoted": "“{text}”",
+    "page.title": "Worked solution",
+    "page.note": "Note: {warning}",
+    # --- events, and the headings of their working ------------------------------------------------
+    "heading.impact": "{order:capital} impact: {first} hits {second}",
+    "heading.impact-number": "Impact {number}: {first} hits {second}",
+    "heading.case": "If {values:and}:",
+    "heading.solution": "Solution {number}",
+    "event.only": "the impact",
+    "event.impact": "the {order} impact",
+    "event.impact-number": "impact {number}",
+    "event.kick": "the impulse given to {body}",
+    "event.after": "after {event}",
+    "event.during": "at {event}",
+    "event.arrival": "when {body} reaches {target}",
+    # --- principles -------------------------------------------------------------------------------
+    "restitution.title": "Newton's experimental law",
+    "restitution.why": (
+        "The speed at which two bodies separate is e times the speed at which they approached, "
+        "both measured along the line of centres; e, between 0 and 1, is found by experiment. A "
+        "fixed wall does not move, so there it says: speed of rebound = e × speed of approach, "
+        "perpendicular to the wall."
+    ),
+    "restitution.mistakes": (
+        "Usual mistakes: e applied to the whole speed, or to the component that does not change; "
+        "e put on the side of the approach; the sign lost of a component that is reversed."
+    ),
+    "momentum.title": "Conservation of momentum along the line of centres",
+    "momentum.why": (
+        "The spheres push each other with equal and opposite impulses, so what one gains in "
+        "momentum the other loses: the total is the same before and after. The impulses act "
+        "along the line of centres, so it is in that direction that the principle tells "
+        "something new."
+    ),
+    "momentum.mistakes": (
+        "Usual mistakes: whole speeds in place of components; a mass left out; a plus sign for a "
+        "sphere that moves against the positive sense."
+    ),
+    "unchanged-wall.title": "Parallel to {wall} the velocity does not change",
+    "unchanged-wall.component": "the component stays {value}.",
+    "unchanged-wall.why": (
+        "The wall is smooth, so it can push the sphere only perpendicular to itself. No impulse "
+        "acts along the wall, and so the component of velocity along it is the same before and "
+        "after."
+    ),
+    "unchanged-wall.mistakes": (
+        "Usual mistakes: multiplying this component by e as well, or exchanging it with the "
+        "perpendicular one, sine for cosine."
+    ),
+    "unchanged.title": "Perpendicular to the line of centres the velocities do not change",
+    "unchanged.components": "the components stay {components:and}.",
+    "unchanged.component": "{value} for {body}",
+    "unchanged.why": (
+        "The spheres are smooth, so each pushes the other only along the line of centres. No "
+        "impulse acts across it, and so each sphere keeps its own component in that direction. "
+        "A sphere that was at rest has none, and moves off along the line of centres."
+    ),
+    "unchanged.mistakes": (
+        "Usual mistakes: letting the spheres exchange these components, or applying e to them."
+    ),
+    "impulse-wall.title": "Impulse = change of momentum of {body} perpendicular to {wall}",
+    "impulse-wall.why": (
+        "The impulse on a body is its momentum after minus its momentum before. The wall is "
+        "smooth, so only the perpendicular component changes, and it is reversed: the two sizes "
+        "are added, and the impulse is m × (speed of approach + speed of rebound)."
+    ),
+    "impulse-wall.mistakes": (
+        "Usual mistakes: subtracting the sizes because the sign of the reversed component is "
+        "lost, or taking the difference of the speeds."
+    ),
+    "impulse-spheres.title": "Impulse = change of momentum of {body} along the line of centres",
+    "impulse-spheres.why": (
+        "The impulse on a sphere is its momentum after minus its momentum before; on the other "
+        "sphere it is equal and opposite, so either sphere will do. The spheres are smooth, so "
+        "only the components along the line of centres change."
+    ),
+    "impulse-spheres.mistakes": (
+        "Usual mistakes: a sign lost where a component is reversed, and mass × (difference of "
+        "speeds), which is not what a vector changes by."
+    ),
+    "impulse.title": "Impulse = change of momentum",
+    "impulse.why": (
+        "The impulse on a body is its momentum after minus its momentum before: a vector, m(v − "
+        "u), component by component. Its size is the size of that difference."
+    ),
+    "impulse.mistakes": (
+        "Usual mistake: taking the difference of the sizes, mass × (difference of speeds), which "
+        "is right only if the direction stays the same."
+    ),
+    "resolved-spheres.before": (
+        "Components before the impact, along and across the line of centres:"
+    ),
+    "resolved-spheres.why": (
+        "Along the line of centres momentum and Newton's experimental law hold; across it "
+        "nothing changes. So each velocity is resolved in these two directions first, by sine "
+        "and cosine or by scalar product with a unit vector."
+    ),
+    "resolved-spheres.mistakes": (
+        "Usual mistakes: sine and cosine exchanged, an angle measured from the wrong line, and a "
+        "scalar product with a vector that was not divided by its size."
+    ),
+    "resolved-wall.before": (
+        "Components before the impact, towards {wall} and parallel to it:"
+    ),
+    "resolved-wall.why": (
+        "The two components behave differently at a wall: the one towards it is reversed and "
+        "multiplied by e, the one along it stays. So the velocity is resolved in these two "
+        "directions first."
+    ),
+    "resolved-wall.mistakes": (
+        "Usual mistakes: taking the angle from the normal where it was given to the wall; and at "
+        "a second wall, using the angle of the first again."
+    ),
+    "offset.path": "The line of centres makes an angle {angle} with the path of {body}, where",
+    "offset.relative-path": (
+        "The line of centres makes an angle {angle} with the path of {body} relative to {other}, "
+        "where"
+    ),
+    "offset.why": (
+        "At the impact the centres are two radii apart: the longest side of a right-angled "
+        "triangle whose other side, across the path, is the offset. So the sine of the angle "
+        "between the path and the line of centres is offset/(2r)."
+    ),
+    "offset.mistakes": (
+        "Usual mistakes: one radius in place of two, and cosine for sine."
+    ),
+    "chord.components": (
+        "A chord of the circle makes equal angles with the radii at its ends, so {body} comes to "
+        "{wall} with the components {towards} towards it and {along} along it."
+    ),
+    "chord.why": (
+        "The radius to the point of impact is perpendicular to the wall there. Two radii and "
+        "the path between their ends form an isosceles triangle, so the path makes the same "
+        "angle with the radius where it arrives as where it set out."
+    ),
+    "impulse-line.parallel": (
+        "The impulse on {body} acts along the line of centres, and is parallel to {impulse}. So "
+        "the line of centres is parallel to {way}."
+    ),
+    "impulse-line.change": (
+        "The impulse on {body} acts along the line of centres, and so does the change of its "
+        "velocity:"
+    ),
+    "impulse-line.why": (
+        "The spheres are smooth, so each pushes the other along the line through their centres. "
+        "The impulse is mass × change of velocity; so the change in one sphere's velocity "
+        "points along the line of centres, and finds it."
+    ),
+    "impulse-line.mistakes": (
+        "Usual mistake: taking the direction of a velocity instead of that of the change."
+    ),
+    "impulse-normal.parallel": (
+        "The impulse on {body} acts perpendicular to {wall}, and is parallel to {impulse}. So "
+        "{wall} is parallel to {way}."
+    ),
+    "impulse-normal.change": (
+        "The impulse on {body} acts perpendicular to {wall}, and so does the change of its "
+        "velocity:"
+    ),
+    "impulse-normal.why": (
+        "A smooth wall pushes only perpendicular to itself. The impulse is mass × change of "
+        "velocity; so the change of the velocity is perpendicular to the wall, and tells how "
+        "the wall runs."
+    ),
+    "impulse-normal.mistakes": (
+        "Usual mistake: taking the change to be parallel to the wall."
+    ),
+    "joins-centres.places": "The line of centres joins the centres at the impact:",
+    "joins-centres.why": (
+        "When two spheres touch, the line through their centres is the common normal, and the "
+        "impulses act along it. It is found from where the centres are at that moment, and not "
+        "from where they were at the start."
+    ),
+    "moves-off.line": (
+        "{body} was at rest, and the impulse on it acts along the line of centres: it moves off "
+        "along it. The line of centres is parallel to {way}."
+    ),
+    "moves-off.why": (
+        "Whatever momentum a sphere at rest receives comes from the impulse, and the impulse "
+        "acts along the line of centres. So that is the way in which it moves off."
+    ),
+    "moves-off.mistakes": (
+        "Usual mistake: sending it off in the direction in which the other sphere came."
+    ),
+    "loss-spheres.unchanged": (
+        "The components perpendicular to the line of centres do not change, and lose no kinetic "
+        "energy:"
+    ),
+    "loss-spheres.why": (
+        "Kinetic energy is ½m × (sum of the squares of the components). Those across the line "
+        "of centres stay, so what is lost comes from those along it, of both spheres."
+    ),
+    "loss-spheres.mistakes": (
+        "Usual mistakes: counting one sphere alone, and ½m(v − u)², the square of a difference "
+        "in place of the difference of squares. For a fraction of the original energy, divide by "
+        "all of it."
+    ),
+    "loss-wall.unchanged": (
+        "The components parallel to {wall} do not change, and lose no kinetic energy:"
+    ),
+    "loss-wall.why": (
+        "Kinetic energy is ½m × (sum of the squares of the components). The one along the wall "
+        "stays, so what is lost comes from the perpendicular one alone: ½m × (its square before "
+        "− its square after)."
+    ),
+    "loss-wall.mistakes": (
+        "Usual mistake: ½m(v − u)², the square of a difference in place of the difference of "
+        "squares. For a fraction of the original energy, divide by all of it."
+    ),
+    "turned-wall.angles": (
+        "{body} is turned through the angle that its path makes with {wall} before and the angle "
+        "that it makes after:"
+    ),
+    "turned-wall.sum": (
+        "{body} is turned through the sum of the angles that its path makes with {wall} before "
+        "and after:"
+    ),
+    "turned-wall.why": (
+        "The angle of deflection lies between the direction before, continued, and the "
+        "direction after. The path comes in at one angle to the wall and leaves at another on "
+        "the same side: the sphere is turned through both, one after the other."
+    ),
+    "turned-wall.mistakes": (
+        "Usual mistake: giving the angle of rebound alone, or the difference of the two."
+    ),
+    "turned.between": (
+        "The angle of deflection of {body} is the angle between its velocities before and after:"
+    ),
+    "turned.difference": (
+        "The angle of deflection of {body} is the difference of the angles that its velocities "
+        "make with the line of centres:"
+    ),
+    "turned.why": (
+        "The angle of deflection lies between the direction before, continued, and the "
+        "direction after: by how much the path has turned. It is found by scalar product, or "
+        "from the angles that both velocities make with one line."
+    ),
+    "turned.mistakes": (
+        "Usual mistake: giving the angle of the new path to the line of centres, which is only a "
+        "part of it."
+    ),
+    "collide-again.if": (
+        "{one} and {other} collide again if {first} gains on {second} along the line of centres:"
+    ),
+    "collide-again.unless": (
+        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
+        "line of centres:"
+    ),
+    "collide-again.why": (
+        "After an impact the spheres separate. They meet again only if the one behind, after "
+        "what happened in between, moves faster along the line than the one in front: it is "
+        "velocities with their signs that are compared, and not speeds."
+    ),
+    "coefficient.range": "A coefficient of restitution lies between 0 and 1:",
+    "coefficient.letter": (
+        "A coefficient of restitution lies between 0 and 1, so {letter} has to:"
+    ),
+    "coefficient.why": (
+        "Spheres separate no faster than they approached, as no energy is gained: e is at most "
+        "1. They do not pass through each other: e is at least 0. A value outside means that "
+        "what is told cannot happen; where letters are left, it bounds them."
+    ),
+    "flight.straight": "{body} moves a distance {distance} at speed {speed}:",
+    "flight.to-wall": (
+        "{body} moves a distance {distance} perpendicular to {wall} at speed {speed}:"
+    ),
+    "flight.axis": "{body} moves a distance {distance} parallel to {axis} at speed {speed}:",
+    "flight.why": (
+        "Between impacts nothing acts on a sphere on a smooth table, so its velocity stays the "
+        "same: distance = speed × time, for each component by itself."
+    ),
+    "flight.mistakes": (
+        "Usual mistake: the whole speed with a distance that is measured in the direction of one "
+        "component."
+    ),
+    "gap.closes": "The gap between {one} and {other} is {gap} and closes at {speed}:",
+    "gap.why": (
+        "Two bodies that move along one line come together at the difference of their "
+        "velocities: time = gap ÷ speed of approach. Velocities count with their signs; for "
+        "bodies that move towards each other the speeds are added."
+    ),
+    # --- letters and axes -------------------------------------------------------------------------
+    "let.velocity": "Let {letters} be the velocity of {body} before the impact.",
+    "let.component": (
+        "Let {letter} be the component of the velocity of {body} in the direction of {axis} "
+        "after the impact."
+    ),
+    "let.components": (
+        "Let {letters:and} be the components of the velocities of {bodies:and} in the direction "
+        "of {axis} after the impact."
+    ),
+    "let.component-centres": (
+        "Let {letter} be the component of the velocity of {body} along the line of centres, in "
+        "the sense from {first} to {second} after the impact."
+    ),
+    "let.components-centres": (
+        "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
+        "centres, in the sense from {first} to {second} after the impact."
+    ),
+    "let.line-angle": "Let the angle that the line of centres makes with {axis} be {angle}.",
+    "let.wall-angle": "Let the angle that {wall} makes with {axis} be {angle}.",
+    "resolve.known": "Resolve the velocity of {body} parallel and perpendicular to {wall}.",
+    "resolve.let": (
+        "Resolve parallel and perpendicular to {wall}. Let {letter} be the component of the "
+        "velocity of {body} perpendicular to {wall}, away from it, after the impact."
+    ),
+    "operand.along": "{body} along",
+    "operand.across": "{body} across",
+    "operand.towards": "towards {wall}",
+    "operand.parallel": "parallel to {wall}",
+    "operand.change": "change of velocity of {body}",
+    # --- the line of centres, and walls -----------------------------------------------------------
+    "line.axis": "The line of centres is parallel to {axis}.",
+    "line.angle": "The line of centres makes the angle {angle} with {axis}.",
+    "line.direction": "The line of centres is in the direction of {way}.",
+    "line.so": "So the line of centres is parallel to {way}.",
+    "line.offset": (
+        "{body} was at rest, and moves off along the line of centres. This makes an angle {angle} "
+        "with the path of the other sphere, where {sine}."
+    ),
+    "line.radius": (
+        "The impulse acts along the radius of {wall} through the point of impact, in the "
+        "direction of {way}."
+    ),
+    "line.wall": "So {wall} is perpendicular to {normal}, and parallel to {way}.",
+    "line.together": (
+        "The principles and all that is given, taken together, are satisfied if the line of "
+        "centres is parallel to {way}."
+    ),
+    "line.wall-together": (
+        "The principles and all that is given, taken together, are satisfied if {wall} is "
+        "parallel to {way}."
+    ),
+    # --- given facts ------------------------------------------------------------------------------
+    "given.data": "From the data:",
+    "given.fact": "It is given that {fact}:",
+    "given.and": "It is given that {fact}.",
+    "given.tangents": "It is given that {fact}, so the tangents are equal:",
+    "given.component": (
+        "It is given that {fact}, so the component in the direction of {axis} is zero:"
+    ),
+    "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
+    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
+    "given.proportion": "It is given that {fact}, so their components are in proportion:",
+    "given.line": "It is given that {fact}. So the line of centres is parallel to {way}.",
+    "given.wall": "It is given that {fact}. So {wall} is parallel to {way}.",
+    "given.rest": "{body} is at rest:",
+    "given.compare": "Comparing components:",
+    "given.velocity": "By the speed and the direction of {body} after the impact,",
+    "given.velocity-kick": "By the speed and the direction of {body} after the impulse,",
+    # --- equations solved -------------------------------------------------------------------------
+    "carried.part": "From part ({label}):",
+    "carried.above": "From above:",
+    "solve.pair": "Solving simultaneously:",
+    "solve.together": "Solving these together:",
+    "solve.stated": "The equations together give",
+    "rejected.reason": "{case} is rejected: {reason}",
+    "rejected.coefficient": "{case} is rejected: it leads to {coefficient}, and {reason}",
+    # --- places and times -------------------------------------------------------------------------
+    "circle.time": (
+        "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
+    ),
+    "circle.again": (
+        "{body} is at the distance {radius} from the centre of {wall} again after a time {letter} "
+        "with"
+    ),
+    "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
+    "aim.velocity": (
+        "{body} has to go from {start} to {target}, in the direction of its velocity:"
+    ),
+    "aim.unless": "{reason:capital} unless",
+    "aim.chords": (
+        "The three chords form a triangle, and each makes equal angles with the radii at its "
+        "ends. So these three angles add up to 90°. Their tangents are {tangents:and}, so"
+    ),
+    # --- angles between velocities ----------------------------------------------------------------
+    "product.is": "The scalar product is",
+    "product.zero": "The scalar product is zero:",
+    "product.velocities": "The scalar product of the velocities before and after is zero:",
+    "motion.reversed": "The motion of {body} is reversed:",
+    "motion.same": "{body} goes on in the same direction:",
+    "motion.back": "{body} comes straight back:",
+    "motion.across": "{body} moves off perpendicular to the line of centres:",
+    # --- conditions, ranges, extrema --------------------------------------------------------------
+    "condition.else": "This must hold, as otherwise {reason}:",
+    "condition.positive": "{quantity} has to be positive:",
+    "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
+    "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
+    "condition.both": "{body} hits {wall} if both of these hold:",
+    "condition.either": "{body} does not hit {wall} if either of these holds:",
+    "condition.coordinate": (
+        "{body} strikes {wall} where {letter} = {place}, and {wall} goes from {letter} = {low} to "
+        "{letter} = {high}:"
+    ),
+    "condition.distance": (
+        "{body} strikes {wall} at this distance from {end}: {place}, and {wall} goes from that "
+        "point for a length {length}:"
+    ),
+    "crossing.point": "{body} comes to the line of {wall} at the point {point}.",
+    "crossing.away": "{body} does not move towards {wall}, as {velocity}.",
+    "crossing.extent": "{wall} goes from {start} to {end}, and:",
+    "range.is": "So the range is",
+    "range.whole": "All that is given can be so for every value, and the range is",
+    "range.for": "for {condition}",
+    "range.runs": "As {letter} {change}, {quantity} {effect}.",
+    "increases.between": "increases from {low} to {high}",
+    "increases.above": "increases from {low} without limit",
+    "increases.below": "increases without limit to {high}",
+    "increases.all": "increases without limit",
+    "decreases.between": "decreases from {high} to {low}",
+    "decreases.below": "decreases from {high} without limit",
+    "decreases.above": "decreases without limit to {low}",
+    "decreases.all": "decreases without limit",
+    "extremum.maximum": "maximum of {quantity}",
+    "extremum.minimum": "minimum of {quantity}",
+    "extremum.differentiate": "Differentiate:",
+    "extremum.with": "With {letter} = {value}:",
+    "extremum.stationary": "for a stationary value",
+    "extremum.approached": "approached, but not reached",
+    "extremum.size": "A speed is a size: it falls to 0, then grows again.",
+    "extremum.end-maximum": "The maximum is at an end of the range of {letter}:",
+    "extremum.end-minimum": "The minimum is at an end of the range of {letter}:",
+    "extremum.when": "when {place}",
+    "slope.positive": "This is positive, so {quantity} increases with {letter}.",
+    "slope.negative": "This is negative, so {quantity} decreases with {letter}.",
+    "slope.positive-maximum": (
+        "This is positive, so {quantity} increases with {letter}, and the maximum belongs to the "
+        "greatest value, {letter} = {end}."
+    ),
+    "slope.positive-minimum": (
+        "This is positive, so {quantity} increases with {letter}, and the minimum belongs to the "
+        "least value, {letter} = {end}."
+    ),
+    "slope.negative-maximum": (
+        "This is negative, so {quantity} decreases with {letter}, and the maximum belongs to the "
+        "least value, {letter} = {end}."
+    ),
+    "slope.negative-minimum": (
+        "This is negative, so {quantity} decreases with {letter}, and the minimum belongs to the "
+        "greatest value, {letter} = {end}."
+    ),
+    # --- results that are shown, or are false -----------------------------------------------------
+    "shown.required": "as required",
+    "shown.figures": "to {figures} significant figures",
+    "shown.claim": "So {claim}, as required.",
+    "claim.perpendicular": "{left} is perpendicular to {right}",
+    "claim.parallel": "{left} is parallel to {right}",
+    "claim.same-direction": "{left} is in the direction of {right}",
+    "claim.opposite": "{left} is opposite to {right}",
+    "claim.not-perpendicular": "{left} is not perpendicular to {right}",
+    "claim.not-parallel": "{left} is not parallel to {right}",
+    "claim.not-same-direction": "{left} is not in the direction of {right}",
+    "claim.not-opposite": "{left} is not opposite to {right}",
+    "claim.rest": "{body} is at rest",
+    "claim.collide": "{one} and {other} collide{again}",
+    "claim.not-collide": "{one} and {other} do not collide{again}",
+    "claim.will-collide": "{one} and {other} will collide{again}",
+    "claim.will-not-collide": "{one} and {other} will not collide{again}",
+    "claim.will-hit": "{body} will hit {wall}{again}",
+    "claim.will-not-hit": "{body} will not hit {wall}{again}",
+    "refuted.rest": "{body} is not at rest: {velocity}.",
+    "refuted.direction": "{claim}.",
+    "refuted.direction-general": "{claim} in general.",
+    "refuted.direction-as": "{claim}: {ways:and}.",
+    "refuted.direction-general-as": "{claim} in general: {ways:and}.",
+    "refuted.maximum": "The maximum of {quantity} is not {value}.",
+    "refuted.minimum": "The minimum of {quantity} is not {value}.",
+    "refuted.range": "The range of possible values is not {range}.",
+    "refuted.value": "The {quantity} is not {claimed}: it is {value}.",
+    "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
+    "refuted.claim": "It is not true that {claim}: {sides:and}.",
+    "refuted.general": (
+        "It is not true in general that {claim}: with {values:and}, for instance, {sides:and}."
+    ),
+    "refuted.instance": (
+        "It is not true in general that {claim}: it fails, for instance, with {values:and}."
+    ),
+    "refuted.meeting": (
+        "It is not true in general that {claim}, as {velocities:and}: with {values:and}, for "
+        "instance, {opposite}."
+    ),
+    "refuted.they-do": "they do",
+    "refuted.they-do-not": "they do not",
+    "refuted.it-does": "it does",
+    "refuted.it-does-not": "it does not",
+    "refuted.collide": "{one} and {other} do not collide{again}, as {velocities:and}.",
+    "refuted.not-collide": "{one} and {other} do collide{again}, as {velocities:and}.",
+    "refuted.hit": "{body} does not hit {wall}{again}, as {velocities:and}.",
+    "refuted.not-hit": "{body} does hit {wall}{again}, as {velocities:and}.",
+    "refuted.false": "{item} is false: {truths:comma}.",
+    "refuted.reached": "{value} is reached",
+    "refuted.approached": "{value} is approached, but not reached",
+    "undecided.claim": (
+        "It is not decided whether {claim}. It fails at none of the values of the letters that "
+        "were tried, but that proves nothing."
+    ),
+    # --- answers ----------------------------------------------------------------------------------
+    "answer.none": "{item}: no answer, as {reason}.",
+    "answer.only": "This holds for {condition} only.",
+    "answer.only-as": "As {reasons:and}, this holds for {condition} only.",
+    "answer.reason": "{item}: {reason}",
+    "answer.undecided": "{item}: not decided",
+    "answer.outcome": "{item}: {outcomes:comma}",
+    "answer.shown": "shown",
+    "answer.false": "false",
+    "answer.value": "{item} = {values:or}",
+    "answer.whole": "{answer}.",
+    # --- a working from its end -------------------------------------------------------------------
+    "backwards.solution": "Solution {number}.",
+    "backwards.wall": "For what follows, {first} has to strike {second}.",
+    "backwards.wall-at": "For what follows, {first} has to strike {second} at {point}.",
+    "backwards.sphere": (
+        "{second} is at rest when {first} strikes it, and moves off along the line of centres: so "
+        "{first} has to be on that line, in contact then."
+    ),
+    "backwards.sphere-along": (
+        "{second} is at rest when {first} strikes it, and moves off along the line of centres, "
+        "along {way}: so {first} has to be on that line, in contact then."
+    ),
+    "backwards.sphere-at": (
+        "{second} is at rest when {first} strikes it, and moves off along the line of centres, "
+        "along {way}: so {first} has to be at {point} then."
+    ),
+    # --- what is amiss ----------------------------------------------------------------------------
+    "amiss.line": "a line of the working was left out: {line}",
+    "amiss.item": "a line of the working was left out: {item} ({reason})",
+    "amiss.pictures": "the pictures could not be drawn, by a fault of the program",
+    # --- what a mark is given for -----------------------------------------------------------------
+    "mark.method": "a principle or a method, with its values put in",
+    "mark.accuracy": "the line or the answer is right",
+    "mark.independent": "right by itself: it needs no method",
+    "mark.dependent": "a method that rests on an earlier method of the same part",
+    "mark.follow-through": "right for the values found before, even if a slip was made there",
+    "mark.printed": "the printed result, reached without a gap",
+}
+"""What a worked solution says, by the id of the sentence."""
