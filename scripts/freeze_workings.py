@@ -76,7 +76,8 @@ def working(path: Path) -> dict[str, str]:
         "md": f"{to_markdown(made)}\n",
         "tex": f"{to_latex(made)}\n",
         "html": to_html(made).replace("<", "\n<") + "\n",
-        "typ": to_markup(made),
+        # Words that follow each other are one.
+        "typ": to_markup(made).replace('";#"', ""),
     }
 
 

@@ -12,7 +12,7 @@ from restitution.components import Model
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
 from restitution.explain.marks import without_method
-from restitution.explain.phrases import answer, chain, listed, look, sum_of_products
+from restitution.explain.phrases import answer, chain, look, sum_of_products
 from restitution.explain.quantities import (
     WHOLE,
     Asked,
@@ -25,8 +25,9 @@ from restitution.explain.quantities import (
     quantities_in,
     stage_of,
 )
-from restitution.explain.steps import Origin, Row, Side, Words, shown, side
+from restitution.explain.steps import REQUIRED, Origin, Row, Side, shown, side
 from restitution.explaining.marks import A1, A1_STAR, M1
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     AtTime,
@@ -125,7 +126,7 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
         impossible = isinstance(result.error, ImpossibleError) and not work.alternatives
         if impossible and isinstance(result.item, Value):
             prepare(work, result.item.expression, now)
-        work.write("note", words=(f"{result.text}: no answer, as {message}.",))
+        work.write("note", sentences=(say("answer.none", item=result.text, reason=message),))
         return
     item = result.item
     mine = [a for a in result.answers if a.solution == number] or list(result.answers)
@@ -144,22 +145,24 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
         _show(work, item, result, now)
     by_case = isinstance(item, Range) and len(mine) > 1  # each stands with its condition
     if answer_ is not None and answer_.condition_layout is not None and not by_case:
-        only = (answer_.condition_layout, " only.")
-        reason = _coefficients_that_bind(work)
-        if reason:
-            work.write("note", words=("As ", *reason, ", this holds for ", *only))
-        else:
-            work.write("note", words=("This holds for ", *only))
+        condition = answer_.condition_layout
+        reasons = _coefficients_that_bind(work)
+        sentence = (
+            say("answer.only-as", reasons=reasons, condition=condition)
+            if reasons
+            else say("answer.only", condition=condition)
+        )
+        work.write("note", sentences=(sentence,))
 
 
-def _coefficients_that_bind(work: Working) -> Words:
+def _coefficients_that_bind(work: Working) -> list[Layout]:
     """``e ≤ 1``: the bounds of coefficients that were found, if a solution's condition is theirs.
 
     Empty where it rests on anything else, or on a coefficient that is not yet known.
     """
     model = work.model
     if model.branch.oracle is None:
-        return ()
+        return []
     bounds: dict[tuple[sp.Symbol, bool], Formula] = {}
     for symbol, value in model.final.items():
         role = model.unknowns.roles.get(symbol.name)
@@ -176,10 +179,8 @@ def _coefficients_that_bind(work: Working) -> Words:
     known = all(symbol in work.known for symbol, _ in bounds)
     enough = model.ground.with_facts(bounds.values())
     if not bounds or not known or not all(_follows(enough, each) for each in model.oracle.facts):
-        return ()
-    return listed(
-        [(_coefficient_range(model, s, bounds),) for s in dict.fromkeys(s for s, _ in bounds)]
-    )
+        return []
+    return [_coefficient_range(model, s, bounds) for s in dict.fromkeys(s for s, _ in bounds)]
 
 
 def _follows(oracle: Oracle, claim: Formula) -> bool:
@@ -272,10 +273,10 @@ def _value(work: Working, item: Value, answer_: Answer, now: int) -> None:
     found = answer_.value
     if isinstance(tree, Quantity):
         derived = derive(work, tree, now, percentage=item.percentage)
-        rows = _ending(work, derived.rows, lay.from_tree(tree), derived.value, answer_, item)
+        rows = _ending(work, derived.rows, work.layout(tree), derived.value, answer_, item)
         rows = _once(work, tree, rows)
         uses = found_before(work, tree, now)
-        work.write("result", rows, derived.principle, derived.words, uses=uses)
+        work.write("result", rows, derived.title, derived.sentences, uses=uses)
         return
     for quantity in quantities_in(work, tree, now):
         sub_result(work, quantity)
@@ -358,11 +359,13 @@ def sub_result(work: Working, asked: Asked) -> None:
     work.done.add(key)
     if tree.kind in ("mass", "speed", "line_of_centres") and tree.stage == 0:
         return
-    derived = derive(work, tree, now, name=asked.name if asked.letter is not None else None)
+    derived = derive(
+        work, tree, now, name=work.layout(asked.letter) if asked.letter is not None else None
+    )
     if not derived.rows:
         return
     uses = found_before(work, tree, now)
-    work.write("result", derived.rows, derived.principle, derived.words, uses=uses)
+    work.write("result", derived.rows, derived.title, derived.sentences, uses=uses)
 
 
 def _final(
@@ -370,7 +373,7 @@ def _final(
 ) -> None:
     value = tuple(found) if isinstance(found, tuple) else found
     ending = answer(value, angle=answer_.angle, percentage=percentage)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     if _stated(work, name, ending):
         return
     if not quantities_in(work, tree, now):
@@ -433,10 +436,6 @@ def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     return False
 
 
-UNDECIDED = (
-    "It fails at none of the values of the letters that were tried, but that proves nothing."
-)
-
 # --- shows ---------------------------------------------------------------------------------------
 
 
@@ -447,8 +446,8 @@ def _show(work: Working, item: Show, result: ItemResult, now: int) -> None:
     if result.undecided:
         from restitution.explain.refuting import claim_of
 
-        claim = claim_of(item) or f"“{result.text}”"
-        work.write("note", words=("It is not decided whether ", claim, f". {UNDECIDED}"))
+        claim = claim_of(work, item) or say("quoted", text=result.text)
+        work.write("note", sentences=(say("undecided.claim", claim=claim),))
         return
     if item.subject is not None:
         from restitution.explain.bounds import explain_shown_bound
@@ -500,7 +499,7 @@ def _show_equal(
     now: int,
     figures: int | None,
 ) -> None:
-    first, last = lay.from_tree(left), lay.from_tree(right)
+    first, last = work.layout(left), work.layout(right)
     rows: list[Row] = []
     if figures is not None:
         exact = answer(a)
@@ -510,7 +509,7 @@ def _show_equal(
                 *exact[:1],
                 shown(last),
                 points=(A1_STAR,),
-                note=(f"to {figures} significant figures",),
+                asides=(say("shown.figures", figures=figures),),
             )
         )
     else:
@@ -521,13 +520,9 @@ def _show_equal(
         if quantities_in(work, right, now):
             rows.append(chain(Side(first, a), left_middle, plain_value))
             rows.append(chain(Side(last, b), right_middle, side(b, look(b, angle=angle))))
-            rows.append(
-                chain(Side(first, a), Side(last, b), points=(A1_STAR,), note=("as required",))
-            )
+            rows.append(chain(Side(first, a), Side(last, b), points=(A1_STAR,), asides=REQUIRED))
         elif _stated(work, first, [plain_value]):
-            rows.append(
-                chain(Side(first, a), Side(last, b), points=(A1_STAR,), note=("as required",))
-            )
+            rows.append(chain(Side(first, a), Side(last, b), points=(A1_STAR,), asides=REQUIRED))
         else:
             rows.append(
                 chain(
@@ -536,7 +531,7 @@ def _show_equal(
                     plain_value,
                     Side(last, b),
                     points=(A1_STAR,),
-                    note=("as required",),
+                    asides=REQUIRED,
                 )
             )
     work.write("result", rows)
@@ -549,14 +544,15 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
     work.done.add(("quantity", left, now if left.stage is None else None))
     rows = list(derived.rows)
     value = derived.value
-    last = Side(lay.from_tree(right), evaluated(work, right, now))
-    note: Words = ("as required",)
+    last = Side(work.layout(right), evaluated(work, right, now))
     uses = found_before(work, left, now)
     if rows:
         final = rows[-1]
-        if final.operands[0] != lay.from_tree(left):
-            rows.append(chain(Side(lay.from_tree(left), value), last, points=(A1_STAR,), note=note))
-            work.write("result", rows, derived.principle, derived.words, uses=uses)
+        if final.operands[0] != work.layout(left):
+            rows.append(
+                chain(Side(work.layout(left), value), last, points=(A1_STAR,), asides=REQUIRED)
+            )
+            work.write("result", rows, derived.title, derived.sentences, uses=uses)
             return
         sides = [
             Side(o, v)
@@ -564,10 +560,10 @@ def _show_quantity(work: Working, left: Expression, right: Expression, now: int)
             if o is not None and v is not None
         ]
         points = tuple(A1_STAR if each.kind == "A" else each for each in final.points)
-        rows[-1] = chain(*sides, last, points=points, note=note)
+        rows[-1] = chain(*sides, last, points=points, asides=REQUIRED)
     else:
-        rows = [chain(Side(lay.from_tree(left), value), last, points=(A1_STAR,), note=note)]
-    work.write("result", rows, derived.principle, derived.words, uses=uses)
+        rows = [chain(Side(work.layout(left), value), last, points=(A1_STAR,), asides=REQUIRED)]
+    work.write("result", rows, derived.title, derived.sentences, uses=uses)
 
 
 def _angle_tree(work: Working, tree: Expression) -> bool:
@@ -586,7 +582,7 @@ def _show_ordered(
     now: int,
 ) -> None:
     sign = lay.SIGNS.get(op, op)
-    first, last = lay.from_tree(left), lay.from_tree(right)
+    first, last = work.layout(left), work.layout(right)
     angle = _angle_tree(work, left)
     rows: list[Row] = []
     for tree, name, value in ((left, first, a), (right, last, b)):
@@ -598,7 +594,6 @@ def _show_ordered(
         from restitution.explain.bounds import explain_conditions
 
         explain_conditions(work, left, now)
-    words: Words = ()
     if not angle:
         gap = (
             tidy(sp.sympify(b - a, strict=True))
@@ -620,8 +615,8 @@ def _show_ordered(
                     (M1,),
                 )
             )
-    rows.append(Row((first, last), (sign,), (a, b), (A1_STAR,), ("as required",)))
-    work.write("result", rows, words=words)
+    rows.append(Row((first, last), (sign,), (a, b), (A1_STAR,), REQUIRED))
+    work.write("result", rows)
 
 
 def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
@@ -635,7 +630,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
                 sub_result(work, quantity)
         ways.append(Vector(*work.put(story.direction(tree, now))))
     a, b = ways
-    first, last = lay.from_tree(relation.left), lay.from_tree(relation.right)
+    first, last = work.layout(relation.left), work.layout(relation.right)
     if relation.relation == "perpendicular to":
         products = [(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
         if products:
@@ -646,7 +641,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
                 side(sp.Integer(0)),
                 points=(M1, A1),
             )
-            work.write("result", [row], words=("The scalar product is",))
+            work.write("result", [row], sentences=(say("product.is"),))
     else:
         pick = "x" if a.x != 0 else "y"
         if getattr(b, pick) != 0:
@@ -658,11 +653,8 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
                 points=(M1,),
             )
             work.write("result", [row])
-    work.write(
-        "result",
-        words=("So ", first, f" is {relation.relation} ", last, ", as required."),
-        points=(A1_STAR,),
-    )
+    sentence = say("shown.claim", claim=work.aligned(relation))
+    work.write("result", sentences=(sentence,), points=(A1_STAR,))
 
 
 def _times(ratio: sp.Expr, laid: Layout) -> Layout:
@@ -684,9 +676,10 @@ def _show_rest(work: Working, relation: AtRest, now: int) -> None:
     velocity = Quantity("velocity", (Name(relation.body.name),))
     prepare(work, velocity, now)
     value = evaluated(work, velocity, now)
-    row = chain(side(value, lay.from_tree(velocity)), side(value), points=(A1_STAR,))
+    row = chain(side(value, work.layout(velocity)), side(value), points=(A1_STAR,))
     work.write("result", [row])
-    work.write("result", words=(f"So {relation.body.name} is at rest, as required.",))
+    claim = say("claim.rest", body=relation.body.name)
+    work.write("result", sentences=(say("shown.claim", claim=claim),))
 
 
 def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
@@ -700,12 +693,15 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
     from restitution.explain.refuting import refutation
 
     if item.subject is not None and result.answers:
-        words: list[str | Layout] = [result.text, " is false"]
+        truths: list[Layout | Sentence] = []
         for true in result.answers:
-            words += [": ", _true_bound(item, true)]
-            if isinstance(item.subject, Extremum):
-                words.append(" is reached" if true.reached else " is approached, but not reached")
-        work.write("note", words=(*words, "."))
+            bound = _true_bound(work, item, true)
+            truths.append(
+                say("refuted.reached" if true.reached else "refuted.approached", value=bound)
+                if isinstance(item.subject, Extremum)
+                else bound
+            )
+        work.write("note", sentences=(say("refuted.false", item=result.text, truths=truths),))
         return
     if item.subject is None:
         for body in work.model.story.spheres.keys() & set(_bodies(relation)):
@@ -713,7 +709,7 @@ def _refute(work: Working, item: Show, result: ItemResult, now: int) -> None:
         if isinstance(relation, Aligned):
             for tree in (relation.left, relation.right):
                 work.reach(work.open(tuple(work.model.story.direction(tree, now))))
-    work.write("note", words=refutation(work, item, result.counterexample or {}, now))
+    work.write("note", sentences=(refutation(work, item, result.counterexample or {}, now),))
 
 
 def _bodies(relation: Relation) -> list[str]:
@@ -726,9 +722,9 @@ def _bodies(relation: Relation) -> list[str]:
     return []
 
 
-def _true_bound(item: Show, true: Answer) -> Layout:
+def _true_bound(work: Working, item: Show, true: Answer) -> Layout:
     assert item.subject is not None
-    asked = lay.from_tree(item.subject.expression)
+    asked = work.layout(item.subject.expression)
     if isinstance(item.subject, Range):
         return lay.display_set(true.value, asked, angle=true.angle)
     return look(true.value, angle=true.angle)

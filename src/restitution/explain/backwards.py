@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explain.steps import Step, Words
+from restitution.explain.steps import Step
+from restitution.explaining.saying import Sentence, say
 from restitution.problem import Impact
 from restitution.solve.solution import Branch, PartSolution
 from restitution.solve.stages import by_nested_roots
@@ -26,17 +27,16 @@ def steps_backwards(part: PartSolution, answers: tuple[str, ...]) -> tuple[Step,
     several = len(part.branches) > 1
     for branch in part.branches:
         if several:
-            steps.append(_note(f"Solution {branch.number}."))
-        steps += [_note(text) for text in _contacts(branch)]
-    return (*steps, *(_note(f"{answer}.") for answer in answers))
+            steps.append(_note(say("backwards.solution", number=branch.number)))
+        steps += [_note(each) for each in _contacts(branch)]
+    return (*steps, *(_note(say("answer.whole", answer=answer)) for answer in answers))
 
 
-def _note(text: str) -> Step:
-    words: Words = (text,)
-    return Step("note", words=words)
+def _note(sentence: Sentence) -> Step:
+    return Step("note", sentences=(sentence,))
 
 
-def _contacts(branch: Branch) -> Iterator[str]:
+def _contacts(branch: Branch) -> Iterator[Sentence]:
     for event in reversed(branch.numbers.happenings):
         values = [branch.values.get(f"_c_{event.number}{axis}") for axis in "xy"]
         if any(value is None for value in values) or not isinstance(event.step, Impact):
@@ -44,15 +44,20 @@ def _contacts(branch: Branch) -> Iterator[str]:
         fixed = not any(value is not None and value.free_symbols for value in values)
         first, second = event.step.first, event.step.second
         known = branch.numbers.place(first, event.number)
-        at = f" at {_point(known[0])}" if fixed and known is not None else ""
+        point = _point(known[0]) if fixed and known is not None else None
         if second in branch.numbers.walls:
-            yield f"For what follows, {first} has to strike {second}{at}."
-            continue
-        along = f", along {_vector(event.oriented())}" if fixed else ""
-        yield (
-            f"{second} is at rest when {first} strikes it, and moves off along the line of "
-            f"centres{along}: so {first} has to be{at or ' on that line, in contact'} then."
-        )
+            if point is None:
+                yield say("backwards.wall", first=first, second=second)
+            else:
+                yield say("backwards.wall-at", first=first, second=second, point=point)
+        elif point is not None:
+            way = _vector(event.oriented())
+            yield say("backwards.sphere-at", first=first, second=second, way=way, point=point)
+        elif fixed:
+            way = _vector(event.oriented())
+            yield say("backwards.sphere-along", first=first, second=second, way=way)
+        else:
+            yield say("backwards.sphere", first=first, second=second)
 
 
 def _number(x: float) -> str:

@@ -11,6 +11,7 @@ from restitution.explain.geometry import given_after
 from restitution.explain.phrases import bold_velocity, chain, look, product_of
 from restitution.explain.steps import side
 from restitution.explaining.marks import A1, M1
+from restitution.explaining.saying import say
 from restitution.problem import Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Brackets, Layout
@@ -44,8 +45,7 @@ def kick(work: Working, number: int) -> None:
     turned = "speed" in kinds and bool(kinds & {"direction", "deflection"})
     if sought and turned:
         row = chain(side((v.x, v.y), name), side((v.x, v.y)), points=(M1,))
-        words = (f"By the speed and the direction of {body} after the impulse,",)
-        work.write("fact", [row], words=words)
+        work.write("fact", [row], sentences=(say("given.velocity-kick", body=body),))
     if sought and not turned and "velocity" not in kinds:
         # The velocity after follows in terms of the blow, which other facts fix.
         raw = (event.impulse.x, event.impulse.y)
@@ -58,7 +58,7 @@ def kick(work: Working, number: int) -> None:
             ),
             chain(side((put.x, put.y), name), side((put.x, put.y)), points=(A1,)),
         ]
-        work.write("principle", rows, "Impulse = change of momentum")
+        work.write("principle", rows, say("impulse.title"))
         return
     if sought:
         # The blow itself is wanted: the velocities are known.
@@ -71,7 +71,7 @@ def kick(work: Working, number: int) -> None:
                 points=(M1, A1),
             )
         ]
-        work.write("principle", rows, "Impulse = change of momentum")
+        work.write("principle", rows, say("impulse.title"))
         for part, value in zip(raw, push, strict=True):
             del part, value
         return
@@ -87,7 +87,7 @@ def kick(work: Working, number: int) -> None:
     ]
     del story
     work.done.add(("velocity", body, number))
-    work.write("principle", rows, "Impulse = change of momentum")
+    work.write("principle", rows, say("impulse.title"))
 
 
 def _difference(first: Layout, u: Vector) -> Layout:

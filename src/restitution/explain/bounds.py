@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
@@ -16,11 +16,12 @@ from restitution.exact import tidy, tidy_angle
 from restitution.explain.asked import found_before, prepare, sub_result
 from restitution.explain.checking import related
 from restitution.explain.kept import above, factored, simplified
-from restitution.explain.phrases import answer, chain, listed, look
+from restitution.explain.phrases import answer, chain, look
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
-from restitution.explain.steps import Row, Side, Words, side
+from restitution.explain.steps import REQUIRED, Row, Side, side
 from restitution.explain.working import TANGENT, by_tangent
 from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Marks
+from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Name, Quantity, has_quantity
 from restitution.oracle import BeyondError, Formula, compared
@@ -48,13 +49,14 @@ _FLIPPED = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
 class Bound:
     """A condition that excludes something: ``left`` and ``right`` as first written."""
 
-    words: Words
+    sentence: Sentence
     left: Any
     sign: str
     right: Any
     value: sp.Expr  # left − right, or what has to be positive
     asks: str  # the sign that ``value`` has to have against 0
     bare: bool = False  # written at once without the factors that are positive anyway
+    among: Literal["alone", "all", "any"] = "alone"  # of several, all or any of which must hold
 
 
 # --- what is proved -----------------------------------------------------------------------------
@@ -162,14 +164,10 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
                 found += _of_angles(work, left, op, right, now)
                 continue
             a, b = put_in(work, left, now), put_in(work, right, now)
-            words: Words = (
-                "It is given that ",
-                lay.relation(lay.from_tree(left), sign, lay.from_tree(right)),
-                ":",
-            )
+            fact = lay.relation(work.layout(left), sign, work.layout(right))
             found.append(
                 Bound(
-                    words,
+                    say("given.fact", fact=fact),
                     a,
                     sign,
                     b,
@@ -181,16 +179,9 @@ def _of_relation(work: Working, relation: Relation, now: int) -> list[Bound]:
         for need in solve_facts.requirements(relation, story, now):
             if isinstance(need, Condition):
                 value = _smaller(work, sp.sympify(need.value, strict=True))
-                words = (
-                    "It is given that ",
-                    lay.from_tree(relation.left),
-                    f" is {relation.relation} ",
-                    lay.from_tree(relation.right),
-                    ":",
-                )
                 found.append(
                     Bound(
-                        words,
+                        say("given.fact", fact=work.aligned(relation)),
                         value,
                         _SIGNS[need.relation],
                         sp.Integer(0),
@@ -214,17 +205,17 @@ def _of_angles(
     if not isinstance(need, Condition):
         return []
     sign = lay.SIGNS.get(op, op)
-    said = lay.relation(lay.from_tree(left), sign, lay.from_tree(right))
-    words: Words = ("It is given that ", said, ":")
+    fact = lay.relation(work.layout(left), sign, work.layout(right))
+    sentence = say("given.fact", fact=fact)
     if right == Degrees(Fraction(90)):
-        which = "negative" if op.startswith(">") else "positive"
-        words = ("It is given that ", said, f", so the scalar product is {which}:")
+        obtuse = op.startswith(">")
+        sentence = say("given.negative-product" if obtuse else "given.positive-product", fact=fact)
     value = sp.sympify(need.value, strict=True)
     asks = _SIGNS[need.relation]
     if op.startswith(">") and right == Degrees(Fraction(90)):
         shown = -value
-        return [Bound(words, shown, "<" if asks == ">" else "≤", sp.Integer(0), value, asks)]
-    return [Bound(words, value, asks, sp.Integer(0), value, asks)]
+        return [Bound(sentence, shown, "<" if asks == ">" else "≤", sp.Integer(0), value, asks)]
+    return [Bound(sentence, value, asks, sp.Integer(0), value, asks)]
 
 
 def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> list[Bound]:
@@ -238,13 +229,14 @@ def _passing(work: Working, relation: Meets, needs: Sequence[Any], now: int) -> 
     one, other = relation.first.name, relation.second.name
     if work.model.story.walls[other].start is not None:
         _crossing(work, relation, now, (M1, A1))
-    sides = "both of these hold" if relation.happens else "either of these holds"
-    words: Words = (f"{one} {'hits' if relation.happens else 'does not hit'} {other} if {sides}:",)
+    happens = relation.happens
+    sentence = say("condition.both" if happens else "condition.either", body=one, wall=other)
+    among: Literal["all", "any"] = "all" if happens else "any"
     found = []
     for option in options:
         value = sp.sympify(option.value, strict=True)
         sign = _SIGNS[option.relation]
-        found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+        found.append(Bound(sentence, value, sign, sp.Integer(0), value, sign, among=among))
     return found
 
 
@@ -261,8 +253,8 @@ def _crossing(work: Working, relation: Meets, now: int, points: Marks) -> Any:
     work.reach(work.open(tuple(v)))
     point = work.put(known[0] + v * (normal.dot(through - known[0]) / normal.dot(v)))
     laid = lay.Coordinates((look(point.x), look(point.y)))
-    words: Words = (f"{one} comes to the line of {other} at the point ", laid, ".")
-    work.write("result", words=words, points=points)
+    sentence = say("crossing.point", body=one, wall=other, point=laid)
+    work.write("result", sentences=(sentence,), points=points)
     return point
 
 
@@ -278,23 +270,28 @@ def _meeting(work: Working, relation: Meets, need: Condition, now: int) -> Bound
         a, b = work.put(a), work.put(b)
         if work.model.sign(event.oriented().dot(frame.n)) < 0:
             a, b, first, second = b, a, second, first
-        gains = "gains on" if relation.happens else "does not gain on"
-        again = "collide again if" if relation.happens else "do not collide again if"
-        words: Words = (
-            (f"{one} and {other} {again} {first} {gains} {second} along the line of centres:"),
+        sentence = say(
+            "collide-again.if" if relation.happens else "collide-again.unless",
+            one=one,
+            other=other,
+            first=first,
+            second=second,
         )
         sign = ">" if relation.happens else "≤"
         return Bound(
-            words, a, sign, b, sp.sympify(a, strict=True) - sp.sympify(b, strict=True), sign
+            sentence, a, sign, b, sp.sympify(a, strict=True) - sp.sympify(b, strict=True), sign
         )
     value = sp.sympify(need.value, strict=True)
     work.reach(work.open(value))
-    moves = "moves" if relation.happens else "does not move"
-    happens = "hits" if relation.happens else "does not hit"
-    again = " again" if relation.again else ""
-    words = ((f"{one} {happens} {other}{again} if it {moves} towards {other}:"),)
+    again = say("again") if relation.again else ""
+    happens = relation.happens
+    sentence = say(
+        "condition.towards" if happens else "condition.away", body=one, wall=other, again=again
+    )
     shown = work.put(value)
-    return Bound(words, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation])
+    return Bound(
+        sentence, shown, _SIGNS[need.relation], sp.Integer(0), shown, _SIGNS[need.relation]
+    )
 
 
 def _on_the_walls(work: Working) -> tuple[list[Bound], set[str]]:
@@ -317,7 +314,8 @@ def _on_the_walls(work: Working) -> tuple[list[Bound], set[str]]:
         one, other = (story.read_vector(end, "the end") for end in (wall.start, wall.end))
         one, other = work.put(one), work.put(other)
         way = other - one
-        if way.x == 0 or way.y == 0:
+        straight = way.x == 0 or way.y == 0
+        if straight:
             name = "x" if way.y == 0 else "y"
             low, high, place = (getattr(each, name) for each in (one, other, known[0]))
             order = work.model.proved_sign(high - low)
@@ -325,26 +323,23 @@ def _on_the_walls(work: Working) -> tuple[list[Bound], set[str]]:
                 continue
             if order < 0:
                 low, high = high, low
-            letter: Layout = lay.Letter(name)
-            where: Words = (" where ", letter, " = ")
-            ends: Words = (letter, " = ", look(low), " to ", letter, " = ", look(high))
+            ends = {"letter": lay.Letter(name), "low": look(low), "high": look(high)}
         else:
             size = tidy(sp.sqrt(tidy(way.dot(way))))
             low, high, place = sp.Integer(0), size, (known[0] - one).dot(way) / size
-            where = (" at this distance from ", lay.Coordinates((look(one.x), look(one.y))), ": ")
-            ends = ("that point for a length ", look(size))
+            corner = lay.Coordinates((look(one.x), look(one.y)))
+            ends = {"end": corner, "length": look(size)}
         work.reach(work.open(place))
-        words: Words = (
-            f"{step.first} strikes {wall.name}",
-            *where,
-            look(work.put(place)),
-            f", and {wall.name} goes from ",
-            *ends,
-            ":",
+        sentence = say(
+            "condition.coordinate" if straight else "condition.distance",
+            body=step.first,
+            wall=wall.name,
+            place=look(work.put(place)),
+            **ends,
         )
         told.add(wall.name)
-        found.append(Bound(words, place, ">", low, sp.sympify(place - low, strict=True), ">"))
-        found.append(Bound(words, place, "<", high, sp.sympify(place - high, strict=True), "<"))
+        found.append(Bound(sentence, place, ">", low, sp.sympify(place - low, strict=True), ">"))
+        found.append(Bound(sentence, place, "<", high, sp.sympify(place - high, strict=True), "<"))
     return found, told
 
 
@@ -353,23 +348,22 @@ def _from_story(work: Working, ended: AbstractSet[str]) -> list[Bound]:
     for need in work.model.story.conditions:
         if isinstance(need, AnyOf) or need.kind == "sign":
             continue
-        if any(need.reason.endswith(f"passes the end of {name}") for name in ended):
+        if need.end_of in ended:
             continue  # told by where the wall is struck
         value = sp.sympify(need.value, strict=True)
         sign = _SIGNS[need.relation]
         if need.kind == "coefficient":
             if value.is_Symbol or (1 - value).is_Symbol:
                 continue  # told by what the letter may be
-            words: Words = ("A coefficient of restitution lies between 0 and 1:",)
-            found.append(Bound(words, value, sign, sp.Integer(0), value, sign))
+            found.append(Bound(say("coefficient.range"), value, sign, sp.Integer(0), value, sign))
             continue
         if sign == "≠":
             # The story tells the sense of approach, where there is but one.
             sense = work.model.proved_sign(value)
             if sense:
                 sign, value = ">", sense * value
-        words = (f"This must hold, as otherwise {need.reason}:",)
-        found.append(Bound(words, value, sign, sp.Integer(0), value, sign, bare=True))
+        sentence = say("condition.else", reason=need.reason)
+        found.append(Bound(sentence, value, sign, sp.Integer(0), value, sign, bare=True))
     return found
 
 
@@ -383,14 +377,10 @@ def _from_solved(work: Working) -> list[Bound]:
         if role.kind == "restitution":
             low = role.low if role.low is not None else sp.Integer(0)
             high = role.high if role.high is not None else sp.Integer(1)
-            words: Words = (
-                "A coefficient of restitution lies between 0 and 1, so ",
-                look(symbol),
-                " has to:",
-            )
+            sentence = say("coefficient.letter", letter=look(symbol))
             found.append(
                 Bound(
-                    words,
+                    sentence,
                     symbol,
                     "≤" if role.closed[1] else "<",
                     high,
@@ -400,7 +390,7 @@ def _from_solved(work: Working) -> list[Bound]:
             )
             found.append(
                 Bound(
-                    words,
+                    sentence,
                     symbol,
                     "≥" if role.closed[0] else ">",
                     low,
@@ -412,11 +402,11 @@ def _from_solved(work: Working) -> list[Bound]:
             tangent = tidy(_arctangent(value))
             power = 2 if tangent.is_Pow and tangent.exp == sp.S.Half else 1
             name = sp.tan(symbol) ** power
-            words = (look(name), " has to be positive:")
-            found.append(Bound(words, name, ">", sp.Integer(0), name, ">"))
+            sentence = say("condition.positive", quantity=look(name))
+            found.append(Bound(sentence, name, ">", sp.Integer(0), name, ">"))
         elif role.kind == "positive":
-            words = (look(symbol), " has to be positive:")
-            found.append(Bound(words, symbol, ">", sp.Integer(0), symbol, ">"))
+            sentence = say("condition.positive", quantity=look(symbol))
+            found.append(Bound(sentence, symbol, ">", sp.Integer(0), symbol, ">"))
     return found
 
 
@@ -431,7 +421,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
     work.reach(work.open(bound.value))
     left = _final_side(work, bound.left)
     right = _final_side(work, bound.right)
-    several = _among_several(bound)
+    several = bound.among != "alone"
     checked = () if several else (left.value, right.value)
     rows = [Row((left.layout, right.layout), (bound.sign,), checked or (None, None), (M1,))]
     value = work.put(bound.value)
@@ -440,7 +430,7 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
         rows = [Row((look(factored(simple)), right.layout), (sign,), (simple, right.value), (M1,))]
     if simple.free_symbols and several:
         # Where only one of them need hold, none can be checked by itself.
-        alone = not _one_of_several(bound)
+        alone = bound.among == "all"
         rows = [
             Row(each.operands, each.signs, each.values if alone else (None, None), (M1, A1))
             for each in _solved(work, simple, sign, x, rows[0])
@@ -453,20 +443,8 @@ def _told(work: Working, bound: Bound, x: sp.Symbol | None) -> None:
         ]
     if not several and rows[-1].operands != rows[0].operands:
         last = rows[-1]
-        rows[-1] = Row(last.operands, last.signs, last.values, (A1,), last.note)
-    work.write("fact", rows, words=bound.words, uses=work.uses(bound.value))
-
-
-def _among_several(bound: Bound) -> bool:
-    """Whether a bound stands in a list of several."""
-    among = bound.words[-1] if bound.words else ""
-    return isinstance(among, str) and " of these hold" in among
-
-
-def _one_of_several(bound: Bound) -> bool:
-    """Whether only one of the bounds with these words need hold."""
-    among = bound.words[-1] if bound.words else ""
-    return isinstance(among, str) and "either of these hold" in among
+        rows[-1] = Row(last.operands, last.signs, last.values, (A1,), last.asides)
+    work.write("fact", rows, sentences=(bound.sentence,), uses=work.uses(bound.value))
 
 
 def _final_side(work: Working, given: Any) -> Side:
@@ -581,22 +559,23 @@ def explain_range(work: Working, tree: Expression, answers: Sequence[Answer], no
 
     A range whose form depends on the data has an answer for each form, with its condition.
     """
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     before = len(work.steps)
     values = [each.value for each in answers]
     _range_working(work, tree, now, frozenset().union(*(each.free_symbols for each in values)))
-    words = "So the range is"
+    sentence = say("range.is")
     if isinstance(tree, Letter) and len(work.steps) == before:
         role = work.model.unknowns.roles.get(tree.name)
         if role is not None and all(_whole(role, each) for each in values):
-            words = "All that is given can be so for every value, and the range is"
+            sentence = say("range.whole")
     rows = []
     for each in answers:
         laid: lay.Layout = lay.display_set(each.value, name, angle=each.angle)
         if len(answers) > 1 and each.condition_layout is not None:
-            laid = lay.Phrase((laid, lay.Phrase((lay.Words("for"), each.condition_layout))), ", ")
+            case = operand(say("range.for", condition=each.condition_layout))
+            laid = lay.Phrase((laid, case), ", ")
         rows.append(Row((laid,), (), (None,), (A1,)))
-    work.write("result", rows, words=(words,))
+    work.write("result", rows, sentences=(sentence,))
 
 
 def _whole(role: Role, values: Any) -> bool:
@@ -636,7 +615,7 @@ def _range_working(
         said = _upwards(*_reduced(work, value, bound.asks, x))
         if not said[0].free_symbols or said in told:
             continue
-        if _ever_fails(work, value, bound.asks, () if _one_of_several(bound) else facts):
+        if _ever_fails(work, value, bound.asks, () if bound.among == "any" else facts):
             told.append(said)
             _told(work, bound, x)
             facts += _printed(work)
@@ -702,7 +681,7 @@ def _ends(
         is_angle = is_angle or (
             isinstance(tree, Letter) and work.is_angle(work.model.unknowns.letter(tree.name))
         )
-        name = lay.from_tree(tree)
+        name = work.layout(tree)
         ends = []
         high = sp.oo if role.high is None else role.high
         for end in (role.low, high):
@@ -722,25 +701,26 @@ def _ends(
             for at_, end in zip((role.low, high), ends, strict=True)
         ):
             continue
-        grows = "increases" if slope > 0 else "decreases"
-        words: Words = (
-            "As ",
-            look(symbol),
-            *_from_to("increases", role.low, high, angle),
-            ", ",
-            name,
-            *_from_to(grows, ends[0], ends[1], is_angle),
-            ".",
+        sentence = say(
+            "range.runs",
+            letter=look(symbol),
+            change=_from_to(role.low, high, angle),
+            quantity=name,
+            effect=_from_to(ends[0], ends[1], is_angle, grows=slope > 0),
         )
-        work.write("result", rows, words=words, points=(M1,))
+        work.write("result", rows, sentences=(sentence,), points=(M1,))
 
 
-def _from_to(verb: str, low: sp.Expr, high: sp.Expr, angle: bool) -> Words:
+def _from_to(first: sp.Expr, last: sp.Expr, angle: bool, *, grows: bool = True) -> Sentence:
     """``increases from 0 to 1``, ``increases from 0 without limit``."""
-    out: list[str | Layout] = [f" {verb}"]
-    for word, end in ((" from ", low), (" to ", high)):
-        out += [" without limit"] if end.is_infinite else [word, look(end, angle=angle)]
-    return tuple(out)
+    start, end = look(first, angle=angle), look(last, angle=angle)
+    if first.is_infinite and last.is_infinite:
+        return say("increases.always" if grows else "decreases.always")
+    if first.is_infinite:
+        return say("increases.to" if grows else "decreases.to", end=end)
+    if last.is_infinite:
+        return say("increases.from" if grows else "decreases.from", start=start)
+    return say("increases.between" if grows else "decreases.between", start=start, end=end)
 
 
 def _beside(work: Working, end: sp.Expr) -> Any:
@@ -816,18 +796,18 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
     assert isinstance(relation, Compare)
     if isinstance(subject, Range):
         _range_working(work, subject.expression, now)
-        operands = tuple(lay.from_tree(each) for each in relation.operands)
+        operands = tuple(work.layout(each) for each in relation.operands)
         signs = tuple(lay.SIGNS.get(op, op) for op in relation.operators)
         work.write(
             "result",
-            [Row(operands, signs, (None,) * len(operands), (A1_STAR,), ("as required",))],
-            words=("So",),
+            [Row(operands, signs, (None,) * len(operands), (A1_STAR,), REQUIRED)],
+            sentences=(say("so"),),
         )
     elif isinstance(subject, Extremum):
         target = evaluated(work, relation.operands[-1], 0)
         _extremum(work, subject, sp.sympify(target, strict=True), now)
-        operands = tuple(lay.from_tree(each) for each in relation.operands)
-        name: Layout = lay.Phrase((lay.Words(f"{subject.kind} of"), operands[0]))
+        operands = tuple(work.layout(each) for each in relation.operands)
+        name = _extreme(subject, operands[0])
         work.write(
             "result",
             [
@@ -836,10 +816,16 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
                     ("=",) * (len(operands) - 1),
                     (None,) * len(operands),
                     (A1_STAR,),
-                    ("as required",),
+                    REQUIRED,
                 )
             ],
         )
+
+
+def _extreme(item: Extremum, quantity: Layout) -> Layout:
+    """``maximum of v``, as the left side of a line."""
+    maximum = item.kind == "maximum"
+    return operand(say("extremum.maximum" if maximum else "extremum.minimum", quantity=quantity))
 
 
 # --- extrema ------------------------------------------------------------------------------------
@@ -848,7 +834,7 @@ def explain_shown_bound(work: Working, item: Show, result: ItemResult, now: int)
 def explain_extremum(work: Working, item: Extremum, answer_: Answer, now: int) -> None:
     """The quantity as a function, its derivative, where it is zero or which end counts."""
     _extremum(work, item, sp.sympify(answer_.value, strict=True), now)
-    name: Layout = lay.Phrase((lay.Words(f"{item.kind} of"), lay.from_tree(item.expression)))
+    name = _extreme(item, work.layout(item.expression))
     sides = answer(answer_.value, angle=answer_.angle, percentage=item.percentage)
     work.write(
         "result",
@@ -858,7 +844,7 @@ def explain_extremum(work: Working, item: Extremum, answer_: Answer, now: int) -
                 ("=",) * len(sides),
                 (None,) * (len(sides) + 1),
                 (A1,),
-                () if answer_.reached else ("approached, but not reached",),
+                () if answer_.reached else (say("extremum.approached"),),
             )
         ],
     )
@@ -876,16 +862,16 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
                 r for r in derived.rows if r.operands and isinstance(r.operands[0], lay.Function)
             ] or derived.rows
             uses = found_before(work, asked.tree, asked.now)
-            work.write("result", rows, derived.principle, derived.words, uses=uses)
+            work.write("result", rows, derived.title, derived.sentences, uses=uses)
         else:
             sub_result(work, asked)
     value = sp.sympify(evaluated(work, tree, now), strict=True)
     if _turns_back(work, tree, value, x):
-        work.write("result", words=("A speed is a size: it falls to 0, then grows again.",))
+        work.write("result", sentences=(say("extremum.size"),))
         return
-    function, target_, name = _as_function(value, target, lay.from_tree(tree))
+    function, target_, name = _as_function(value, target, work.layout(tree))
     if not isinstance(tree, Quantity) and function == value:
-        work.write("result", [chain(Side(lay.from_tree(tree), value), side(value))])
+        work.write("result", [chain(Side(work.layout(tree), value), side(value))])
     variable: Any = x
     shown_x: sp.Expr = x
     if work.is_angle(x):
@@ -901,15 +887,18 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     back = {variable: shown_x}
     root = _stationary(work, slope, function, target_, variable)
     letter: Any = x
-    words: Words = ("Differentiate:",)
+    sentence = say("extremum.differentiate")
     if variable is not x:
         letter = _parameter(work)
-        words = ("With ", look(letter), " = ", look(shown_x), ":")
+        sentence = say("extremum.with", letter=look(letter), value=look(shown_x))
     put = {variable: letter}
     rate = lay.Fraction(lay.Words("d"), lay.Product((lay.Words("d"), look(letter))))
     own_slope = slope.xreplace(back)
     row = Row(
-        (lay.product(rate, lay.Brackets(name)), look(slope.xreplace(put))),
+        (
+            lay.product(rate, name if isinstance(name, lay.Letter) else lay.Brackets(name)),
+            look(slope.xreplace(put)),
+        ),
         ("=",),
         (None, own_slope),
         (M1, A1),
@@ -920,7 +909,9 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
         angle = isinstance(own, sp.Add) and own.has(sp.atan)  # 180° − arctan …
         lines.append(Row((name, look(function.xreplace(put), angle=angle)), ("=",), (own, own)))
     if root is None or _inner_sign(work, tidy(own_slope)):
-        _at_an_end(work, item, words, [*lines, row], x, own_slope, (name, function.xreplace(back)))
+        _at_an_end(
+            work, item, sentence, [*lines, row], x, own_slope, (name, function.xreplace(back))
+        )
         return
     factor, place = root
     lines += [
@@ -930,11 +921,11 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
             ("=",),
             (None, None),
             (DM1,),
-            ("for a stationary value",),
+            (say("extremum.stationary"),),
         ),
         Row((look(letter), look(place)), ("=",), (None, None), (A1,)),
     ]
-    work.write("result", lines, words=words)
+    work.write("result", lines, sentences=(sentence,))
 
 
 def _parameter(work: Working) -> sp.Symbol:
@@ -1002,7 +993,7 @@ def _defined(work: Working, value: sp.Expr) -> bool:
 def _at_an_end(
     work: Working,
     item: Extremum,
-    intro: Words,
+    intro: Sentence,
     rows: Sequence[Row],
     x: sp.Symbol,
     slope: sp.Expr,
@@ -1013,38 +1004,34 @@ def _at_an_end(
     Where it does both, its values at the two ends are compared.
     """
     constant = _inner_sign(work, tidy(slope))
-    words: list[str | Layout] = []
+    greatest = item.kind == "maximum"
+    work.write("result", rows, sentences=(intro,))
     if not constant:
-        work.write("result", rows, words=intro)
         compared = _both_ends(work, x, *told)
         if compared:
-            text = f"The {item.kind} is at an end of the range of "
-            work.write("result", compared, words=(text, look(x), ":"))
-    if constant:
-        work.write("result", rows, words=intro)
+            sentence = say(
+                "extremum.end-maximum" if greatest else "extremum.end-minimum", letter=look(x)
+            )
+            work.write("result", compared, sentences=(sentence,))
+    else:
         role = work.model.unknowns.roles.get(x.name)
         grows = constant > 0
-        upper = grows == (item.kind == "maximum")
+        upper = grows == greatest
         end = None if role is None else (role.high if upper else role.low)
-        words = [
-            "This is ",
-            "positive" if grows else "negative",
-            ", so ",
-            lay.from_tree(item.expression),
-            " ",
-            "increases" if grows else "decreases",
-            " with ",
-            look(x),
-        ]
-        if end is not None:
-            angle = work.is_angle(x)
-            words += [
-                f", and the {item.kind} belongs to the {'greatest' if upper else 'least'} value, ",
-                look(x),
-                " = ",
-                look(end, angle=angle),
-            ]
-        work.write("result", words=(*words, "."), points=(DM1,))
+        slots = {"quantity": work.layout(item.expression), "letter": look(x)}
+        if end is None:
+            sentence = say("slope.positive" if grows else "slope.negative", **slots)
+        else:
+            slots["end"] = look(end, angle=work.is_angle(x))
+            if grows:
+                sentence = say(
+                    "slope.positive-maximum" if greatest else "slope.positive-minimum", **slots
+                )
+            else:
+                sentence = say(
+                    "slope.negative-maximum" if greatest else "slope.negative-minimum", **slots
+                )
+        work.write("result", sentences=(sentence,), points=(DM1,))
 
 
 def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> list[Row]:
@@ -1069,7 +1056,7 @@ def _both_ends(work: Working, x: sp.Symbol, name: Layout, function: sp.Expr) -> 
                 ("=",) * len(sides),
                 (None,) * (len(sides) + 1),
                 (M1,) if end == role.low else (),
-                ("when ", place),
+                (say("extremum.when", place=place),),
             )
         )
     return rows
@@ -1103,7 +1090,7 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
         rows.append(
             Row((left.layout, right.layout), (bound.sign,), (left.value, right.value), (M1, A1))
         )
-    work.write("result", rows, words=bound.words)
+    work.write("result", rows, sentences=(bound.sentence,))
     _write_meeting(work, relation)
 
 
@@ -1119,9 +1106,9 @@ def _show_passing(work: Working, relation: Meets, needs: Sequence[Any], now: int
     work.reach(work.open(tuple(story.velocity(one, now))))
     if not relation.happens and work.model.decide(towards, ">=", 0):
         velocity = Quantity("velocity", (Name(one),))
-        laid = lay.equation(lay.from_tree(velocity), look(evaluated(work, velocity, now)))
-        words: Words = (f"{one} does not move towards {other}, as ", laid, ".")
-        work.write("result", words=words, points=(M1, A1))
+        laid = lay.equation(work.layout(velocity), look(evaluated(work, velocity, now)))
+        away = say("crossing.away", body=one, wall=other, velocity=laid)
+        work.write("result", sentences=(away,), points=(M1, A1))
     elif (point := _crossing(work, relation, now, (M1,))) is not None:
         start, end = (
             work.put(story.read_vector(each, "the end of a wall"))
@@ -1130,8 +1117,8 @@ def _show_passing(work: Working, relation: Meets, needs: Sequence[Any], now: int
         row = _between_ends(work, relation, point, start, end)
         if row is not None:
             ends = [lay.Coordinates((look(each.x), look(each.y))) for each in (start, end)]
-            extent: Words = (f"{other} goes from ", ends[0], " to ", ends[1], ", and:")
-            work.write("result", [row], words=extent)
+            extent = say("crossing.extent", wall=other, start=ends[0], end=ends[1])
+            work.write("result", [row], sentences=(extent,))
     _write_meeting(work, relation)
 
 
@@ -1158,15 +1145,20 @@ def _between_ends(work: Working, relation: Meets, point: Any, start: Any, end: A
 
 
 def _write_meeting(work: Working, relation: Meets) -> None:
-    happens = (relation.again and " again") or ""
-    if relation.second.name in work.model.story.spheres:
-        text = f"So {relation.first.name} and {relation.second.name} "
-        text += f"collide{happens}" if relation.happens else f"do not collide{happens}"
+    one, other, happens = relation.first.name, relation.second.name, relation.happens
+    again = say("again") if relation.again else ""
+    if other in work.model.story.spheres:
+        claim = say(
+            "claim.collide" if happens else "claim.not-collide", one=one, other=other, again=again
+        )
     else:
-        text = f"So {relation.first.name} "
-        text += "will hit" if relation.happens else "will not hit"
-        text += f" {relation.second.name}{happens}"
-    work.write("result", words=(f"{text}, as required.",), points=(A1_STAR,))
+        claim = say(
+            "claim.will-hit" if happens else "claim.will-not-hit",
+            body=one,
+            wall=other,
+            again=again,
+        )
+    work.write("result", sentences=(say("shown.claim", claim=claim),), points=(A1_STAR,))
 
 
 def _difference(left: Side, right: Side) -> Layout:
@@ -1175,4 +1167,4 @@ def _difference(left: Side, right: Side) -> Layout:
     return difference(left.layout, right.layout)
 
 
-__all__ = ["explain_extremum", "explain_meets", "explain_range", "explain_shown_bound", "listed"]
+__all__ = ["explain_extremum", "explain_meets", "explain_range", "explain_shown_bound"]

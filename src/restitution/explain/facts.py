@@ -20,9 +20,10 @@ from restitution.explain.quantities import (
     stage_of,
     tangent_of_difference,
 )
-from restitution.explain.steps import Row, Side, Step, Words, shown, side
+from restitution.explain.steps import Row, Side, Step, shown, side
 from restitution.explain.working import Equation
 from restitution.explaining.marks import A1, B1, M1, Marks
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Binary, Expression, Letter, Quantity, has_quantity, letters
 from restitution.problem import (
@@ -90,7 +91,7 @@ def _of_story(work: Working) -> list[Equation]:
 
     found = []
     for index, each in enumerate(work.model.story.equations):
-        if each.reason.startswith(("Newton", "the line of centres", "the direction", "the place")):
+        if each.kind != "path":
             continue
 
         def step(each: StoryEquation = each) -> Step | None:
@@ -159,7 +160,7 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
     def step() -> Step | None:
         if lone or not named <= set(work.model.unknowns.roles):
             return None
-        row = chain(side(a, lay.from_tree(left)), side(b, lay.from_tree(right)))
+        row = chain(side(a, work.layout(left)), side(b, work.layout(right)))
         rows = [row]
         if len(named) == 1:
             (name,) = named
@@ -171,7 +172,7 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
                     for f in (sp.sin, sp.cos)
                     if not isinstance(a, f) and tidy(f(value)).is_algebraic
                 ]
-        return Step("setting", tuple(rows), words=("From the data:",))
+        return Step("setting", tuple(rows), sentences=(say("given.data"),))
 
     return [Equation(residual, "fact", -1, step, ("letters", str(residual)))]
 
@@ -205,7 +206,7 @@ def _sum_of_angles(work: Working, left: Expression, right: Expression, now: int)
             above, below = minus(first_, second_), lay.total([one, both])
         made = side((p + sign * q) / (1 - sign * p * q), lay.fraction(above, below))
         row = _tangent_row(plain(work, b), made)
-        return Step("fact", (row,), words=_words(left, right))
+        return Step("fact", (row,), sentences=(_given(work, left, right),))
 
     return [Equation(sp.sympify(need.value, strict=True), "fact", now, step, (left, right, now))]
 
@@ -215,9 +216,12 @@ def silent(equation: Equation) -> bool:
     return equation.number == -1
 
 
-def _words(left: Expression, right: Expression) -> Words:
-    relation = lay.Relation((lay.from_tree(left), lay.from_tree(right)), ("=",))
-    return ("It is given that ", relation, ":")
+def _fact(work: Working, left: Expression, right: Expression) -> Layout:
+    return lay.Relation((work.layout(left), work.layout(right)), ("=",))
+
+
+def _given(work: Working, left: Expression, right: Expression) -> Sentence:
+    return say("given.fact", fact=_fact(work, left, right))
 
 
 def _equality(work: Working, left: Expression, right: Expression, now: int) -> list[Equation]:
@@ -254,10 +258,8 @@ def _equality(work: Working, left: Expression, right: Expression, now: int) -> l
 
 def _scalar_step(work: Working, left: Expression, right: Expression, now: int) -> Step:
     a, b = put_in(work, left, now), put_in(work, right, now)
-    words = _words(left, right)
     row = chain(a, b, points=(M1, A1))
-    rows = [row]
-    return Step("fact", tuple(rows), words=words)
+    return Step("fact", (row,), sentences=(_given(work, left, right),))
 
 
 def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: int) -> Equation:
@@ -287,7 +289,7 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
             ),
             points=(M1, A1),
         )
-        return Step("fact", (row,), words=_words(tree, other))
+        return Step("fact", (row,), sentences=(_given(work, tree, other),))
 
     return Equation(residual, "fact", now, step, (tree, other, now))
 
@@ -312,7 +314,7 @@ def _speed_along(
 
     def step() -> Step:
         row = chain(side(work.put(w)), put_in(work, other, now), points=(B1,))
-        return Step("fact", (row,), words=_words(tree, other))
+        return Step("fact", (row,), sentences=(_given(work, tree, other),))
 
     residual = sp.sympify(w - sp.sympify(value, strict=True), strict=True)
     return Equation(residual, "fact", now, step, (tree, other, now))
@@ -352,7 +354,7 @@ def _vectors(
             return Step(
                 "fact",
                 (chain(side(p), side(q), points=(B1,) if index == 0 else ()),),
-                words=_words(left, right),
+                sentences=(_given(work, left, right),),
             )
 
         found.append(
@@ -383,7 +385,7 @@ def _after_a_blow(
         def step(push: Any = push, gained: Any = gained) -> Step:
             p, q = work.put(push), work.put(gained)
             return Step(
-                "fact", (chain(side(p), side(q), points=(A1,)),), words=("Comparing components:",)
+                "fact", (chain(side(p), side(q), points=(A1,)),), sentences=(say("given.compare"),)
             )
 
         found.append(
@@ -395,10 +397,11 @@ def _after_a_blow(
 def _angle_step(work: Working, left: Expression, right: Expression, now: int) -> Step:
     """An angle that is given: its tangent, or a scalar product where it is a right angle."""
     quantity, other = (left, right) if isinstance(left, Quantity) else (right, left)
-    words = _words(left, right)
-    if has_quantity(left) and has_quantity(right):
-        said = lay.Relation((lay.from_tree(left), lay.from_tree(right)), ("=",))
-        words = ("It is given that ", said, ", so the tangents are equal:")
+    fact = _fact(work, left, right)
+    both_move = has_quantity(left) and has_quantity(right)
+    sentences: tuple[Sentence, ...] = (
+        say("given.tangents" if both_move else "given.fact", fact=fact),
+    )
     if isinstance(quantity, Quantity) and quantity.kind in ("angle", "deflection"):
         a, b = _two_directions(work, quantity, now)
         target = plain(work, work.value(other, now))
@@ -408,7 +411,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         )
         if work.model.sign(dot) == 0 or sp.sympify(target, strict=True) == sp.pi / 2:
             row = _zero_dot(work, a, b)
-            return Step("fact", (row,), words=words)
+            return Step("fact", (row,), sentences=sentences)
         cross = tidy(-cross) if work.model.sign(cross) < 0 else cross
         if sharp and work.model.sign(dot) < 0:
             dot = tidy(-dot)
@@ -432,8 +435,8 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
             spread = tangent_of_difference(work, quantity, now)
             if spread is not None:
                 intro, made = spread
-                words = (*words[:-1], ". ", *intro)
-        return Step("fact", (_tangent_row(target, side(ratio, made)),), words=words)
+                sentences = (say("given.and", fact=fact), intro)
+        return Step("fact", (_tangent_row(target, side(ratio, made)),), sentences=sentences)
     if isinstance(quantity, Quantity) and quantity.kind == "direction":
         body = name_of(quantity)
         assert body is not None
@@ -441,25 +444,26 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
         v = work.model.story.velocity(body, stage)
         x, y = work.put(v.x), work.put(v.y)
         event = work.model.story.latest(body, stage)
+        before: tuple[Sentence, ...] = ()
         if event is not None and ("setting", event.number) not in work.done:
-            words = (*_moves_off(work, event, body), *words)
+            before = _moves_off(work, event, body)
+        sentences = (*before, *sentences)
         target = plain(work, work.value(other, now))
         tangent = tidy(sp.tan(target))
         idle = ("y", "j") if tangent == 0 else ("x", "i") if tangent.has(sp.zoo) else None
         if idle is not None:
             total, laid = _component_in(work, body, stage, idle[0])
-            words = (*words[:-1], ", so the component in the direction of ", lay.Bold(idle[1]))
+            zero = say("given.component", fact=fact, axis=lay.Bold(idle[1]))
             row = chain(side(total, laid), side(sp.Integer(0)), points=(M1, A1))
-            return Step("fact", (row,), words=(*words, " is zero:"))
+            return Step("fact", (row,), sentences=(*before, zero))
         if x != 0:
-            return Step(
-                "fact", (_tangent_row(target, side(tidy(y / x), _ratio(y, x))),), words=words
-            )
+            row = _tangent_row(target, side(tidy(y / x), _ratio(y, x)))
+            return Step("fact", (row,), sentences=sentences)
     a_, b_ = put_in(work, left, now), put_in(work, right, now)
     tangents = [side(tidy(sp.tan(sp.sympify(each.value, strict=True)))) for each in (a_, b_)]
     if not any(each.value.has(sp.zoo, sp.nan) for each in tangents):
-        return Step("fact", (chain(*tangents, points=(M1,)),), words=words)
-    return Step("fact", (chain(a_, b_, points=(M1,)),), words=words)
+        return Step("fact", (chain(*tangents, points=(M1,)),), sentences=sentences)
+    return Step("fact", (chain(a_, b_, points=(M1,)),), sentences=sentences)
 
 
 def _of_either_sign(work: Working, symbol: sp.Symbol) -> bool:
@@ -487,7 +491,7 @@ def _component_in(work: Working, body: str, stage: int, name: str) -> tuple[sp.E
     return total, sum_of_products(kept) if kept else lay.Number("0")
 
 
-def _moves_off(work: Working, event: Happening, body: str) -> Words:
+def _moves_off(work: Working, event: Happening, body: str) -> tuple[Sentence, ...]:
     """Why the direction of a sphere that was at rest tells the line of centres."""
     u = event.before[body]
     still = work.model.story.field.is_zero(u.x) and work.model.story.field.is_zero(u.y)
@@ -495,14 +499,9 @@ def _moves_off(work: Working, event: Happening, body: str) -> Words:
         return ()
     theta = angle_letter(work)
     r = work.model.story.radius(body)
-    ratio = lay.fraction(lay.from_tree(event.step.offset), look(tidy(2 * work.put(r))))
-    return (
-        f"{body} was at rest, and moves off along the line of centres. This makes an angle ",
-        theta,
-        " with the path of the other sphere, where ",
-        lay.equation(lay.function("sin", theta), ratio),
-        ". ",
-    )
+    ratio = lay.fraction(work.layout(event.step.offset), look(tidy(2 * work.put(r))))
+    sine = lay.equation(lay.function("sin", theta), ratio)
+    return (say("line.offset", body=body, angle=theta, sine=sine),)
 
 
 def _tangent_row(target: sp.Expr, made: Side) -> Row:
@@ -573,40 +572,32 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
             return Step(
                 "fact",
                 (chain(side(residual), side(sp.Integer(0)), points=(B1,)),),
-                words=(f"{relation.body.name} is at rest:",),
+                sentences=(say("given.rest", body=relation.body.name),),
             )
         assert isinstance(relation, Aligned)
         story = work.model.story
         a, b = story.direction(relation.left, now), story.direction(relation.right, now)
-        words: Words = (
-            "It is given that ",
-            lay.from_tree(relation.left),
-            f" is {relation.relation} ",
-            lay.from_tree(relation.right),
-        )
+        fact = work.aligned(relation)
         x, y = work.put(b)
         single = x == 0 or y == 0
         if relation.relation == "perpendicular to":
             p, q = work.put(a)
             single = single or p == 0 or q == 0
             if single:
-                return Step(
-                    "fact", (_component_row(work, relation, now, need),), words=(*words, ":")
-                )
-            return Step(
-                "fact",
-                (_zero_dot(work, a, b),),
-                words=(*words, ", so the scalar product is zero:"),
-            )
+                row = _component_row(work, relation, now, need)
+                return Step("fact", (row,), sentences=(say("given.fact", fact=fact),))
+            zero = say("given.product", fact=fact)
+            return Step("fact", (_zero_dot(work, a, b),), sentences=(zero,))
         if single:
-            return Step("fact", (_component_row(work, relation, now, need),), words=(*words, ":"))
+            row = _component_row(work, relation, now, need)
+            return Step("fact", (row,), sentences=(say("given.fact", fact=fact),))
         a, b = work.put(a), work.put(b)
         row = chain(
             side(tidy(a.x * b.y), sum_of_products([(a.x, b.y)])),
             side(tidy(a.y * b.x), sum_of_products([(a.y, b.x)])),
             points=(M1, A1),
         )
-        return Step("fact", (row,), words=(*words, ", so their components are in proportion:"))
+        return Step("fact", (row,), sentences=(say("given.proportion", fact=fact),))
 
     return step
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import sympy as sp
 
@@ -18,10 +18,11 @@ from restitution.explain.phrases import (
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, B1, M1
+from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
 from restitution.problem import Aligned, AtRest, Compare, Impact, Relation, trees_of_relation
 from restitution.render import layout as lay
-from restitution.render.layout import Bold, Brackets, Layout, Letter, Number, Words
+from restitution.render.layout import Bold, Brackets, Layout, Letter, Number
 from restitution.solve.facts import givens
 from restitution.solve.quantities import event_of, stage_number
 from restitution.vector import Vector
@@ -52,15 +53,16 @@ def resolved(work: Working, frame: Frame) -> list[Row]:
             looks = look(raw_n), look(raw_t)
         if looks is None:
             continue
-        names = ("along", "across")
+        names = say("operand.along", body=body), say("operand.across", body=body)
         if frame.wall is not None:
-            names = (f"towards {frame.wall}", f"parallel to {frame.wall}")
-        else:
-            names = (f"{body} {names[0]}", f"{body} {names[1]}")
-        for name, laid, value in zip(names, looks, (un, ut), strict=True):
+            names = (
+                say("operand.towards", wall=frame.wall),
+                say("operand.parallel", wall=frame.wall),
+            )
+        for name, made, value in zip(names, looks, (un, ut), strict=True):
             if value == 0 and name == names[1]:
                 continue
-            rows.append(chain(shown(Words(name)), Side(laid, value), side(value)))
+            rows.append(chain(shown(operand(name)), Side(made, value), side(value)))
     return rows
 
 
@@ -158,29 +160,25 @@ def line_of_centres(work: Working, frame: Frame) -> None:
     assert isinstance(step, Impact)
     story = work.model.story
     if frame.angle is not None:
-        work.write(
-            "setting",
-            words=(
-                f"Let the angle that {_subject(frame)} makes with ",
-                Bold("i"),
-                " be ",
-                look(frame.angle),
-                ".",
-            ),
+        axis, angle = Bold("i"), look(frame.angle)
+        sentence = (
+            say("let.line-angle", axis=axis, angle=angle)
+            if frame.wall is None
+            else say("let.wall-angle", wall=frame.wall, axis=axis, angle=angle)
         )
+        work.write("setting", sentences=(sentence,))
         return
     if frame.wall is not None:
         wall = story.walls[frame.wall]
         if wall.centre is not None:
             work.write(
                 "principle",
-                words=(
-                    (
-                        f"The impulse acts along the radius of {frame.wall} through the point of "
-                        "impact, in the direction of "
+                sentences=(
+                    say(
+                        "line.radius",
+                        wall=frame.wall,
+                        way=direction_words(frame.n.x, frame.n.y),
                     ),
-                    direction_words(frame.n.x, frame.n.y),
-                    ".",
                 ),
             )
         else:
@@ -188,7 +186,7 @@ def line_of_centres(work: Working, frame: Frame) -> None:
             if _told_directly(work, frame, known):
                 return
             how = _better(work, known, frame.number)
-            _by_change(work, frame, *how, f"perpendicular to {frame.wall}")
+            _by_change(work, frame, *how)
         return
     if step.offset is not None:
         _by_offset(work, frame, step)
@@ -196,20 +194,13 @@ def line_of_centres(work: Working, frame: Frame) -> None:
     if step.along is not None:
         angle = story.evaluator(frame.number - 1).value(step.along)
         if not isinstance(angle, Vector) and isinstance(angle, sp.Expr):
-            work.write(
-                "setting",
-                words=(
-                    "The line of centres makes the angle ",
-                    look(work.put(angle), angle=True),
-                    " with ",
-                    Bold("i"),
-                    ".",
-                ),
-            )
+            given = look(work.put(angle), angle=True)
+            sentence = say("line.angle", angle=given, axis=Bold("i"))
+            work.write("setting", sentences=(sentence,))
             return
         x, y = work.put(frame.n)
-        laid = direction_words(x, y)
-        work.write("setting", words=("The line of centres is in the direction of ", laid, "."))
+        way = direction_words(x, y)
+        work.write("setting", sentences=(say("line.direction", way=way),))
         return
     places = [
         work.model.branch.story.place(name, frame.number) for name in (step.first, step.second)
@@ -233,13 +224,13 @@ def line_of_centres(work: Working, frame: Frame) -> None:
                     side((tidy(other.x - one.x), tidy(other.y - one.y))),
                 )
             ],
-            words=("The line of centres joins the centres at the impact:",),
+            sentences=(say("joins-centres.places"),),
         )
         return
     known = {name: given_after(work, name, frame.number) for name in (step.first, step.second)}
     if _told_directly(work, frame, known):
         return
-    _by_change(work, frame, *_better(work, known, frame.number), "along the line of centres")
+    _by_change(work, frame, *_better(work, known, frame.number))
 
 
 def given_after(work: Working, body: str, number: int) -> frozenset[str]:
@@ -347,15 +338,15 @@ def _told_directly(work: Working, frame: Frame, known: Mapping[str, frozenset[st
     if isinstance(direct, str):
         _by_impulse(work, frame, direct)
     elif direct is not None:
+        fact, way = _fact(work, direct), _way(frame)
+        sentence = (
+            say("given.line", fact=fact, way=way)
+            if frame.wall is None
+            else say("given.wall", fact=fact, wall=frame.wall, way=way)
+        )
         work.write(
             "setting",
-            words=(
-                "It is given that ",
-                *_relation_words(direct),
-                f". So {_subject(frame)} is parallel to ",
-                _way(frame),
-                ".",
-            ),
+            sentences=(sentence,),
             points=(B1,),
         )
     return direct is not None
@@ -380,17 +371,12 @@ def _of_the_line(work: Working, frame: Frame, relation: Relation, now: int) -> b
     return spoken and not later
 
 
-def _relation_words(relation: Relation) -> tuple[Any, ...]:
+def _fact(work: Working, relation: Relation) -> Sentence | Layout:
     if isinstance(relation, Aligned):
-        left, right = lay.from_tree(relation.left), lay.from_tree(relation.right)
-        return left, f" is {relation.relation} ", right
+        return work.aligned(relation)
     assert isinstance(relation, Compare)
     signs = tuple(lay.SIGNS.get(op, op) for op in relation.operators)
-    return (lay.Relation(tuple(lay.from_tree(each) for each in relation.operands), signs),)
-
-
-def _subject(frame: Frame) -> str:
-    return "the line of centres" if frame.wall is None else frame.wall
+    return lay.Relation(tuple(work.layout(each) for each in relation.operands), signs)
 
 
 def _way(frame: Frame) -> Layout:
@@ -400,25 +386,18 @@ def _way(frame: Frame) -> Layout:
 
 def _by_impulse(work: Working, frame: Frame, body: str) -> None:
     """An impulse whose direction is given acts along the line of centres."""
-    acts = "along the line of centres"
-    if frame.wall is not None:
-        acts = f"perpendicular to {frame.wall}"
     event = work.model.branch.story.happenings[frame.number - 1]
     assert event.impulse is not None
     assert isinstance(event.step, Impact)
     sign = 1 if body == event.step.second else -1
     push = work.put(event.impulse * sign)
-    work.write(
-        "principle",
-        words=(
-            f"The impulse on {body} acts {acts}, and is parallel to ",
-            direction_words(push.x, push.y),
-            f". So {_subject(frame)} is parallel to ",
-            _way(frame),
-            ".",
-        ),
-        points=(M1, A1),
+    parallel, way = direction_words(push.x, push.y), _way(frame)
+    sentence = (
+        say("impulse-line.parallel", body=body, impulse=parallel, way=way)
+        if frame.wall is None
+        else say("impulse-normal.parallel", body=body, wall=frame.wall, impulse=parallel, way=way)
     )
+    work.write("principle", sentences=(sentence,), points=(M1, A1))
 
 
 def _by_change(
@@ -426,7 +405,6 @@ def _by_change(
     frame: Frame,
     body: str,
     how: Literal["given", "made", "still", "open"],
-    what: str,
 ) -> None:
     """The change of a sphere's velocity is parallel to the impulse."""
     final = work.model.branch.story
@@ -440,12 +418,12 @@ def _by_change(
         work.write(
             "fact",
             [chain(side((v.x, v.y), Bold("v", body)), side((v.x, v.y)), points=(M1,))],
-            words=(f"By the speed and the direction of {body} after the impact,",),
+            sentences=(say("given.velocity", body=body),),
         )
     row = chain(
         side(
             (change.x, change.y),
-            lay.Words(f"change of velocity of {body}"),
+            operand(say("operand.change", body=body)),
         ),
         side(
             (change.x, change.y),
@@ -455,52 +433,36 @@ def _by_change(
         points=(M1,),
     )
     if how == "still":
-        work.write(
-            "principle",
-            words=(
-                f"{body} was at rest, and the impulse on it acts {what}: it moves off along it. ",
-                "The line of centres is parallel to ",
-                direction_words(*(frame.n if work.sign(v.dot(frame.n)) > 0 else -frame.n)),
-                ".",
-            ),
-            points=(M1,),
-        )
+        way = direction_words(*(frame.n if work.sign(v.dot(frame.n)) > 0 else -frame.n))
+        moves_off = say("moves-off.line", body=body, way=way)
+        work.write("principle", sentences=(moves_off,), points=(M1,))
         return
-    words: tuple[Any, ...] = (
-        f"The impulse on {body} acts {what}, and so does the change of its velocity:",
-    )
-    work.write("principle", [row], words=words)
-    work.write(
-        "setting",
-        words=(
-            "So the line of centres is parallel to "
-            if frame.wall is None
-            else f"So {frame.wall} is perpendicular to ",
-            direction_words(frame.n.x, frame.n.y),
-            "." if frame.wall is None else ", and parallel to ",
-            *(() if frame.wall is None else (direction_words(frame.t.x, frame.t.y), ".")),
-        ),
-        points=(A1,),
-    )
+    along = direction_words(frame.n.x, frame.n.y)
+    if frame.wall is None:
+        changes = say("impulse-line.change", body=body)
+        so = say("line.so", way=along)
+    else:
+        changes = say("impulse-normal.change", body=body, wall=frame.wall)
+        way = direction_words(frame.t.x, frame.t.y)
+        so = say("line.wall", wall=frame.wall, normal=along, way=way)
+    work.write("principle", [row], sentences=(changes,))
+    work.write("setting", sentences=(so,), points=(A1,))
 
 
 def _line_together(work: Working, frame: Frame) -> None:
     """A line of centres, or a wall, that follows from all the equations at once."""
-    work.write(
-        "setting",
-        words=(
-            "The principles and all that is given, taken together, are satisfied if ",
-            f"{_subject(frame)} is parallel to ",
-            _way(frame),
-            ".",
-        ),
-        points=(M1, A1),
+    way = _way(frame)
+    sentence = (
+        say("line.together", way=way)
+        if frame.wall is None
+        else say("line.wall-together", wall=frame.wall, way=way)
     )
+    work.write("setting", sentences=(sentence,), points=(M1, A1))
 
 
-def _size_of(offset: Expression) -> Layout:
+def _size_of(work: Working, offset: Expression) -> Layout:
     """An offset as it was written, without its sign."""
-    return lay.from_tree(offset.operand if isinstance(offset, Negate) else offset)
+    return work.layout(offset.operand if isinstance(offset, Negate) else offset)
 
 
 def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
@@ -520,22 +482,14 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     rows = [
         chain(
             shown(lay.function("sin", theta)),
-            side(ratio, lay.fraction(_size_of(step.offset), look(tidy(2 * work.put(r))))),
+            side(ratio, lay.fraction(_size_of(work, step.offset), look(tidy(2 * work.put(r))))),
             side(ratio),
             points=(M1,),
         ),
         chain(shown(lay.function("cos", theta)), side(cosine), points=(A1,)),
     ]
     still = happening.before[step.second]
-    path = f"the path of {step.first}"
+    sentence = say("offset.path", angle=theta, body=step.first)
     if not (story.field.is_zero(still.x) and story.field.is_zero(still.y)):
-        path = f"the path of {step.first} relative to {step.second}"
-    work.write(
-        "principle",
-        rows,
-        words=(
-            "The line of centres makes an angle ",
-            theta,
-            f" with {path}, where",
-        ),
-    )
+        sentence = say("offset.relative-path", angle=theta, body=step.first, other=step.second)
+    work.write("principle", rows, sentences=(sentence,))

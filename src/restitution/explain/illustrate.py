@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from restitution.errors import RestitutionError
 from restitution.explain.steps import Explanation, PartExplanation, Step
+from restitution.explaining.saying import say
 from restitution.solve.solver import UNFORESEEN
 
 if TYPE_CHECKING:
@@ -28,8 +29,8 @@ def illustrated(explanation: Explanation) -> Explanation:
     except RestitutionError:
         return explanation  # unsolved: the working says why
     except (*UNFORESEEN, AssertionError):
-        said = "the pictures could not be drawn, by a fault of the program"
-        return replace(explanation, warnings=(*explanation.warnings, said))
+        amiss = str(say("amiss.pictures"))
+        return replace(explanation, warnings=(*explanation.warnings, amiss))
     parts = tuple(
         _illustrated(part, [scene for scene in drawn if scene.part == part.label])
         for part in explanation.parts

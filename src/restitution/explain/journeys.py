@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explain.phrases import answer, chain, difference, look, minus, product_of
-from restitution.explain.steps import Row, Side, Step, Words, side
+from restitution.explain.steps import Row, Side, Step, side
 from restitution.explaining.marks import A1, M1
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import AtTime, Expression, Name, Quantity
 from restitution.problem import Arrival, Impact
 from restitution.render import layout as lay
@@ -49,26 +50,27 @@ def travel(work: Working, number: int) -> None:
     made = _flight(work, event, value)
     if made is None:
         return
-    words, rows = made
-    work.write("result", rows, words=words)
+    sentence, rows = made
+    work.write("result", rows, sentences=(sentence,))
 
 
 def _moving(work: Working, event: Happening) -> list[str]:
     return [b for b in event.bodies if b in work.model.story.spheres]
 
 
-def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, list[Row]] | None:
+def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Sentence, list[Row]] | None:
     story = work.model.story
     step = event.step
     number = event.number
     name = side(value, time_letter(number))
     if isinstance(step, Impact) and step.second in story.spheres:
         return _meeting(work, event, step, value)
+    target: str | None
     if isinstance(step, Impact):
         body, target = step.first, step.second
     elif isinstance(step, Arrival):
         body = step.body
-        target = step.target.name if isinstance(step.target, Name) else "that point"
+        target = step.target.name if isinstance(step.target, Name) else None
     else:
         return None
     known = story.place(body, number - 1)
@@ -76,24 +78,24 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, lis
         return None
     where, when = work.put(known[0]), work.put(known[1])
     v = work.put(story.velocity(body, number - 1))
-    if isinstance(step, Impact) and story.walls[target].centre is not None:
+    if isinstance(step, Impact) and story.walls[step.second].centre is not None:
         return _to_circle(work, event, value, where, when, v)
     there = story.place(body, number)
     assert there is not None
     end = work.put(there[0])
     flight = tidy(value - when)
     way = Vector(tidy(end.x - where.x), tidy(end.y - where.y))
-    distance, speed, about = _shortest(work, way, v, target, story)
-    if distance is None:
+    shortest = _shortest(work, way, v, target, story)
+    if shortest is None:
         return None
-    words: Words = (
-        f"{body} moves a distance ",
-        look(distance),
-        *about,
-        " at speed ",
-        look(speed),
-        ":",
-    )
+    distance, speed, axis = shortest
+    sizes = {"distance": look(distance), "speed": look(speed)}
+    if axis == "wall":
+        sentence = say("flight.to-wall", body=body, wall=target or "", **sizes)
+    elif axis is not None:
+        sentence = say("flight.axis", body=body, axis=Bold(axis), **sizes)
+    else:
+        sentence = say("flight.straight", body=body, **sizes)
     ratio = Side(_quotient(distance, speed), tidy(distance / speed))
     rows: list[Row]
     if when == 0:
@@ -103,12 +105,12 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Words, lis
         rows = [
             chain(name, side(value, total), *answer(value), points=(M1, A1)),
         ]
-    return words, rows
+    return sentence, rows
 
 
 def _to_circle(
     work: Working, event: Happening, value: sp.Expr, where: Vector, when: sp.Expr, v: Vector
-) -> tuple[Words, list[Row]]:
+) -> tuple[Sentence, list[Row]]:
     """The distance from the centre of a circular wall is its radius again."""
     story = work.model.story
     step = event.step
@@ -138,17 +140,14 @@ def _to_circle(
         rows.append(chain(name, side(value, made), *answer(value)))
     else:
         rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), points=(A1,))
-    return (
-        (
-            f"{step.first} is at the distance ",
-            look(reach),
-            f" from the centre of {wall.name} ",
-            "again after a time " if when != 0 else "after a time ",
-            lay.Letter("t"),
-            " with",
-        ),
-        rows,
+    sentence = say(
+        "circle.again" if when != 0 else "circle.time",
+        body=step.first,
+        radius=look(reach),
+        wall=wall.name,
+        letter=lay.Letter("t"),
     )
+    return sentence, rows
 
 
 def _quotient(a: sp.Expr, b: sp.Expr) -> Layout:
@@ -162,10 +161,13 @@ def _since(work: Working, body: str, number: int) -> int:
 
 
 def _shortest(
-    work: Working, way: Vector, v: Vector, target: str, story: Any
-) -> tuple[Any, Any, Words]:
-    """A distance and the component of velocity along it."""
-    if target in story.walls and story.walls[target].centre is None:
+    work: Working, way: Vector, v: Vector, target: str | None, story: Any
+) -> tuple[Any, Any, Literal["wall", "i", "j"] | None] | None:
+    """A distance, the component of velocity along it, and whether it is along an axis.
+
+    ``wall`` is the axis perpendicular to the wall that is the target.
+    """
+    if target is not None and target in story.walls and story.walls[target].centre is None:
         along = work.put(story.wall_direction(Name(target)))
         if along.x == 0 or along.y == 0:
             pick = ("x", "y")[0 if along.x == 0 else 1]
@@ -173,25 +175,26 @@ def _shortest(
             d = tidy(work.resolved(sp.Abs(d)))
             s = tidy(work.resolved(sp.Abs(s)))
             if d == 0 or s == 0:
-                return None, None, ()
-            return d, s, (f" perpendicular to {target}",)
-    for pick, axis in (("x", "i"), ("y", "j")):
+                return None
+            return d, s, "wall"
+    axes: tuple[tuple[str, Literal["i", "j"]], ...] = (("x", "i"), ("y", "j"))
+    for pick, axis in axes:
         d, s = getattr(way, pick), getattr(v, pick)
         other = getattr(way, "y" if pick == "x" else "x")
         if s != 0 and d != 0 and (other == 0 or not sp.sympify(s, strict=True).has(sp.sqrt)):
             d = tidy(work.resolved(sp.Abs(d)))
             s = tidy(work.resolved(sp.Abs(s)))
-            return d, s, () if other == 0 else (" parallel to ", Bold(axis))
+            return d, s, None if other == 0 else axis
     size = tidy(work.resolved(sp.sqrt(tidy(way.dot(way)))))
     speed = tidy(work.resolved(sp.sqrt(tidy(v.dot(v)))))
     if size == 0 or speed == 0:
-        return None, None, ()
-    return size, speed, ()
+        return None
+    return size, speed, None
 
 
 def _meeting(
     work: Working, event: Happening, step: Impact, value: sp.Expr
-) -> tuple[Words, list[Row]] | None:
+) -> tuple[Sentence, list[Row]] | None:
     story = work.model.story
     number = event.number
     one, other = (story.place(n, number - 1) for n in (step.first, step.second))
@@ -222,14 +225,8 @@ def _meeting(
             )
         ]
         rows.append(chain(name, *answer(value), points=(A1,)))
-        return (
-            (
-                f"{step.first} and {step.second} touch when their centres are ",
-                look(reach),
-                " apart:",
-            ),
-            rows,
-        )
+        apart = say("touch.apart", one=step.first, other=step.second, distance=look(reach))
+        return apart, rows
     pick = "x" if w.x != 0 else "y"
     d, s = getattr(gap, pick), getattr(w, pick)
     if r is not None:
@@ -238,19 +235,13 @@ def _meeting(
     if s == 0 or d == 0:
         return None
     ratio = Side(_quotient(d, s), tidy(d / s))
-    words: Words = (
-        f"The gap between {step.first} and {step.second} is ",
-        look(d),
-        " and closes at ",
-        look(s),
-        ":",
-    )
+    sentence = say("gap.closes", one=step.first, other=step.second, gap=look(d), speed=look(s))
     begun = work.put(start)
     if begun == 0:
-        return words, [chain(name, ratio, *answer(value), points=(M1, A1))]
+        return sentence, [chain(name, ratio, *answer(value), points=(M1, A1))]
     since = max(_since(work, step.first, number), _since(work, step.second, number))
     total = lay.total([time_letter(since), ratio.layout])
-    return words, [chain(name, side(value, total), *answer(value), points=(M1, A1))]
+    return sentence, [chain(name, side(value, total), *answer(value), points=(M1, A1))]
 
 
 def _squared(gap: sp.Expr, w: sp.Expr) -> Layout:
@@ -275,7 +266,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
 
     story = work.model.story
     value = evaluated(work, tree, now)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     if tree.kind == "time":
         assert isinstance(tree.stage, int)
         travel(work, tree.stage)
@@ -396,20 +387,15 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
             Side(_product(v.x, way.y), tidy(v.x * way.y)),
             points=(M1, A1),
         )
-        target = lay.from_tree(event.step.target)
-        words: Words = (
-            f"{body} has to go from ",
-            _coordinates(work.put(known[0])),
-            " to ",
-            target,
-            ", in the direction of its velocity:",
-        )
-        return Step("fact", (row,), words=words)
+        target = work.layout(event.step.target)
+        start = _coordinates(work.put(known[0]))
+        sentence = say("aim.velocity", body=body, start=start, target=target)
+        return Step("fact", (row,), sentences=(sentence,))
     residual = work.put(equation.value)
     return Step(
         "fact",
         (chain(side(tidy(residual)), side(sp.Integer(0)), points=(M1, A1)),),
-        words=(f"{equation.reason[0].upper()}{equation.reason[1:]} unless",),
+        sentences=(say("aim.unless", reason=equation.reason),),
     )
 
 
@@ -438,19 +424,8 @@ def _triangle_of_chords(work: Working, event: Happening, body: str, point: Vecto
         Side(look(tidy(1 / c)), 1 / c),
         points=(M1, A1),
     )
-    words: Words = (
-        (
-            "The three chords form a triangle, and each makes equal angles with the radii at its "
-            "ends. So these three angles add up to 90°. Their tangents are "
-        ),
-        look(a),
-        ", ",
-        look(b),
-        " and ",
-        look(c),
-        ", so",
-    )
-    return Step("fact", (row,), words=words)
+    sentence = say("aim.chords", tangents=[look(a), look(b), look(c)])
+    return Step("fact", (row,), sentences=(sentence,))
 
 
 def _coordinates(v: Vector) -> Layout:

@@ -156,7 +156,7 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
     for row in rows:
         wide = columns(row.operands[0]) > _LINE / 2
         said = _aside(row)
-        plain = replace(row, note=()) if said else row
+        plain = replace(row, asides=()) if said else row
         body = " \\\\\n".join(_lines(plain, _tag(plain)))
         last = blocks[-1] if blocks else ""
         if last.endswith(_END) and not wide and not fresh:

@@ -10,12 +10,21 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import Marks
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.sentences import SENTENCES
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Brackets, Layout, Number, Product, Relation, Sum
 
-ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
+OR = str(say("list.or"))
+"""What stands between alternatives."""
+
+
+def ordinal(number: int) -> Sentence | None:
+    """``first``, ``second``, …; None for a number that has no such word here."""
+    word = f"ordinal.{number}"
+    return say(word) if word in SENTENCES else None
 
 
 def look(value: Any, *, angle: bool = False) -> Layout:
@@ -43,7 +52,7 @@ def _rounded_only(laid: Layout, value: Any, angle: bool) -> bool:
     return not isinstance(value, tuple) and laid != lay.from_sympy(value, degrees=angle)
 
 
-def chain(*sides: Any, points: Marks = (), note: Words = ()) -> Row:
+def chain(*sides: Any, points: Marks = (), asides: tuple[Sentence, ...] = ()) -> Row:
     """Sides with ``=`` between them; one that looks like the side before it is left out."""
     kept: list[Side] = []
     for each in sides:
@@ -63,7 +72,7 @@ def chain(*sides: Any, points: Marks = (), note: Words = ()) -> Row:
         ("=",) * (len(kept) - 1),
         tuple(each.value for each in kept),
         points,
-        note,
+        asides,
     )
 
 
@@ -108,10 +117,12 @@ def _ratio_of(laid: Layout) -> Ratio | None:
     return None
 
 
-def relation(left: Any, sign: str, right: Any, points: Marks = (), note: Words = ()) -> Row:
+def relation(
+    left: Any, sign: str, right: Any, points: Marks = (), asides: tuple[Sentence, ...] = ()
+) -> Row:
     """Two sides with any sign between them."""
     a, b = side(left), side(right)
-    return Row((a.layout, b.layout), (lay.SIGNS.get(sign, sign),), (a.value, b.value), points, note)
+    return Row((a.layout, b.layout), (lay.SIGNS.get(sign, sign),), (a.value, b.value))
 
 
 def product_of(*factors: Any) -> Layout:
@@ -255,17 +266,6 @@ def direction_words(x: Any, y: Any) -> Layout:
         sign = 1 if sp.sympify(a, strict=True).is_positive or sp.N(a) > 0 else -1
         return lay.vector(sign * ratio.q, sign * ratio.p)
     return lay.vector(tidy(a), tidy(b))
-
-
-def listed(parts: Iterable[Words]) -> Words:
-    """``a, b and c`` of several pieces of words."""
-    items = list(parts)
-    out: list[str | Layout] = []
-    for index, each in enumerate(items):
-        if index:
-            out.append(" and " if index == len(items) - 1 else ", ")
-        out.extend(each)
-    return tuple(out)
 
 
 def bold_velocity(name: str) -> Layout:

@@ -21,8 +21,9 @@ from restitution.explain.phrases import (
     square,
     vector_difference,
 )
-from restitution.explain.steps import Row, Side, Words, shown, side
+from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, M1, Mark, Marks
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -70,8 +71,8 @@ class Derived:
 
     rows: tuple[Row, ...]
     value: Any
-    words: Words = ()
-    principle: str | None = None
+    sentences: tuple[Sentence, ...] = ()
+    title: Sentence | None = None
 
 
 def stage_of(work: Working, tree: Quantity, now: int, body: str | None) -> int:
@@ -143,7 +144,7 @@ def _laid(work: Working, tree: Expression, now: int) -> Layout:
         value = evaluated(work, tree, now)
         angle = isinstance(tree, Letter) and _is_angle(work, tree)
         return look(value, angle=angle)
-    return lay.from_tree(tree)
+    return work.layout(tree)
 
 
 def _is_angle(work: Working, tree: Expression) -> bool:
@@ -278,8 +279,8 @@ def derive(
     value = evaluated(work, tree, now)
     if name is not None:
         own = derive(work, tree, now, percentage=percentage, last=last)
-        return _renamed(own, lay.from_tree(tree), name)
-    name = lay.from_tree(tree)
+        return _renamed(own, work.layout(tree), name)
+    name = work.layout(tree)
     kind = tree.kind
     if kind == "velocity" and body is not None:
         return _derive_velocity(work, tree, body, now, last)
@@ -293,7 +294,7 @@ def derive(
         return _derive_component(work, tree, now)
     if kind == "energy_lost":
         event = event_of(work.model.story, tree, now)
-        words: Words = ()
+        sentences: tuple[Sentence, ...] = ()
         if event.number in work.model.frames:
             frame = work.model.frames[event.number]
             across = any(
@@ -301,13 +302,13 @@ def derive(
                 for b in work.model.spheres(event.number)
             )
             if across:
-                place = "perpendicular to the line of centres"
+                sentence = say("loss-spheres.unchanged")
                 if frame.wall is not None:
-                    place = f"parallel to {frame.wall}"
-                words = (f"The components {place} do not change, and lose no kinetic energy:",)
+                    sentence = say("loss-wall.unchanged", wall=frame.wall)
+                sentences = (sentence,)
         made = formula(work, tree, now)
-        row = _result(name, made, value, points=(M1, last), principle=bool(words))
-        return Derived((row,), value, words)
+        row = _result(name, made, value, points=(M1, last), principle=bool(sentences))
+        return Derived((row,), value, sentences)
     if kind == "impulse":
         return _derive_impulse(work, tree, body, now, last)
     if kind == "line_of_centres":
@@ -350,11 +351,11 @@ def _renamed(derived: Derived, old: Layout, new: Layout) -> Derived:
             row.signs,
             row.values,
             row.points,
-            row.note,
+            row.asides,
         )
         for row in derived.rows
     )
-    return Derived(rows, derived.value, derived.words, derived.principle)
+    return Derived(rows, derived.value, derived.sentences, derived.title)
 
 
 def _result(
@@ -387,7 +388,7 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: M
         return (
             Derived((), value)
             if ("kick", event.number) in work.done and _told(work, body, stage)
-            else Derived((_result(lay.from_tree(tree), None, value, points=(last,)),), value)
+            else Derived((_result(work.layout(tree), None, value, points=(last,)),), value)
         )
     if frame is not None and frame.axis is None and value != (0, 0):
         v = work.model.story.velocity(body, stage)
@@ -403,7 +404,7 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: M
             terms.append(product_of(part, unit) if part != 1 else unit)
         if terms:
             made = Side(lay.total(terms), value)
-    rows.append(_result(lay.from_tree(tree), made, value, points=(last,)))
+    rows.append(_result(work.layout(tree), made, value, points=(last,)))
     return Derived(tuple(rows), value)
 
 
@@ -413,7 +414,7 @@ def _told(work: Working, body: str, stage: int) -> bool:
 
 def _derive_component(work: Working, tree: Quantity, now: int) -> Derived:
     value = evaluated(work, tree, now)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     v = evaluated(work, tree.arguments[0], now)
     d = work.model.story.direction(tree.arguments[1], now)
     d = Vector(work.put(d.x), work.put(d.y))
@@ -433,7 +434,7 @@ def _derive_direction(
     assert body is not None
     v = work.model.story.velocity(body, stage_of(work, tree, now, body))
     x, y = work.put(v.x), work.put(v.y)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     row = _result(name, None, value, angle=True)
     if x == 0 or y == 0:
         return Derived((row,), value)
@@ -451,7 +452,7 @@ def _lines(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:
 
 def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     value = evaluated(work, tree, now)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     story = work.model.story
     a, b = _lines(work, tree, now)
     sharp = any(is_line(story, each) for each in tree.arguments)
@@ -459,7 +460,7 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
     final = _result(name, None, value, angle=True)
     if work.sign(dot) == 0:
         row = chain(shown(_dot_layout(a, b)), side(sp.Integer(0)), points=(M1,))
-        return Derived((row, final), value, ("The scalar product is zero:",))
+        return Derived((row, final), value, (say("product.zero"),))
     frame = _frame_along(work, tree, now)
     if sharp and frame is not None:
         u, v = frame
@@ -555,7 +556,7 @@ def _theta(work: Working) -> Layout:
 def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> Derived:
     event = event_of(work.model.story, tree, now, body)
     value = evaluated(work, tree, now)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     before = work.put(event.before[body])
     after = work.put(event.after[body])
     final = _result(name, None, value, angle=True)
@@ -567,26 +568,15 @@ def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> De
         return Derived(
             (chain(shown(_dot_layout(before, after)), side(sp.Integer(0)), points=(M1,)), final),
             value,
-            ("The scalar product of the velocities before and after is zero:",),
+            (say("product.velocities"),),
         )
     if frame.wall is not None:
         return _deflection_at_wall(work, event.number, body, value, name)
     if work.sign(before.cross(after)) == 0:
-        words = f"The motion of {body} is reversed:"
-        if work.sign(dot) > 0:
-            words = f"{body} goes on in the same direction:"
-        return Derived((final,), value, (words,))
+        way = say("motion.same" if work.sign(dot) > 0 else "motion.reversed", body=body)
+        return Derived((final,), value, (way,))
     rows = _cosine_rows(work, _scaled(before), _scaled(after), value)
-    return Derived(
-        (*rows, final),
-        value,
-        (
-            (
-                f"The angle of deflection of {body} is the angle between its velocities before and "
-                "after:"
-            ),
-        ),
-    )
+    return Derived((*rows, final), value, (say("turned.between", body=body),))
 
 
 def _scaled(v: Vector) -> Vector:
@@ -625,7 +615,7 @@ def _deflection_at_wall(work: Working, number: int, body: str, value: Any, name:
     second = _angle_of(work, v, ut)
     if ut == 0:
         return Derived(
-            (_result(name, None, value, angle=True),), value, (f"{body} comes straight back:",)
+            (_result(name, None, value, angle=True),), value, (say("motion.back", body=body),)
         )
     made = Side(
         lay.total([look(each, angle=True) for each in (first, second) if each != 0]),
@@ -634,12 +624,7 @@ def _deflection_at_wall(work: Working, number: int, body: str, value: Any, name:
     return Derived(
         (_result(name, made, value, angle=True, points=(M1, A1)),),
         value,
-        (
-            (
-                f"{body} is turned through the angle that its path makes with {wall} before "
-                "and the angle that it makes after:"
-            ),
-        ),
+        (say("turned-wall.angles", body=body, wall=wall or ""),),
     )
 
 
@@ -661,11 +646,9 @@ def _deflection_by_tangents(
     un, ut, v = _parts(work, number, body)
     tangent = tidy(work.resolved(sp.Abs(ut * (un - v)) / (un * v + ut**2)))
     if work.model.frames[number].wall is None and 0 in (work.sign(v), work.sign(un)):
-        words: Words = ()
-        if work.sign(v) == 0:
-            words = (f"{body} moves off perpendicular to the line of centres:",)
-        return Derived((final,), value, words)
-    words, laid = _spread(work, number, body, tangent)
+        sentences = (say("motion.across", body=body),) if work.sign(v) == 0 else ()
+        return Derived((final,), value, sentences)
+    sentence, laid = _spread(work, number, body, tangent)
     if sp.sympify(tangent, strict=True).has(sp.zoo, sp.nan):
         return Derived((final,), value)
     rows = [
@@ -680,7 +663,7 @@ def _deflection_by_tangents(
         sp.atan, sp.atan2
     ):
         rows.append(final)
-    return Derived(tuple(rows), value, words)
+    return Derived(tuple(rows), value, (sentence,))
 
 
 def _parts(work: Working, number: int, body: str) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -690,33 +673,26 @@ def _parts(work: Working, number: int, body: str) -> tuple[sp.Expr, sp.Expr, sp.
     return un, work.size(ut), v
 
 
-def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Words, Layout]:
+def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Sentence, Layout]:
     """tan(α + β) at a wall, tan(β − α) between spheres, from the tangents."""
     un, ut, v = _parts(work, number, body)
     frame = work.model.frames[number]
     if frame.wall is not None:
         a, b = tidy(-un / ut), tidy(v / ut)
-        words: Words = (
-            (
-                f"{body} is turned through the sum of the angles that its path makes with "
-                f"{frame.wall} before and after:"
-            ),
-        )
+        sentence = say("turned-wall.sum", body=body, wall=frame.wall)
         top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), _times(a, b))
-        return words, lay.fraction(top, bottom)
+        return sentence, lay.fraction(top, bottom)
     a, b = tidy(ut / un), tidy(ut / v)
     first = work.sign((b - a) / (1 + a * b)) * work.sign(tangent) > 0
     big, small = (b, a) if first else (a, b)
-    words = (
-        (
-            f"The angle of deflection of {body} is the difference of the angles that its "
-            "velocities make with the line of centres:"
-        ),
+    return say("turned.difference", body=body), lay.fraction(
+        difference(big, small), lay.total([Number("1"), _times(a, b)])
     )
-    return words, lay.fraction(difference(big, small), lay.total([Number("1"), _times(a, b)]))
 
 
-def tangent_of_difference(work: Working, tree: Quantity, now: int) -> tuple[Words, Layout] | None:
+def tangent_of_difference(
+    work: Working, tree: Quantity, now: int
+) -> tuple[Sentence, Layout] | None:
     """How the tangent of an angle of deflection is made up, where tangents serve."""
     body = name_of(tree)
     assert body is not None
@@ -741,7 +717,7 @@ def _derive_impulse(
     work: Working, tree: Quantity, body: str | None, now: int, last: Mark
 ) -> Derived:
     value = evaluated(work, tree, now)
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     story = work.model.story
     event = event_of(story, tree, now, body)
     if body is not None:
@@ -753,24 +729,23 @@ def _derive_impulse(
             return Derived(
                 (_result(name, made, value, points=(M1, last), principle=True),),
                 value,
-                principle="Impulse = change of momentum",
+                title=say("impulse.title"),
             )
         return Derived((_result(name, None, value, points=(last,)),), value)
     made_ = formula(work, tree, now)
-    principle = None
+    title = None
     if event.number in work.model.frames:
         which = _impulse_body(work, event.number)
-        along = "along the line of centres"
         frame = work.model.frames[event.number]
+        title = say("impulse-spheres.title", body=which)
         if frame.wall is not None:
-            along = f"perpendicular to {frame.wall}"
-        principle = f"Impulse = change of momentum of {which} {along}"
+            title = say("impulse-wall.title", body=which, wall=frame.wall)
     rows = (_result(name, made_, value, points=(M1, last), principle=True),)
-    return Derived(rows, value, principle=principle)
+    return Derived(rows, value, title=title)
 
 
 def _derive_line(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
-    name = lay.from_tree(tree)
+    name = work.layout(tree)
     return Derived((_result(name, None, value),), value)
 
 
@@ -790,13 +765,13 @@ def _derive_momentum(
             laid = Brackets(laid)
         terms.append(product_of(work.put(story.mass(each)), laid))
     made = Side(lay.total(terms), value) if terms else None
-    return Derived((_result(lay.from_tree(tree), made, value, points=(M1, A1)),), value)
+    return Derived((_result(work.layout(tree), made, value, points=(M1, A1)),), value)
 
 
 def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
     laid = _total_loss(work, tree, now)
     made = None if laid is None else Side(laid, value)
-    return Derived((_result(lay.from_tree(tree), made, value, points=(M1, A1)),), value)
+    return Derived((_result(work.layout(tree), made, value, points=(M1, A1)),), value)
 
 
 def _total_loss(work: Working, tree: Quantity, now: int) -> Layout | None:
@@ -823,10 +798,6 @@ class Asked:
     tree: Quantity
     now: int
     letter: Letter | None = None
-
-    @property
-    def name(self) -> Layout:
-        return lay.from_tree(self.letter if self.letter is not None else self.tree)
 
 
 def quantities_in(work: Working, tree: Expression, now: int) -> Sequence[Asked]:

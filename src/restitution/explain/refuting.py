@@ -10,13 +10,13 @@ import sympy as sp
 
 from restitution.exact import same, tidy, tidy_angle
 from restitution.explain.kept import simplified
-from restitution.explain.phrases import answer, listed, look
+from restitution.explain.phrases import answer, look
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
-from restitution.explain.steps import Words
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Name, Quantity
 from restitution.oracle import BeyondError, compared
-from restitution.problem import Aligned, AtRest, Compare, Meets, Relation, Show
+from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Relation, Show
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 
@@ -24,91 +24,99 @@ if TYPE_CHECKING:
     from restitution.explain.working import Working
 
 
-def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) -> Words:
+def refutation(work: Working, item: Show, given: Mapping[str, str], now: int) -> Sentence:
     """A sentence or two; ``given`` are values of letters for which the claim fails."""
     relation: Relation = item.relation
     match relation:
         case Compare() if item.subject is not None:
-            return _no_bound(item, relation)
+            return _no_bound(work, item, relation)
         case Compare():
             return _compared(work, relation, given, now)
         case Meets():
             return _meeting(work, relation, given, now)
         case AtRest(body):
             speed = _velocity(work, body.name, now)
-            return (f"{body.name} is not at rest: ", speed, ".")
-        case Aligned(left, link, right):
+            return say("refuted.rest", body=body.name, velocity=speed)
+        case Aligned(left, _, right):
             ways = [
                 lay.equation(
-                    lay.from_tree(tree), look(plain(work, work.model.story.direction(tree, now)))
+                    work.layout(tree), look(plain(work, work.model.story.direction(tree, now)))
                 )
                 for tree in (left, right)
                 if quantities_in(work, tree, now)
             ]
-            first, last = lay.from_tree(left), lay.from_tree(right)
+            claim = work.aligned(relation, holds=False)
             letters = any(_symbols(work, tree, now) & set(given) for tree in (left, right))
-            general = " in general" if letters else ""
-            reason: Words = (": ", *listed([(each,) for each in ways])) if ways else ()
-            return (first, f" is not {link} ", last, general, *reason, ".")
+            if ways:
+                return say(
+                    "refuted.direction-general-as" if letters else "refuted.direction-as",
+                    claim=claim,
+                    ways=ways,
+                )
+            return say("refuted.direction-general" if letters else "refuted.direction", claim=claim)
     raise TypeError(relation)  # pragma: no cover - the kinds of relation are all listed
 
 
-def _no_bound(item: Show, relation: Compare) -> Words:
-    claim = _claim(relation)
-    if item.subject is not None and hasattr(item.subject, "kind"):
-        operands = tuple(map(lay.from_tree, relation.operands))
-        return (f"The {item.subject.kind} of ", operands[0], " is not ", operands[-1], ".")
-    return ("The range of possible values is not ", claim, ".")
+def _no_bound(work: Working, item: Show, relation: Compare) -> Sentence:
+    if isinstance(item.subject, Extremum):
+        quantity, *_, value = map(work.layout, relation.operands)
+        maximum = item.subject.kind == "maximum"
+        return say(
+            "refuted.maximum" if maximum else "refuted.minimum", quantity=quantity, value=value
+        )
+    return say("refuted.range", range=_claim(work, relation))
 
 
-def claim_of(item: Show) -> Layout | None:
+def claim_of(work: Working, item: Show) -> Layout | None:
     """A claim as mathematics, or None where it is no comparison of quantities."""
     relation: Relation = item.relation
     if isinstance(relation, Compare) and item.subject is None and relation.figures is None:
-        return _claim(relation)
+        return _claim(work, relation)
     return None
 
 
-def _claim(relation: Compare) -> Layout:
-    operands = tuple(lay.from_tree(each) for each in relation.operands)
+def _claim(work: Working, relation: Compare) -> Layout:
+    operands = tuple(work.layout(each) for each in relation.operands)
     return lay.Relation(operands, tuple(lay.SIGNS.get(op, op) for op in relation.operators))
 
 
-def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: int) -> Words:
+def _compared(work: Working, relation: Compare, given: Mapping[str, str], now: int) -> Sentence:
     left, op, right = _failing(work, relation, given, now)
     value = evaluated(work, left, now)
     angle = _angled(work, left, value)
-    first, last = lay.from_tree(left), lay.from_tree(right)
+    first, last = work.layout(left), work.layout(right)
     if op == "=" and isinstance(left, Quantity) and not quantities_in(work, right, now):
         found = [each.layout for each in answer(value, angle=angle)]
         if relation.figures is not None:
             # Its exact form stands in the line above.
             found = [_rounded(work, value, evaluated(work, right, now)) or found[-1]]
-        said = found[0] if len(found) == 1 else lay.equation(*found)
-        return (*_the(left, first), " is not ", last, ": it is ", said, ".")
+        value_ = found[0] if len(found) == 1 else lay.equation(*found)
+        return say(
+            "refuted.vector" if isinstance(first, lay.Bold) else "refuted.value",
+            quantity=first,
+            claimed=last,
+            value=value_,
+        )
     used = sorted((_symbols(work, left, now) | _symbols(work, right, now)) & set(given))
     values = [
-        (lay.equation(lay.letter(name), _number_look(given[name])),)
+        lay.equation(lay.letter(name), _number_look(given[name]))
         for name in used
         if _number(given[name]) is not None
     ]
-    lead: Words = (": ",)
-    if values:
-        lead = (": with ", *listed(values), ", for instance, ")
-    sides: list[Words] = []
+    sides: list[Layout] = []
     for tree in (left, right):
         if quantities_in(work, tree, now) or _symbols(work, tree, now):
             there = _value_at(work, tree, now, given)
             if not isinstance(there, tuple) and there.has(sp.nan, sp.zoo, sp.AccumBounds):
                 continue
             shown = [each.layout for each in answer(there, angle=angle)]
-            sides.append((lay.equation(lay.from_tree(tree), *shown),))
+            sides.append(lay.equation(work.layout(tree), *shown))
     about = any(quantities_in(work, tree, now) for tree in (left, right)) and sides
     if not about and values:
-        instance = (": it fails, for instance, with ", *listed(values), ".")
-        return ("It is not true in general that ", _claim(relation), *instance)
-    general = " in general" if values else ""
-    return (f"It is not true{general} that ", _claim(relation), *lead, *listed(sides), ".")
+        return say("refuted.instance", claim=_claim(work, relation), values=values)
+    if values:
+        return say("refuted.general", claim=_claim(work, relation), values=values, sides=sides)
+    return say("refuted.claim", claim=_claim(work, relation), sides=sides)
 
 
 def _rounded(work: Working, value: Any, claimed: Any) -> Layout | None:
@@ -212,41 +220,55 @@ def _angled(work: Working, tree: Expression, value: Any) -> bool:
     return not isinstance(value, tuple) and _is_angle(work, tree)
 
 
-def _the(tree: Expression, laid: Layout) -> Words:
-    """What a sentence begins with; a vector needs no article."""
-    return (laid,) if isinstance(laid, lay.Bold) else ("The ", laid)
-
-
 def _velocity(work: Working, body: str, now: int) -> Layout:
     tree = Quantity("velocity", (Name(body),))
-    return lay.equation(lay.from_tree(tree), look(evaluated(work, tree, now)))
+    return lay.equation(work.layout(tree), look(evaluated(work, tree, now)))
 
 
-def _meeting(work: Working, relation: Meets, given: Mapping[str, str], now: int) -> Words:
+def _meeting(work: Working, relation: Meets, given: Mapping[str, str], now: int) -> Sentence:
     """``B and C do not collide again, as …``: how they move."""
     one, other = relation.first.name, relation.second.name
-    again = " again" if relation.again else ""
+    again = say("again") if relation.again else ""
     moving = [name for name in (one, other) if name in work.model.story.spheres]
-    several = len(moving) == 2
-    verb = "collide" if several else "hit"
-    ends = "" if several else f" {other}"
-    who = " and ".join(moving)
-    speeds = [(_velocity(work, name, now),) for name in moving]
+    velocities = [_velocity(work, name, now) for name in moving]
     values = instances(given)
-    if values:
-        claim = f"{who} {'will' if relation.happens else 'will not'} {verb}{ends}{again}"
-        do = "do" if several else "does"
-        does = f"{'they' if several else 'it'} {do}{' not' if relation.happens else ''}"
-        listing = listed([(each,) for each in values])
-        return (
-            f"It is not true in general that {claim}, as ",
-            *listed(speeds),
-            ": with ",
-            *listing,
-            f", for instance, {does}.",
+    several, happens = len(moving) == 2, relation.happens
+    if not values:
+        if several:
+            return say(
+                "refuted.collide" if happens else "refuted.not-collide",
+                one=one,
+                other=other,
+                again=again,
+                velocities=velocities,
+            )
+        return say(
+            "refuted.hit" if happens else "refuted.not-hit",
+            body=moving[0],
+            wall=other,
+            again=again,
+            velocities=velocities,
         )
-    if relation.happens:
-        which = "do not" if several else "does not"
+    if several:
+        claim = say(
+            "claim.will-collide" if happens else "claim.will-not-collide",
+            one=one,
+            other=other,
+            again=again,
+        )
+        opposite = say("refuted.they-do-not" if happens else "refuted.they-do")
     else:
-        which = "do" if several else "does"
-    return (f"{who} {which} {verb}{ends}{again}, as ", *listed(speeds), ".")
+        claim = say(
+            "claim.will-hit" if happens else "claim.will-not-hit",
+            body=moving[0],
+            wall=other,
+            again=again,
+        )
+        opposite = say("refuted.it-does-not" if happens else "refuted.it-does")
+    return say(
+        "refuted.meeting",
+        claim=claim,
+        velocities=velocities,
+        values=values,
+        opposite=opposite,
+    )

@@ -12,7 +12,6 @@ from restitution.errors import RestitutionError, TimeLimitError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.backwards import is_told_backwards, steps_backwards
-from restitution.explain.events import spoken, table_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.geometry import to_be_found
 from restitution.explain.marks import again, settled
@@ -20,6 +19,7 @@ from restitution.explain.phrases import look
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Quantity, has_quantity, letters
 from restitution.problem import Part, Value
@@ -67,11 +67,14 @@ def explain(
     if part is not None and part not in solution.parts:
         known = ", ".join(str(label) for label in solution.parts)
         raise KeyError(f"there is no part {part!r}; parts: {known}")
-    limit = None if time_limit is None else f"no working within the time limit of {time_limit:g} s"
-    with limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
+    with limited(time_limit, error=None if time_limit is None else _too_late(time_limit)):
         explanation = _explained(solution, part)
         confirm()
     return explanation
+
+
+def _too_late(seconds: float) -> TimeLimitError:
+    return TimeLimitError(f"no working within the time limit of {seconds:g} s")
 
 
 def _explained(solution: Solution, part: str | None) -> Explanation:
@@ -83,7 +86,7 @@ def _explained(solution: Solution, part: str | None) -> Explanation:
         made, dropped = _part(solution, each, carried, seen)
         if part is None or label == part:
             told.append(made)
-            warnings += [f"a line of the working was left out: {line}" for line in dropped]
+            warnings += [str(say("amiss.line", line=line)) for line in dropped]
     return Explanation(solution.problem.title, tuple(told), tuple(warnings), solution)
 
 
@@ -95,7 +98,7 @@ def _part(
     dropped: list[str] = []
     if not part.branches:
         steps = [
-            Step("note", words=(f"{item.text}: no answer, as {item.error.message}.",))
+            Step("note", sentences=(say("answer.none", item=item.text, reason=item.error.message),))
             for item in part.items
             if item.error is not None
         ]
@@ -111,9 +114,7 @@ def _part(
     fresh = settled([step for step in steps if step.kind not in _ONCE or step not in seen])
     seen.update(steps)
     _carry(part.part, made, carried)
-    table = table_of(made[0].model.story)
-    told = tuple(spoken(step, table) for step in fresh)
-    return PartExplanation(part.part.label, asked, told, answers), dropped
+    return PartExplanation(part.part.label, asked, fresh, answers), dropped
 
 
 def workings(
@@ -133,13 +134,14 @@ def _question(item: ItemResult) -> str:
 
 def _answers(item: ItemResult) -> str:
     if item.error is not None:
-        return f"{item.text}: {item.error.message}"
+        return str(say("answer.reason", item=item.text, reason=item.error.message))
     if item.undecided:
-        return f"{item.text}: not decided"
+        return str(say("answer.undecided", item=item.text))
+    displays = [each.display for each in item.distinct]
     if item.holds is not None:
-        said = "shown" if item.holds else "false"
-        return f"{item.text}: {', '.join([said, *(each.display for each in item.distinct)])}"
-    return f"{item.text} = " + " or ".join(each.display for each in item.distinct)
+        outcome = say("answer.shown" if item.holds else "answer.false")
+        return str(say("answer.outcome", item=item.text, outcomes=[outcome, *displays]))
+    return str(say("answer.value", item=item.text, values=displays))
 
 
 def _models(solution: Solution, part: PartSolution) -> list[Model]:
@@ -195,7 +197,7 @@ def _worked(
             # No working is better than none of the answers.
             why = f" ({error.message})" if isinstance(error, RestitutionError) else ""
             work.dropped.append(f"{result.text}{why}")
-            work.write("note", words=(f"{_answers(result)}.",))
+            work.write("note", sentences=(say("answer.whole", answer=_answers(result)),))
         work.answered |= _given_as_answer(work, result, now)
     return work
 
@@ -308,16 +310,14 @@ def _merged(workings: Sequence[Working]) -> list[Step]:
         rest = steps[len(common) :]
         if not rest:
             continue
-        out.append(Step("heading", words=_case(work, workings, common)))
+        out.append(Step("heading", sentences=(_case(work, workings, common),)))
         out += rest if work is workings[0] else again(rest)
     return out
 
 
-def _case(
-    work: Working, workings: Sequence[Working], common: Sequence[Step]
-) -> tuple[str | Layout, ...]:
+def _case(work: Working, workings: Sequence[Working], common: Sequence[Step]) -> Sentence:
     """``If α = 45°:``: what has just been found to have several values, or the letters."""
-    words: list[str | Layout] = []
+    values: list[Layout] = []
     parting = {row.operands[0] for step in common[-1:] for row in step.rows[-1:]}
     just_found = [s for s in work.model.final if look(s) in parting]
     for symbol, value in work.model.final.items():
@@ -329,7 +329,7 @@ def _case(
             continue
         row = work.value_row(symbol, value=value)
         operands = tuple(o for o in row.operands if o is not None)
-        words += [" and " if words else "If ", lay.Relation(operands[:2], ("=",))]
-    if not words:
-        return (f"Solution {work.model.branch.number}",)
-    return (*words, ":")
+        values.append(lay.Relation(operands[:2], ("=",)))
+    if not values:
+        return say("heading.solution", number=work.model.branch.number)
+    return say("heading.case", values=values)

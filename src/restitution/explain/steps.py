@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.explaining.marks import Marks, written
+from restitution.explaining.saying import Sentence, Words, say, words_of
 from restitution.render.layout import Layout, as_layout, vector
 
 if TYPE_CHECKING:
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from restitution.solve.solution import Solution
 
 StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
-
-Words = tuple[str | Layout, ...]
 
 Origin = Literal["method", "impact", "part", "item"]
 """Where a value that is put in was found: at the same impact, an earlier one, in an earlier part,
@@ -32,7 +31,7 @@ class Row:
 
     ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
     only approximate or is no number), by which the line has been checked. ``operands[0]`` None
-    goes on from the line above. ``points`` are what an examiner would give; ``note`` are words
+    goes on from the line above. ``points`` are what an examiner would give; ``asides`` stand
     behind the line.
     """
 
@@ -40,34 +39,49 @@ class Row:
     signs: tuple[str, ...]
     values: tuple[Any, ...] = field(default=(), compare=False, repr=False)
     points: Marks = ()
-    note: Words = ()
+    asides: tuple[Sentence, ...] = ()
 
     @property
     def mark(self) -> str:
         """The marks as they stand beside the line."""
         return written(self.points)
 
+    @property
+    def note(self) -> Words:
+        """Words behind the line."""
+        return words_of(self.asides, str(say("list.semicolon"))) if self.asides else ()
+
 
 @dataclass(frozen=True)
 class Step:
     """One step of the working.
 
-    ``principle`` names the law used, ``words`` is a sentence before the equations, and
-    ``values`` what is known after the step and was not before, by letter. ``uses`` are values put
-    in that had to be found first, by letter; ``item`` counts the items of the part from 0. The
-    ``event`` is that of a heading or of a picture.
+    ``title`` names the law used, ``sentences`` stand before the equations, and ``values`` are what
+    is known after the step and was not before, by letter. ``uses`` are values put in that had to
+    be found first, by letter; ``item`` counts the items of the part from 0. The ``event`` is that
+    of a heading or of a picture.
     """
 
     kind: StepKind
     rows: tuple[Row, ...] = ()
-    principle: str | None = None
-    words: Words = ()
+    title: Sentence | None = None
+    sentences: tuple[Sentence, ...] = ()
     points: Marks = ()
     values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
     uses: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     item: int | None = field(default=None, compare=False, repr=False)
     event: int | None = field(default=None, compare=False, repr=False)
     picture: Scene | None = None
+
+    @property
+    def principle(self) -> str | None:
+        """The name of the law used, in words."""
+        return None if self.title is None else str(self.title)
+
+    @property
+    def words(self) -> Words:
+        """What stands before the equations."""
+        return words_of(self.sentences)
 
     @property
     def marks(self) -> int:
@@ -174,6 +188,25 @@ def side(value: Any, layout: Any = None) -> Side:
     return Side(as_layout(value if layout is None else layout), value)
 
 
+REQUIRED = (say("shown.required"),)
+"""Behind the line of a printed result."""
+
+
 def shown(layout: Any) -> Side:
     """An operand that is only shown, and not checked (a rounded value, words)."""
     return Side(as_layout(layout), None)
+
+
+__all__ = [
+    "REQUIRED",
+    "Explanation",
+    "Origin",
+    "PartExplanation",
+    "Row",
+    "Side",
+    "Step",
+    "StepKind",
+    "Words",
+    "shown",
+    "side",
+]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, Literal
 
 import sympy as sp
@@ -19,27 +19,29 @@ from restitution.components import Component, Frame, Law, Model
 from restitution.errors import UnsupportedError
 from restitution.exact import tidy, tidy_angle
 from restitution.explain.checking import holds, refuted
+from restitution.explain.events import names_of
 from restitution.explain.kept import above as above_bar
 from restitution.explain.kept import factored
 from restitution.explain.order import blocks, needed
 from restitution.explain.phrases import (
-    ORDINALS,
+    OR,
     answer,
     chain,
     difference,
     direction_words,
-    listed,
     look,
+    ordinal,
     product_of,
     relation,
     same_term,
     sum_of_products,
 )
-from restitution.explain.steps import Origin, Row, Side, Step, StepKind, Words, side
+from restitution.explain.steps import Origin, Row, Side, Step, StepKind, side
 from restitution.explaining.marks import A1, B1, DM1, M1, Marks
+from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Value
 from restitution.expression.tree import Expression
-from restitution.problem import Arrival, Impact, Kick
+from restitution.problem import Aligned, Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
@@ -49,6 +51,14 @@ from restitution.solve.polynomials import factors
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
 from restitution.work import spend
+
+# What two directions are, or are not, to each other.
+ALIGNED = {
+    "perpendicular to": ("claim.perpendicular", "claim.not-perpendicular"),
+    "parallel to": ("claim.parallel", "claim.not-parallel"),
+    "in the direction of": ("claim.same-direction", "claim.not-same-direction"),
+    "opposite to": ("claim.opposite", "claim.not-opposite"),
+}
 
 # Characters in a line of mathematics beyond which it is left out: it would help no one.
 _LONGEST = 260
@@ -87,6 +97,21 @@ class Working:
     item: int | None = None
     # What trees are worth in the story, by tree and event.
     _values: dict[tuple[Expression, int], Value] = field(default_factory=dict)
+
+    @cached_property
+    def events(self) -> lay.EventNames:
+        """How the events of the story are called."""
+        return names_of(self.model.story)
+
+    def layout(self, tree: Expression) -> Layout:
+        """The layout of a tree as it was written, with its events called by what they are."""
+        return lay.from_tree(tree, self.events)
+
+    def aligned(self, relation: Aligned, *, holds: bool = True) -> Sentence:
+        """``**v**_A is perpendicular to **v**_B``, or that it is not."""
+        left, right = self.layout(relation.left), self.layout(relation.right)
+        claim, denial = ALIGNED[relation.relation]
+        return say(claim if holds else denial, left=left, right=right)
 
     # --- values ---------------------------------------------------------------------------
 
@@ -154,8 +179,8 @@ class Working:
         self,
         kind: StepKind,
         rows: Iterable[Row] = (),
-        principle: str | None = None,
-        words: Words = (),
+        title: Sentence | None = None,
+        sentences: Sequence[Sentence] = (),
         points: Marks = (),
         values: Mapping[str, Any] | None = None,
         uses: Mapping[str, Origin] | None = None,
@@ -174,15 +199,16 @@ class Working:
                 checked.append(row)
             else:
                 self.dropped.append(_plain(row))
-        if not checked and not words and not (principle and points):
+        sentences = tuple(sentences)
+        if not checked and not sentences and not (title and points):
             return
         if not checked and rows and kind == "solve":
             return  # "So" would stand alone
         step = Step(
             kind,
             tuple(checked),
-            principle,
-            words,
+            title,
+            sentences,
             points,
             dict(values or {}),
             dict(uses or {}),
@@ -194,11 +220,11 @@ class Working:
         last = self.steps[-1] if self.steps else None
         if (
             last is not None
-            and words
+            and sentences
             and checked
-            and last.words == words
+            and last.sentences == sentences
             and last.rows
-            and ((last.kind, last.principle, last.points) == (kind, principle, points))
+            and ((last.kind, last.title, last.points) == (kind, title, points))
         ):
             rows_ = tuple(r for r in checked if r not in last.rows)
             self.steps[-1] = replace(
@@ -216,8 +242,8 @@ class Working:
             self.write(
                 step.kind,
                 step.rows,
-                step.principle,
-                step.words,
+                step.title,
+                step.sentences,
                 step.points,
                 step.values,
                 step.uses,
@@ -271,8 +297,8 @@ class Working:
     ) -> Callable[[], Step | None]:
         def step() -> Step | None:
             self._told_about(symbol)
-            where = f"From part ({label}):" if label else "From above:"
-            return Step("result", (self._carried_row(symbol, value),), words=(where,))
+            where = say("carried.part", label=label) if label else say("carried.above")
+            return Step("result", (self._carried_row(symbol, value),), sentences=(where,))
 
         return step
 
@@ -299,7 +325,7 @@ class Working:
         for symbol in symbols:
             self.determine(symbol)
             rows.append(self.value_row(symbol, points=self._points_of(symbol)))
-        self.write("solve", rows, words=("The equations together give",))
+        self.write("solve", rows, sentences=(say("solve.stated"),))
         self._confirm()
 
     def _confirm(self) -> None:
@@ -412,12 +438,12 @@ class Working:
         chosen = [x for x in ordered if x in of_use] or ordered
         for x in ordered:
             self.determine(x)
-        self._solved("Solving simultaneously:", chosen)
+        self._solved(say("solve.pair"), chosen)
 
-    def _solved(self, words: str, symbols: Sequence[sp.Symbol]) -> None:
+    def _solved(self, sentence: Sentence, symbols: Sequence[sp.Symbol]) -> None:
         """What several equations give together."""
         rows = [self.value_row(x, points=self._points_of(x)) for x in symbols]
-        self.write("solve", rows, words=(words,), points=(DM1,))
+        self.write("solve", rows, sentences=(sentence,), points=(DM1,))
 
     def _points_of(self, x: sp.Symbol) -> Marks:
         """A value is worth a mark if it is asked for; on the way to another it is not."""
@@ -472,7 +498,7 @@ class Working:
             }.union(of_use)
             chosen = [x for x in parts if x in needed_later] or parts
             if len(pair) > 1:
-                self._solved("Solving simultaneously:", chosen)
+                self._solved(say("solve.pair"), chosen)
         self._finish(left, unknowns - set(local), local)
         rows = []
         for symbol in [x for x in self._ordered(local) if x in self.wanted]:
@@ -483,7 +509,7 @@ class Working:
         for symbol in unknowns:
             self.determine(symbol)
         if rows:
-            self.write("solve", rows, words=("So",))
+            self.write("solve", rows, sentences=(say("so"),))
 
     def _take_carried(self, left: list[Equation], local: list[sp.Symbol]) -> None:
         """Results of earlier parts that hold letters still to be found."""
@@ -552,7 +578,7 @@ class Working:
                 self._use(each)
             for x in rest:
                 self.determine(x)
-            self._solved("Solving these together:", self._ordered(rest))
+            self._solved(say("solve.together"), self._ordered(rest))
 
     def _eliminable(
         self, opened: Sequence[tuple[Equation, frozenset[sp.Symbol]]], among: set[sp.Symbol]
@@ -643,7 +669,7 @@ class Working:
         note = self._why_rejected(x, equation.residual)
         if note:
             last = rows[-1]
-            rows[-1] = replace(last, note=note)
+            rows[-1] = replace(last, asides=note)
         if self._already(rows):
             return
         last = rows[-1]
@@ -658,7 +684,7 @@ class Working:
 
     def _already(self, rows: Sequence[Row]) -> bool:
         """Whether the step just written says the same."""
-        if len(rows) != 1 or not self.steps or not self.steps[-1].rows or rows[0].note:
+        if len(rows) != 1 or not self.steps or not self.steps[-1].rows or rows[0].asides:
             return False
         last, new = self.steps[-1].rows[-1].operands, rows[0].operands
         if last[0] != new[0] or last[-1] is None:
@@ -678,9 +704,9 @@ class Working:
             if index:
                 tail.append(case)
         body = (
-            lay.Phrase((lay.Relation(cases[0].operands[1:], cases[0].signs[1:]), *tail), " or ")
+            lay.Phrase((lay.Relation(cases[0].operands[1:], cases[0].signs[1:]), *tail), OR)
             if len(cases[0].operands) > 2
-            else lay.Phrase((cases[0].operands[1], *tail), " or ")
+            else lay.Phrase((cases[0].operands[1], *tail), OR)
         )
         return Row((look(x), body), ("=",), (None, None))
 
@@ -719,8 +745,8 @@ class Working:
                 found.append(sp.sympify(value, strict=True))
         return found
 
-    def _why_rejected(self, x: sp.Symbol, residual: Any) -> Words:
-        out: list[str | Layout] = []
+    def _why_rejected(self, x: sp.Symbol, residual: Any) -> tuple[Sentence, ...]:
+        reasons: list[Sentence] = []
         seen: list[Any] = []
         known = self.known.pop(x, None)
         for branch, values in self.rejected:
@@ -736,14 +762,21 @@ class Working:
             seen.append(value)
             shown_ = self.value_row(x, value=tidy(value))
             layout = lay.Relation(tuple(o for o in shown_.operands if o is not None)[:2], ("=",))
-            out += ["; " if out else "", layout, " is rejected: "]
             blamed = self._blamed(x, branch)
-            if blamed is not None:
-                out += ["it leads to ", blamed, ", and "]
-            out.append(branch.reason)
+            if blamed is None:
+                reasons.append(say("rejected.reason", case=layout, reason=branch.reason))
+            else:
+                reasons.append(
+                    say(
+                        "rejected.coefficient",
+                        case=layout,
+                        coefficient=blamed,
+                        reason=branch.reason,
+                    )
+                )
         if known is not None:
             self.known[x] = known
-        return tuple(each for each in out if each != "")
+        return tuple(reasons)
 
     def _blamed(self, x: sp.Symbol, branch: RejectedBranch) -> Layout | None:
         """The impossible coefficient to which a rejected value of something else leads."""
@@ -826,7 +859,7 @@ class Working:
             return chain(side(name), side(values[0]))
         ordered = sorted(values, key=lambda v: float(self.model.number(v)))
         tail = [lay.Relation((look(name), look(v)), ("=",)) for v in ordered[1:]]
-        body = lay.Phrase((look(ordered[0]), *tail), " or ")
+        body = lay.Phrase((look(ordered[0]), *tail), OR)
         return Row((look(name), body), ("=",), (None, None))
 
     def _vanishes(self, factor: sp.Expr, t: sp.Symbol, own: sp.Expr) -> bool:
@@ -885,10 +918,14 @@ class Working:
             return
         happening = self.model.happening(number)
         order = 1 + impacts.index(happening) if happening in impacts else number
-        name = f"{ORDINALS[order]} impact" if order < len(ORDINALS) else f"impact {order}"
         first, second = happening.bodies
-        words = (f"{name[0].upper()}{name[1:]}: {first} hits {second}",)
-        self.write("heading", words=words, event=number)
+        spoken = ordinal(order)
+        heading = (
+            say("heading.impact-number", number=order, first=first, second=second)
+            if spoken is None
+            else say("heading.impact", order=spoken, first=first, second=second)
+        )
+        self.write("heading", sentences=(heading,), event=number)
 
     def _named_before(self, number: int) -> None:
         """Letters for velocities before that are not given."""
@@ -898,38 +935,46 @@ class Working:
             if story.latest(body, number - 1) is not None or f"u_{body}x" not in hidden:
                 continue
             u = story.velocity(body, 0)
-            self.write(
-                "setting",
-                words=(
-                    "Let ",
-                    look((u.x, u.y)),
-                    f" be the velocity of {body} before the impact.",
-                ),
-            )
+            letters = look((u.x, u.y))
+            self.write("setting", sentences=(say("let.velocity", letters=letters, body=body),))
 
     def _setting_of_spheres(self, frame: Frame, unknown: Sequence[Component]) -> None:
-        n = frame.n
-        words: list[str | Layout] = []
+        sentences: list[Sentence] = []
         if frame.axis is not None:
-            words += ["The line of centres is parallel to ", Bold(frame.axis), ". "]
-            sense: Words = (" in the direction of ", Bold(frame.axis))
+            sentences.append(say("line.axis", axis=Bold(frame.axis)))
         else:
             self.line_of_centres(frame)
-            first, second = self.model.happening(frame.number).bodies
-            sense = (f" along the line of centres, in the sense from {first} to {second}",)
         open_ = [c for c in unknown if c.symbol not in self.known]
-        if open_:
-            words += [
-                "Let ",
-                *listed((look(c.symbol),) for c in open_),
-                " be the component" + ("s" if len(open_) > 1 else "") + " of the velocit",
-                ("ies" if len(open_) > 1 else "y") + " of ",
-                *listed((c.body,) for c in open_),
-                *sense,
-                " after the impact.",
-            ]
-        del n
-        self.write("setting", words=tuple(words))
+        letters, bodies = [look(c.symbol) for c in open_], [c.body for c in open_]
+        first, second = self.model.happening(frame.number).bodies
+        if open_ and frame.axis is not None:
+            axis = Bold(frame.axis)
+            sentences.append(
+                say("let.components", letters=letters, bodies=bodies, axis=axis)
+                if len(open_) > 1
+                else say("let.component", letter=letters[0], body=bodies[0], axis=axis)
+            )
+        elif len(open_) > 1:
+            sentences.append(
+                say(
+                    "let.components-centres",
+                    letters=letters,
+                    bodies=bodies,
+                    first=first,
+                    second=second,
+                )
+            )
+        elif open_:
+            sentences.append(
+                say(
+                    "let.component-centres",
+                    letter=letters[0],
+                    body=bodies[0],
+                    first=first,
+                    second=second,
+                )
+            )
+        self.write("setting", sentences=sentences)
         self._resolved(frame)
 
     def line_of_centres(self, frame: Frame) -> None:
@@ -945,37 +990,25 @@ class Working:
             un, ut = (self.put(x) for x in self.model.before(frame.number, component.body))
             self.write(
                 "principle",
-                words=(
-                    (
-                        "A chord of the circle makes equal angles with the radii at its ends, so "
-                        f"{component.body} comes to {frame.wall} with the components "
+                sentences=(
+                    say(
+                        "chord.components",
+                        body=component.body,
+                        wall=frame.wall or "",
+                        towards=look(tidy(-un)),
+                        along=look(ut),
                     ),
-                    look(tidy(-un)),
-                    " towards it and ",
-                    look(ut),
-                    " along it.",
                 ),
                 points=(M1,),
             )
         elif frame.by_values or frame.angle is not None:
             self.line_of_centres(frame)
+        wall, body = frame.wall or "", component.body
         if component.symbol in self.known:
-            words: Words = (
-                (
-                    f"Resolve the velocity of {component.body} parallel and perpendicular to "
-                    f"{frame.wall}."
-                ),
-            )
+            sentence = say("resolve.known", body=body, wall=wall)
         else:
-            words = (
-                f"Resolve parallel and perpendicular to {frame.wall}. Let ",
-                look(component.symbol),
-                (
-                    f" be the component of the velocity of {component.body} perpendicular to "
-                    f"{frame.wall}, away from it, after the impact."
-                ),
-            )
-        self.write("setting", words=words)
+            sentence = say("resolve.let", wall=wall, letter=look(component.symbol), body=body)
+        self.write("setting", sentences=(sentence,))
         self._resolved(frame)
 
     def _resolved(self, frame: Frame) -> None:
@@ -984,22 +1017,22 @@ class Working:
 
         rows = resolved(self, frame)
         if rows:
-            along = "along and across the line of centres"
+            sentence = say("resolved-spheres.before")
             if frame.wall is not None:
-                along = f"towards {frame.wall} and parallel to it"
-            self.write("principle", rows, words=(f"Components before the impact, {along}:",))
+                sentence = say("resolved-wall.before", wall=frame.wall)
+            self.write("principle", rows, sentences=(sentence,))
 
     def _unchanged(self, number: int) -> None:
         if not self.across:
             return
         frame = self.model.frames[number]
-        parts: list[Words] = []
+        parts: list[tuple[Layout, str]] = []
         for body in self.model.spheres(number):
             _, t = self.model.before(number, body)
             value = self.put(t)
             if self.open(value) & {c.symbol for c in self.model.components.values()}:
                 continue
-            parts.append((look(value), f" for {body}"))
+            parts.append((look(value), body))
         if not parts:
             return
         if all(part[0] == lay.Number("0") for part in parts):
@@ -1008,18 +1041,24 @@ class Working:
             if frame.wall is not None:
                 return
         if frame.wall is not None:
-            value = parts[0][0]
             self.write(
                 "principle",
-                principle=f"Parallel to {frame.wall} the velocity does not change",
-                words=("the component stays ", value, "."),
+                title=say("unchanged-wall.title", wall=frame.wall),
+                sentences=(say("unchanged-wall.component", value=parts[0][0]),),
                 points=(B1,),
             )
             return
         self.write(
             "principle",
-            principle="Perpendicular to the line of centres the velocities do not change",
-            words=("the components stay ", *listed(parts), "."),
+            title=say("unchanged.title"),
+            sentences=(
+                say(
+                    "unchanged.components",
+                    components=[
+                        say("unchanged.component", value=value, body=body) for value, body in parts
+                    ],
+                ),
+            ),
             points=(B1,),
         )
 
@@ -1041,7 +1080,7 @@ class Working:
         right = side(right_value, sum_of_products(right_terms) if right_terms else None)
         rows = [chain(left, right, points=(M1, A1))]
         rows += self._simpler(masses, left_terms, right_terms, rows[0])
-        return Step("principle", tuple(rows), "Conservation of momentum along the line of centres")
+        return Step("principle", tuple(rows), say("momentum.title"))
 
     def _simpler(
         self,
@@ -1074,7 +1113,7 @@ class Working:
             sides = [side(w), side(value, made)]
             if not same_term(made, look(value)):
                 sides.append(side(value))
-            return Step("principle", (chain(*sides, points=(M1, A1)),), "Newton's experimental law")
+            return Step("principle", (chain(*sides, points=(M1, A1)),), say("restitution.title"))
         first, second = happening.bodies
         u1, u2 = (self.put(self.model.before(number, name)[0]) for name in (first, second))
         v, w = (self.put(self.model.after(number, name)) for name in (first, second))
@@ -1097,7 +1136,7 @@ class Working:
             sides.append(side(e * approach, product_of(e, bracket)))
         if not same_term(sides[-1].layout, look(tidy(e * approach))):
             sides.append(side(tidy(e * approach)))
-        return Step("principle", (chain(*sides, points=(M1, A1)),), "Newton's experimental law")
+        return Step("principle", (chain(*sides, points=(M1, A1)),), say("restitution.title"))
 
 
 # The same few expressions are looked at again and again while a working grows.
@@ -1113,12 +1152,12 @@ def _replaced(x: sp.Expr, put: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> sp.Expr
 
 def _says(earlier: Step, step: Step) -> bool:
     """Whether a step, with its words, stands in an earlier one."""
-    same = (earlier.kind, earlier.principle, earlier.words) == (
+    same = (earlier.kind, earlier.title, earlier.sentences) == (
         step.kind,
-        step.principle,
-        step.words,
+        step.title,
+        step.sentences,
     )
-    return same and bool(step.words) and set(step.rows) <= set(earlier.rows)
+    return same and bool(step.sentences) and set(step.rows) <= set(earlier.rows)
 
 
 def _common(masses: Sequence[sp.Expr]) -> sp.Expr:

@@ -43,24 +43,24 @@ class Sentence:
         return "".join(self.words)  # type: ignore[arg-type]
 
 
-def say(id: SentenceId, /, **slots: Slot | Sequence[Slot]) -> Sentence:
+def say(name: SentenceId, /, **slots: Slot | Sequence[Slot]) -> Sentence:
     """A sentence by its id; ``say("carried.part", label="a")``.
 
     Raises KeyError for an id that is not there, and TypeError unless every slot is filled, and
     no other.
     """
-    wanted = {slot for _, slot, _ in _pieces(id) if slot is not None}
+    wanted = {slot for _, slot, _ in _pieces(name) if slot is not None}
     if wanted != slots.keys():
-        raise TypeError(f"{id} has the slots {sorted(wanted)}, and not {sorted(slots)}")
+        raise TypeError(f"{name} has the slots {sorted(wanted)}, and not {sorted(slots)}")
     filled = (
-        (name, tuple(slot) if isinstance(slot, list) else slot) for name, slot in slots.items()
+        (each, tuple(slot) if isinstance(slot, list) else slot) for each, slot in slots.items()
     )
-    return Sentence(id, tuple(sorted(filled, key=lambda each: each[0])))  # type: ignore[arg-type]
+    return Sentence(name, tuple(sorted(filled, key=lambda each: each[0])))  # type: ignore[arg-type]
 
 
-def topic_of(id: SentenceId) -> str:
+def topic_of(name: SentenceId) -> str:
     """The topic of an id: what stands before its first dot."""
-    return id.partition(".")[0]
+    return name.partition(".")[0]
 
 
 def words_of(sentences: Iterable[Sentence], between: str = " ") -> Words:
@@ -71,21 +71,23 @@ def words_of(sentences: Iterable[Sentence], between: str = " ") -> Words:
     return _merged(spoken)
 
 
-def laid(sentence: Sentence) -> Layout:
+def operand(sentence: Sentence) -> Layout:
     """A sentence as an operand of a line: words and formulas side by side."""
     items = [Text(each.strip()) if isinstance(each, str) else each for each in sentence.words]
     return items[0] if len(items) == 1 else Phrase(tuple(items))
 
 
 @lru_cache(maxsize=1024)
-def _pieces(id: SentenceId) -> tuple[tuple[str, str | None, str], ...]:
+def _pieces(name: SentenceId) -> tuple[tuple[str, str | None, str], ...]:
     """Words, the slot that follows them (None at the end), and how it is filled."""
-    return tuple((text, slot, how or "") for text, slot, how, _ in Formatter().parse(SENTENCES[id]))
+    return tuple(
+        (text, slot, how or "") for text, slot, how, _ in Formatter().parse(SENTENCES[name])
+    )
 
 
-def slots_of(id: SentenceId) -> frozenset[str]:
+def slots_of(name: SentenceId) -> frozenset[str]:
     """The names of the slots of a sentence."""
-    return frozenset(slot for _, slot, _ in _pieces(id) if slot is not None)
+    return frozenset(slot for _, slot, _ in _pieces(name) if slot is not None)
 
 
 def _spoken(sentence: Sentence) -> Iterator[str | Layout]:
@@ -133,4 +135,4 @@ def _merged(words: Iterable[str | Layout]) -> Words:
     return tuple(merged)
 
 
-__all__ = ["Sentence", "Slot", "Words", "laid", "say", "slots_of", "topic_of", "words_of"]
+__all__ = ["Sentence", "Slot", "Words", "operand", "say", "slots_of", "topic_of", "words_of"]

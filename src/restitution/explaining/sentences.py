@@ -129,9 +129,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: sine and cosine exchanged, an angle measured from the wrong line, and a "
         "scalar product with a vector that was not divided by its size."
     ),
-    "resolved-wall.before": (
-        "Components before the impact, towards {wall} and parallel to it:"
-    ),
+    "resolved-wall.before": ("Components before the impact, towards {wall} and parallel to it:"),
     "resolved-wall.why": (
         "The two components behave differently at a wall: the one towards it is reversed and "
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
@@ -151,9 +149,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "triangle whose other side, across the path, is the offset. So the sine of the angle "
         "between the path and the line of centres is offset/(2r)."
     ),
-    "offset.mistakes": (
-        "Usual mistakes: one radius in place of two, and cosine for sine."
-    ),
+    "offset.mistakes": ("Usual mistakes: one radius in place of two, and cosine for sine."),
     "chord.components": (
         "A chord of the circle makes equal angles with the radii at its ends, so {body} comes to "
         "{wall} with the components {towards} towards it and {along} along it."
@@ -192,9 +188,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity; so the change of the velocity is perpendicular to the wall, and tells how "
         "the wall runs."
     ),
-    "impulse-normal.mistakes": (
-        "Usual mistake: taking the change to be parallel to the wall."
-    ),
+    "impulse-normal.mistakes": ("Usual mistake: taking the change to be parallel to the wall."),
     "joins-centres.places": "The line of centres joins the centres at the impact:",
     "joins-centres.why": (
         "When two spheres touch, the line through their centres is the common normal, and the "
@@ -434,14 +428,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     "range.whole": "All that is given can be so for every value, and the range is",
     "range.for": "for {condition}",
     "range.runs": "As {letter} {change}, {quantity} {effect}.",
-    "increases.between": "increases from {low} to {high}",
-    "increases.above": "increases from {low} without limit",
-    "increases.below": "increases without limit to {high}",
-    "increases.all": "increases without limit",
-    "decreases.between": "decreases from {high} to {low}",
-    "decreases.below": "decreases from {high} without limit",
-    "decreases.above": "decreases without limit to {low}",
-    "decreases.all": "decreases without limit",
+    "increases.between": "increases from {start} to {end}",
+    "increases.from": "increases from {start} without limit",
+    "increases.to": "increases without limit to {end}",
+    "increases.always": "increases without limit",
+    "decreases.between": "decreases from {start} to {end}",
+    "decreases.from": "decreases from {start} without limit",
+    "decreases.to": "decreases without limit to {end}",
+    "decreases.always": "decreases without limit",
     "extremum.maximum": "maximum of {quantity}",
     "extremum.minimum": "minimum of {quantity}",
     "extremum.differentiate": "Differentiate:",
@@ -554,7 +548,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- what is amiss ----------------------------------------------------------------------------
     "amiss.line": "a line of the working was left out: {line}",
-    "amiss.item": "a line of the working was left out: {item} ({reason})",
     "amiss.pictures": "the pictures could not be drawn, by a fault of the program",
     # --- what a mark is given for -----------------------------------------------------------------
     "mark.method": "a principle or a method, with its values put in",

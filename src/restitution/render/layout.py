@@ -8,8 +8,8 @@ e, masses, other letters, further brackets, roots, functions.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction as Ratio
 from functools import lru_cache
 from typing import Any, Literal, TypeAlias
@@ -937,7 +937,23 @@ _OF_ALL = {
 _BOLD = {"velocity": "v", "momentum": "p", "position": "r", "impulse": "I"}
 
 
-def from_tree(node: trees.Expression) -> Layout:
+@dataclass(frozen=True)
+class EventNames:
+    """How the events of a story are called, by number; those that are not there keep theirs.
+
+    ``after`` and ``during`` are words for when a quantity is taken, ``times`` stand for the times
+    of events.
+    """
+
+    after: Mapping[int, str] = field(default_factory=dict)
+    during: Mapping[int, str] = field(default_factory=dict)
+    times: Mapping[int, Layout] = field(default_factory=dict)
+
+
+_NUMBERED = EventNames()
+
+
+def from_tree(node: trees.Expression, events: EventNames = _NUMBERED) -> Layout:
     """The layout of an expression as it was written in a statement."""
     match node:
         case trees.Number(value):
@@ -953,18 +969,18 @@ def from_tree(node: trees.Expression) -> Layout:
         case trees.Name(name):
             return Words(name)
         case trees.Pair(x, y):
-            return Coordinates((from_tree(x), from_tree(y)))
+            return Coordinates((from_tree(x, events), from_tree(y, events)))
         case trees.Polar():
-            return _from_polar(node)
+            return _from_polar(node, events)
         case trees.Negate(operand):
-            inner = from_tree(operand)
+            inner = from_tree(operand, events)
             return Sum((("-", bracketed(inner)),))
         case trees.Apply(name, argument):
-            return _from_apply(name, from_tree(argument))
+            return _from_apply(name, from_tree(argument, events))
         case trees.Binary():
-            return _from_binary(node)
+            return _from_binary(node, events)
         case trees.Quantity():
-            return _from_quantity(node)
+            return _from_quantity(node, events)
 
 
 def _typed_number(value: Ratio) -> Layout:
@@ -985,8 +1001,8 @@ def _from_apply(name: str, argument: Layout) -> Layout:
     return function(name, argument)
 
 
-def _from_binary(node: trees.Binary) -> Layout:
-    left, right = from_tree(node.left), from_tree(node.right)
+def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
+    left, right = from_tree(node.left, events), from_tree(node.right, events)
     match node.op:
         case "+":
             return total([left, bracketed(right) if _is_negation(right) else right])
@@ -1025,19 +1041,21 @@ def _begins_with_digit(layout: Layout) -> bool:
     )
 
 
-def _from_polar(node: trees.Polar) -> Layout:
-    parts: list[Layout] = [from_tree(node.size), Words("at"), from_tree(node.angle)]
+def _from_polar(node: trees.Polar, events: EventNames) -> Layout:
+    parts: list[Layout] = [from_tree(node.size, events), Words("at"), from_tree(node.angle, events)]
     if node.wall is not None:
-        parts += [Words("to"), from_tree(node.wall)]
+        parts += [Words("to"), from_tree(node.wall, events)]
     elif node.origin is not None:
-        parts += [Words("from"), from_tree(node.origin)]
+        parts += [Words("from"), from_tree(node.origin, events)]
     return Phrase(tuple(parts))
 
 
-def _from_quantity(node: trees.Quantity) -> Layout:
-    arguments = [from_tree(each) for each in node.arguments]
+def _from_quantity(node: trees.Quantity, events: EventNames) -> Layout:
+    arguments = [from_tree(each, events) for each in node.arguments]
+    if node.kind == "time" and isinstance(node.stage, int) and node.stage in events.times:
+        return events.times[node.stage]
     main = _quantity(node.kind, node.arguments, arguments)
-    when = _stage(node)
+    when = _stage(node, events)
     return main if when is None else Phrase((*_opened(main), *when))
 
 
@@ -1080,14 +1098,14 @@ def _name(node: trees.Expression) -> str:
     return node.name if isinstance(node, trees.Name) else ""
 
 
-def _stage(node: trees.Quantity) -> tuple[Layout, ...] | None:
+def _stage(node: trees.Quantity, events: EventNames) -> tuple[Layout, ...] | None:
     match node.stage:
         case None:
             return None
         case "before":
             return (Words("before the impact"),)
         case trees.AtTime(time):
-            return (Words("at time"), from_tree(time))
+            return (Words("at time"), from_tree(time, events))
         case 0:
             return (Words("at the start"),)
         case number:
@@ -1099,10 +1117,12 @@ def _stage(node: trees.Quantity) -> tuple[Layout, ...] | None:
                 "direction",
                 "position",
             }
-            word = "after event" if node.kind in lasting else "in event"
-            if node.kind == "time":
-                word = "of event"
-            return (Words(f"{word} {number}"),)
+            names, word = events.during, "in event"
+            if node.kind in lasting:
+                names, word = events.after, "after event"
+            elif node.kind == "time":
+                names, word = {}, "of event"
+            return (Words(names.get(number, f"{word} {number}")),)
 
 
 # --- answers as people see them ---------------------------------------------------------------

@@ -11,12 +11,16 @@ from restitution.expression.tree import Place
 
 @dataclass(frozen=True)
 class Condition:
-    """Something that must be so: ``value > 0``, or ``>= 0``, or ``!= 0``; else ``reason``."""
+    """Something that must be so: ``value > 0``, or ``>= 0``, or ``!= 0``; else ``reason``.
+
+    ``end_of`` is the wall whose end would be passed.
+    """
 
     value: Scalar
     relation: Literal[">", ">=", "!="]
     reason: str
     kind: Literal["coefficient", "approach", "sign", "time", "place", "fact"] = "sign"
+    end_of: str | None = None
 
 
 @dataclass(frozen=True)
@@ -30,9 +34,14 @@ class AnyOf:
 
 @dataclass(frozen=True)
 class Equation:
-    """``value`` = 0, by ``reason``; ``place`` is where the text says so."""
+    """``value`` = 0, by ``reason``; ``place`` is where the text says so.
+
+    Of what is told, a ``law`` is Newton's, a ``direction`` ties the components of a hidden one
+    together, and a ``path`` leads a sphere somewhere.
+    """
 
     value: Scalar
     reason: str
     place: Place | None = None
     fact: bool = False
+    kind: Literal["law", "direction", "path"] = "path"

@@ -86,7 +86,7 @@ def with_sphere(
     assert r is not None
     phrase = f"the line of centres of {step.first} and {step.second}"
     c = _hidden(story, number, phrase)
-    story.equations.append(Equation(c.dot(c) - 4 * r * r, phrase))
+    story.equations.append(Equation(c.dot(c) - 4 * r * r, phrase, kind="direction"))
     way = other - c - start
     reason = f"{step.first} and {step.second} are separating"
     story.conditions.append(Condition(way.dot(c), ">", reason, "approach"))
@@ -111,7 +111,7 @@ def with_circle(
     if not story.still(out):
         # Along and across the radius to where it was: what is symmetrical shows as such.
         c = out * c.x + out.turned_left() * c.y
-    story.equations.append(Equation(sp.expand(c.dot(c) - reach * reach), phrase))
+    story.equations.append(Equation(sp.expand(c.dot(c) - reach * reach), phrase, kind="direction"))
     way = c - out
     reason = f"{name} moves away from {wall}"
     towards = way.dot(c)
@@ -147,6 +147,6 @@ def velocities_after(
     phrase = f"the speed of {step.second} after event {number}"
     share = story.unknowns.hidden(f"s_{number}", phrase, "positive")
     law = share * (m + other) * 4 * r * r - (1 + e) * m * u.dot(c)
-    story.equations.append(Equation(sp.expand(law), "Newton's experimental law"))
+    story.equations.append(Equation(sp.expand(law), "Newton's experimental law", kind="law"))
     after = c * share
     return story.neat(u - after * (other / m)), after, after * other

@@ -189,7 +189,7 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
     one, other = relation.first.name, relation.second.name
     name = _sphere(story, relation.first)
     if other in story.walls:
-        conditions, reason = _towards_wall(relation, story, now, name)
+        conditions, reason, refused = _towards_wall(relation, story, now, name)
     else:
         _sphere(story, relation.second)
         event = next(
@@ -198,12 +198,12 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
         if event is None:
             raise StatementError(f"{one} and {other} have not collided before this line")
         reason = f"{one} and {other} do not collide again"
+        refused = f"{one} and {other} collide again"
         if _leave_their_line(story, event, one, other, now) and _placed(story, event, now):
-            return _met_by_places(relation, story, now, reason)
+            return _met_by_places(relation, story, now, reason, refused)
         conditions = [_approach(story, event, one, other, now)]
     if relation.happens:
         return [Condition(each, ">", reason, "fact") for each in conditions]
-    refused = _denied(reason)
     options = tuple(Condition(-each, ">=", refused, "fact") for each in conditions)
     return [options[0] if len(options) == 1 else AnyOf(options, refused, "fact")]
 
@@ -259,7 +259,9 @@ def _placed(story: Story, event: Happening, now: int) -> bool:
     return True
 
 
-def _met_by_places(relation: Meets, story: Story, now: int, reason: str) -> list[Requirement]:
+def _met_by_places(
+    relation: Meets, story: Story, now: int, reason: str, refused: str
+) -> list[Requirement]:
     one, other = relation.first.name, relation.second.name
     first, second = story.place(one, now), story.place(other, now)
     assert first is not None
@@ -282,15 +284,13 @@ def _met_by_places(relation: Meets, story: Story, now: int, reason: str) -> list
         if relation.happens:
             return [Condition(each, ">", reason, "fact") for each in (room, closing)]
         touch = Condition(-room, ">=", reason, "fact")
-    return [AnyOf((touch, Condition(-closing, ">=", reason, "fact")), _denied(reason), "fact")]
+    return [AnyOf((touch, Condition(-closing, ">=", reason, "fact")), refused, "fact")]
 
 
-def _denied(reason: str) -> str:
-    return reason.replace("does not hit", "hits").replace("do not collide", "collide")
-
-
-def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[list[Scalar], str]:
-    """What must be positive for a sphere to come to a wall.
+def _towards_wall(
+    relation: Meets, story: Story, now: int, name: str
+) -> tuple[list[Scalar], str, str]:
+    """What must be positive for a sphere to come to a wall, and why it is refused, yes or no.
 
     Without places the wall lies in front of the sphere, at any distance: on the side from which
     it was struck before, or else on that to which the sphere first moved.
@@ -299,12 +299,13 @@ def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[l
     v = story.velocity(name, now)
     struck = [h for h in story.happenings[:now] if isinstance(h.step, Impact)]
     own = next((h for h in reversed(struck) if h.bodies == (name, wall)), None)
-    reason = f"{name} does not hit {wall}{' again' if relation.again else ''}"
+    again = " again" if relation.again else ""
+    reason, refused = f"{name} does not hit {wall}{again}", f"{name} hits {wall}{again}"
     if relation.again and own is None:
         raise StatementError(f"{name} has not hit {wall} before this line")
     body = story.walls[wall]
     if body.centre is not None and own is not None:
-        return [v.dot(v)], reason  # inside a circle every way leads to it
+        return [v.dot(v)], reason, refused  # inside a circle every way leads to it
     origin = body.through if body.through is not None else body.start
     normal = story.wall_direction(relation.second).turned_left()
     known = story.place(name, now)
@@ -317,12 +318,12 @@ def _towards_wall(relation: Meets, story: Story, now: int, name: str) -> tuple[l
             along = normal.turned_left() * -1
             share = (known[0] + v * (gap / speed) - through).dot(along)
             conditions += [share, along.dot(along) - share]
-        return conditions, reason
+        return conditions, reason, refused
     event = own or next((h for h in reversed(struck) if h.bodies[1] == wall), None)
     if event is not None:
-        return [v.dot(event.oriented())], reason
+        return [v.dot(event.oriented())], reason, refused
     for stage in range(now + 1):
         first = story.velocity(name, stage).dot(normal)
         if not story.field.is_zero(first):
-            return [v.dot(normal) * first], reason
-    return [story.field.zero], reason
+            return [v.dot(normal) * first], reason, refused
+    return [story.field.zero], reason, refused

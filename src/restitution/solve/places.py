@@ -104,8 +104,10 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     if wall.start is not None:
         share = story.rational((where - through).dot(along))
         reason = f"{name} passes the end of {wall.name}"
-        story.conditions.append(Condition(share, ">", reason, "place"))
-        story.conditions.append(Condition(along.dot(along) - share, ">", reason, "place"))
+        story.conditions += [
+            Condition(each, ">", reason, "place", end_of=wall.name)
+            for each in (share, along.dot(along) - share)
+        ]
     _nothing_first(story, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
     story.tracks[name].places.append((number, where, time))

@@ -317,7 +317,7 @@ class Story:
         phrase = f"the direction of the wall {wall.name}"
         p = self.unknowns.hidden(f"d_{wall.name}x", phrase, "real")
         q = self.unknowns.hidden(f"d_{wall.name}y", phrase, "real")
-        self.equations.append(Equation(p * p + q * q - 1, phrase))
+        self.equations.append(Equation(p * p + q * q - 1, phrase, kind="direction"))
         self._normals[wall.name] = Vector(q, -p)
         return Vector(p, q)
 
@@ -569,7 +569,7 @@ class Story:
                     self.unknowns.hidden(f"n_{number}x", phrase, "real"),
                     self.unknowns.hidden(f"n_{number}y", phrase, "real"),
                 )
-                self.equations.append(Equation(c.dot(c) - 1, phrase))
+                self.equations.append(Equation(c.dot(c) - 1, phrase, kind="direction"))
         elif (
             wall.along is None
             and wall.start is None
@@ -595,7 +595,7 @@ class Story:
         if unknown:
             v, push = self.neat(u - c), c
             self.equations.append(
-                Equation(c.dot(c) - (1 + e) * closing, "Newton's experimental law")
+                Equation(c.dot(c) - (1 + e) * closing, "Newton's experimental law", kind="law")
             )
         else:
             on_wall = law.impulse(u, zero, 1, 0, c, e)
@@ -659,6 +659,7 @@ class Story:
                 Equation(
                     c.dot(c) * (m1 + m2) - (1 + e) * closing * m1 * m2,
                     "Newton's experimental law",
+                    kind="law",
                 )
             )
         elif sought is not None:
