@@ -9,6 +9,7 @@ import pytest
 from restitution import examples
 from restitution.explain import explain
 from restitution.explain.principles import about
+from restitution.explaining.saying import say
 from restitution.language import parse
 from restitution.solve import solve
 
@@ -44,5 +45,5 @@ def test_the_text_belongs_to_the_step(told) -> None:
     assert by["Newton's experimental law"].count("wall") >= 1
     impulses = {t for p, t in by.items() if p.startswith("Impulse = change of momentum")}
     assert len(impulses) == 3  # at a wall, between spheres, of a whole vector
-    assert about("Solving simultaneously:") is None
-    assert about("") is None
+    assert about(say("solve.pair")) is None
+    assert about(say("restitution.title")) == by["Newton's experimental law"]

@@ -480,6 +480,17 @@ class Model:
         """The component along the line of centres just after."""
         return self.components[number, body].symbol
 
+    @property
+    def hidden_velocities(self) -> Mapping[str, str]:
+        """The letters for components of velocities that are not given, with the sphere of each."""
+        names = self.unknowns.names
+        keys = {f"u_{body}{axis}": body for body in self.story.spheres for axis in "xy"}
+        return {names[key]: body for key, body in keys.items() if key in names}
+
+    def seeks_line(self, number: int) -> bool:
+        """Whether the direction of the line of centres of an impact is itself an unknown."""
+        return f"k_{number}x" in self.unknowns.names
+
     def spheres(self, number: int) -> list[str]:
         return [name for name in self.happening(number).bodies if name in self.story.spheres]
 

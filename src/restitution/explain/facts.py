@@ -20,7 +20,7 @@ from restitution.explain.quantities import (
     stage_of,
     tangent_of_difference,
 )
-from restitution.explain.steps import Row, Side, Step, shown, side
+from restitution.explain.steps import Row, Side, Step, side
 from restitution.explain.working import Equation
 from restitution.explaining.marks import A1, B1, M1, Marks
 from restitution.explaining.saying import Sentence, say
@@ -90,6 +90,7 @@ def _of_story(work: Working) -> list[Equation]:
     from restitution.explain.journeys import meeting_step
 
     found = []
+    after = len(work.model.story.happenings) + 1
     for index, each in enumerate(work.model.story.equations):
         if each.kind != "path":
             continue
@@ -97,11 +98,8 @@ def _of_story(work: Working) -> list[Equation]:
         def step(each: StoryEquation = each) -> Step | None:
             return meeting_step(work, each)
 
-        found.append(
-            Equation(
-                sp.sympify(each.value, strict=True), "fact", 900 + index, step, ("story", index)
-            )
-        )
+        residual = sp.sympify(each.value, strict=True)
+        found.append(Equation(residual, "path", after, step, index))
     return found
 
 
@@ -174,7 +172,7 @@ def _between_letters(work: Working, left: Expression, right: Expression) -> list
                 ]
         return Step("setting", tuple(rows), sentences=(say("given.data"),))
 
-    return [Equation(residual, "fact", -1, step, ("letters", str(residual)))]
+    return [Equation(residual, "datum", 0, step, ("letters", str(residual)))]
 
 
 def _sum_of_angles(work: Working, left: Expression, right: Expression, now: int) -> list[Equation]:
@@ -209,11 +207,6 @@ def _sum_of_angles(work: Working, left: Expression, right: Expression, now: int)
         return Step("fact", (row,), sentences=(_given(work, left, right),))
 
     return [Equation(sp.sympify(need.value, strict=True), "fact", now, step, (left, right, now))]
-
-
-def silent(equation: Equation) -> bool:
-    """Whether an equation is a datum between letters, whose value needs no line of its own."""
-    return equation.number == -1
 
 
 def _fact(work: Working, left: Expression, right: Expression) -> Layout:
@@ -602,4 +595,4 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
     return step
 
 
-__all__ = ["fact_equations", "shown", "silent"]
+__all__ = ["fact_equations"]

@@ -205,9 +205,7 @@ def line_of_centres(work: Working, frame: Frame) -> None:
     places = [
         work.model.branch.story.place(name, frame.number) for name in (step.first, step.second)
     ]
-    if all(places) and not any(
-        key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names
-    ):
+    if all(places) and not work.model.seeks_line(frame.number):
         one, other = (Vector(tidy(p[0].x), tidy(p[0].y)) for p in places if p is not None)
         work.write(
             "principle",
@@ -305,7 +303,7 @@ def to_be_found(work: Working, frame: Frame) -> bool:
         return False
     bodies = work.model.spheres(frame.number)
     places = [work.model.branch.story.place(name, frame.number) for name in bodies]
-    sought = any(key.startswith(f"k_{frame.number}") for key in work.model.unknowns.names)
+    sought = work.model.seeks_line(frame.number)
     if wall is None and all(places) and not sought:
         return False
     known = {name: given_after(work, name, frame.number) for name in bodies}

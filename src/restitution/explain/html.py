@@ -6,6 +6,7 @@ from html import escape
 
 from restitution.draw.svg import to_svg
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explaining.saying import note, say
 from restitution.render.layout import Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
@@ -68,7 +69,7 @@ _PAGE = (
 
 def to_html(explanation: Explanation) -> str:
     """A whole page."""
-    return page(explanation.title or "Worked solution", _PAGE, to_fragment(explanation))
+    return page(explanation.title or str(say("page.title")), _PAGE, to_fragment(explanation))
 
 
 def to_fragment(explanation: Explanation) -> str:
@@ -83,7 +84,7 @@ def to_body(explanation: Explanation) -> str:
         out.append(f"<h1>{escape(explanation.title)}</h1>")
     for part in explanation.parts:
         out += _part(part)
-    out += [f'<p class="note">Note: {escape(each)}</p>' for each in explanation.warnings]
+    out += [f'<p class="note">{escape(note(each))}</p>' for each in explanation.warnings]
     out.append("</article>")
     return "\n".join(out)
 

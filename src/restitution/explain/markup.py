@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from unicodedata import decomposition
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explaining.saying import note
 from restitution.render.latex import to_latex as laid_latex
 from restitution.render.layout import Layout, Sum
 from restitution.render.markdown import escape as _markdown
@@ -82,7 +83,7 @@ def to_markdown(explanation: Explanation) -> str:
             blocks.append(f"### ({_markdown(part.label)})")
         for step in part.steps:
             blocks += _markdown_step(step)
-    blocks += [f"> Note: {_markdown(each)}" for each in explanation.warnings]
+    blocks += [f"> {_markdown(note(each))}" for each in explanation.warnings]
     return "\n\n".join(blocks) + "\n"
 
 
@@ -125,7 +126,7 @@ def to_latex(explanation: Explanation, document: bool = True) -> str:
         blocks.append(rf"\textbf{{{_text(explanation.title)}}}")
     for part in explanation.parts:
         blocks += _latex_part(part)
-    blocks += [rf"\emph{{Note: {_text(each)}}}" for each in explanation.warnings]
+    blocks += [rf"\emph{{{_text(note(each))}}}" for each in explanation.warnings]
     body = "\n\n".join(blocks) + "\n"
     return f"{_PREAMBLE}\n{body}\n\\end{{document}}\n" if document else body
 

@@ -239,7 +239,7 @@ def _silent_letters(work: Working) -> None:
         lone = [
             each
             for each in work.facts
-            if each.number == -1
+            if each.kind == "datum"
             and sp.sympify(each.residual, strict=True).free_symbols >= {symbol}
             and each.step() is None
         ]
@@ -286,7 +286,7 @@ def _carry(part: Part, workings: Sequence[Working], carried: Carried) -> None:
     if len(workings) != 1:
         return
     (work,) = workings
-    given = {s for each in work.facts if each.number == -1 for s in each.residual.free_symbols}
+    given = {s for each in work.facts if each.kind == "datum" for s in each.residual.free_symbols}
     for symbol in list(work.known):
         if symbol in given or symbol in work.silent or symbol.name not in work.model.sample:
             continue

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from string import ascii_letters, digits
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explaining.saying import note
 from restitution.render.layout import Layout, Relation, Sum
 from restitution.render.text import NO_BREAK, bold, wrapped
 from restitution.render.text import to_text as one_line
@@ -40,7 +41,7 @@ def to_text(explanation: Explanation, width: int = 80, styled: bool = False) -> 
     for part in explanation.parts:
         lines += _part(part, width)
     for warning in explanation.warnings:
-        lines += _plain(wrapped(f"Note: {warning}", width))
+        lines += _plain(wrapped(note(warning), width))
     while lines and lines[-1] == _Line():
         lines.pop()
     return "\n".join(_finished(line, width, styled) for line in lines)

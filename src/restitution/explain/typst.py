@@ -5,6 +5,7 @@ from __future__ import annotations
 from restitution.draw.svg import to_svg
 from restitution.explain.html import lines
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explaining.saying import note
 from restitution.render.layout import Layout
 from restitution.render.layout import Words as Said
 from restitution.render.typst import literal, to_typst, words
@@ -41,7 +42,7 @@ def to_markup(explanation: Explanation) -> str:
     blocks: list[str] = []
     for part in explanation.parts:
         blocks += _part(part)
-    blocks += [f"#emph[Note: {words(each)}]" for each in explanation.warnings]
+    blocks += [f"#emph[{words(note(each))}]" for each in explanation.warnings]
     return "\n\n".join(blocks) + "\n"
 
 

@@ -66,13 +66,22 @@ _LONGEST = 260
 
 @dataclass(frozen=True)
 class Equation:
-    """An equation to be used: its residual, and how its step is written when it is."""
+    """An equation to be used: its residual, and how its step is written when it is.
+
+    A ``datum`` ties letters of the statement together, a ``fact`` is given, and a ``path`` leads a
+    sphere where it is told to come; ``carried`` is a result of an earlier part. ``number`` counts
+    the events before it; data and carried results are there from the start.
+    """
 
     residual: sp.Expr
-    kind: Literal["momentum", "restitution", "fact", "carried"]
+    kind: Literal["carried", "datum", "momentum", "restitution", "fact", "path"]
     number: int
     step: Callable[[], Step | None]
     key: Any = None
+
+
+# Equations from which an unknown is eliminated first.
+_RANKS = {"carried": 0, "momentum": 1, "restitution": 2, "datum": 3, "fact": 3, "path": 3}
 
 
 @dataclass
@@ -156,7 +165,7 @@ class Working:
         numbers = {c.symbol: c.number for c in self.model.components.values()}
         data = self.silent | self.read_off
         for symbol in sp.sympify(x, strict=True).free_symbols & set(self.known) - data:
-            if ("carried", -2, symbol) in self.done:
+            if ("carried", 0, symbol) in self.done:
                 found[symbol.name] = "part"
             elif symbol in self.answered:
                 found[symbol.name] = "item"
@@ -286,9 +295,7 @@ class Working:
     def _carried(self) -> list[Equation]:
         """Results of earlier parts, as equations that serve here."""
         return [
-            Equation(
-                symbol - value, "carried", -2, self._carried_step(symbol, label, value), symbol
-            )
+            Equation(symbol - value, "carried", 0, self._carried_step(symbol, label, value), symbol)
             for symbol, (label, value) in self.carried.items()
         ]
 
@@ -332,17 +339,16 @@ class Working:
         """That a value which could only be stated satisfies what is given."""
         self.reach({c.symbol for c in self.model.components.values()})
         for fact in self.facts:
-            if fact.number > 0 and not self.open(fact.residual):
+            if fact.kind != "datum" and fact.number > 0 and not self.open(fact.residual):
                 self._use(fact)
 
     def _equations(self) -> list[Equation]:
         laws = [self._law(each) for each in self.model.laws]
-        numbers = sorted({each.number for each in (*laws, *self.facts)})
-        ordered = [each for each in self.facts if each.number < 0]
-        for number in numbers:
-            if number >= 0:
-                ordered += [each for each in laws if each.number == number]
-                ordered += [each for each in self.facts if each.number == number]
+        ordered = [each for each in self.facts if each.kind == "datum"]
+        facts = [each for each in self.facts if each.kind != "datum"]
+        for number in sorted({each.number for each in (*laws, *facts)}):
+            ordered += [each for each in laws if each.number == number]
+            ordered += [each for each in facts if each.number == number]
         if not self.carried:
             return ordered
         # What led to the results of earlier parts says nothing new beside them.
@@ -390,7 +396,7 @@ class Working:
     def _speaks_of(self, group: Sequence[Equation]) -> list[int]:
         """The impacts whose components stand in these equations."""
         symbols = {s for each in group for s in sp.sympify(each.residual, strict=True).free_symbols}
-        hidden = {n for key, n in self.model.unknowns.names.items() if key.startswith("u_")}
+        hidden = self.model.hidden_velocities
         of_before = {
             each.number
             for each in group
@@ -401,7 +407,7 @@ class Working:
             number
             for number, frame in self.model.frames.items()
             for each in group
-            if frame.by_values and each.kind == "fact" and each.number >= number
+            if frame.by_values and each.kind in ("fact", "path") and each.number >= number
             if symbols & self.open(tuple(frame.n))
         }
         return sorted(
@@ -420,7 +426,7 @@ class Working:
         if equation.kind != "carried":
             for number in self._speaks_of([equation]):
                 self.setting(number)
-        if equation.kind == "fact" and equation.number > 0:
+        if equation.kind in ("fact", "path") and equation.number > 0:
             self.blows(equation.number)
         step = equation.step()
         if step is not None:
@@ -599,7 +605,7 @@ class Working:
                     continue
                 value = tidy(-b / a)
                 component = any(x == c.symbol for c in self.model.components.values())
-                rank = ("carried", "momentum", "restitution", "fact").index(equation.kind)
+                rank = _RANKS[equation.kind]
                 key = (
                     0.0 if component else 1.0,
                     float(rank),
@@ -646,7 +652,7 @@ class Working:
 
     def _root(self, x: sp.Symbol, equation: Equation) -> None:
         """The lines from an equation to the value of its only unknown."""
-        if equation.number == -1 and self.is_angle(x):
+        if equation.kind == "datum" and self.is_angle(x):
             self.determine(x)  # its sine and cosine have just been written
             return
         others = self._other_roots(x, equation.residual)
@@ -930,9 +936,11 @@ class Working:
     def _named_before(self, number: int) -> None:
         """Letters for velocities before that are not given."""
         story = self.model.story
-        hidden = self.model.unknowns.names
         for body in self.model.spheres(number):
-            if story.latest(body, number - 1) is not None or f"u_{body}x" not in hidden:
+            if (
+                story.latest(body, number - 1) is not None
+                or body not in self.model.hidden_velocities.values()
+            ):
                 continue
             u = story.velocity(body, 0)
             letters = look((u.x, u.y))

@@ -77,6 +77,11 @@ def operand(sentence: Sentence) -> Layout:
     return items[0] if len(items) == 1 else Phrase(tuple(items))
 
 
+def note(warning: str) -> str:
+    """A warning as it stands under a working."""
+    return str(say("page.note", warning=warning))
+
+
 @lru_cache(maxsize=1024)
 def _pieces(name: SentenceId) -> tuple[tuple[str, str | None, str], ...]:
     """Words, the slot that follows them (None at the end), and how it is filled."""
@@ -135,4 +140,14 @@ def _merged(words: Iterable[str | Layout]) -> Words:
     return tuple(merged)
 
 
-__all__ = ["Sentence", "Slot", "Words", "operand", "say", "slots_of", "topic_of", "words_of"]
+__all__ = [
+    "Sentence",
+    "Slot",
+    "Words",
+    "note",
+    "operand",
+    "say",
+    "slots_of",
+    "topic_of",
+    "words_of",
+]

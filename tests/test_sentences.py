@@ -1,0 +1,187 @@
+"""The sentences of a working: each is used, is filled as it asks, and stands in one file."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import restitution.examples
+from restitution import examples
+from restitution.explain import explain
+from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Mark, written
+from restitution.explaining.saying import Sentence, operand, say, slots_of, topic_of, words_of
+from restitution.explaining.sentences import SENTENCES
+from restitution.language import parse
+from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.solve import solve
+
+SOURCE = Path(restitution.examples.__file__).parent.parent
+PACKAGE = SOURCE / "explain"
+MODULES = {
+    path: ast.parse(path.read_text(encoding="utf-8"))
+    for folder in (PACKAGE, SOURCE / "explaining")
+    for path in sorted(folder.glob("*.py"))
+    if path.name != "sentences.py"
+}
+MODULES[SOURCE / "components.py"] = ast.parse(
+    (SOURCE / "components.py").read_text(encoding="utf-8")
+)
+
+# Two words that are no sentence: how statements are written, markup, and what errors call things.
+NO_SENTENCES = {
+    "perpendicular to",
+    "parallel to",
+    "in the direction of",
+    "opposite to",
+    "the centre",
+    "the radius",
+    "the end",
+    "the end of a wall",
+}
+MARKUP = {"STYLE", "_PAGE", "PREAMBLE", "_PREAMBLE"}
+
+
+def calls_of_say() -> Iterator[tuple[Path, ast.Call, str]]:
+    """Every place where a sentence is put together, with each id that it may have there."""
+    for path, tree in MODULES.items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "say":
+                name = node.args[0]
+                for each in (name.body, name.orelse) if isinstance(name, ast.IfExp) else (name,):
+                    if isinstance(each, ast.Constant):
+                        yield path, node, each.value
+
+
+def test_every_sentence_is_filled_as_it_asks() -> None:
+    places = list(calls_of_say())
+    assert len(places) > 150
+    for path, call, name in places:
+        where = f"{path.name}:{call.lineno}"
+        assert name in SENTENCES, (where, name)
+        filled = {each.arg for each in call.keywords}
+        if None not in filled:  # what ``**`` brings is seen only when it runs
+            assert filled == slots_of(name), (where, name)
+
+
+def test_every_sentence_is_used() -> None:
+    written_there = {
+        node.value
+        for tree in MODULES.values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    topics = {topic_of(each) for each in written_there if each in SENTENCES}
+    joined = {f"list.{how}" for text in SENTENCES.values() for how in re.findall(r":(\w+)}", text)}
+    for name in SENTENCES:
+        topic, _, rest = name.partition(".")
+        used = name in written_there or name in joined or topic == "ordinal"
+        assert used or (rest in ("why", "mistakes") and topic in topics), name
+
+
+def test_sentences_stand_in_one_file() -> None:
+    """No two words in a row among the strings of the modules, but for a few that are none."""
+    for path, tree in MODULES.items():
+        excepted = {id(each) for each in silent(tree)}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                text = re.sub(r"<[^>]*>?|\\\w+", "", node.value)  # without markup
+                several = re.search(r"[A-Za-z]{2,},? [a-z]|[a-z]{2,} $|^ [a-z]{2,}", text)
+                fine = not several or id(node) in excepted or node.value in NO_SENTENCES
+                assert fine, (path.name, node.lineno, node.value)
+
+
+def silent(tree: ast.Module) -> Iterator[ast.AST]:
+    """The strings that no reader of a working sees: documentation, errors, markup."""
+    for node in ast.walk(tree):
+        error = isinstance(node, ast.Call) and str(getattr(node.func, "id", "")).endswith("Error")
+        markup = isinstance(node, ast.Assign) and any(
+            isinstance(each, ast.Name) and each.id in MARKUP for each in node.targets
+        )
+        remark = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        if error or markup or remark or isinstance(node, ast.Raise):
+            yield from ast.walk(node)
+
+
+def test_nothing_reads_words_again() -> None:
+    for path, tree in MODULES.items():
+        imported = {
+            name.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Import)
+            for name in node.names
+        }
+        assert "re" not in imported, path.name
+
+
+@pytest.mark.parametrize("name", SENTENCES)
+def test_sentences_are_fit_to_print(name: str) -> None:
+    text = SENTENCES[name]
+    assert text and "  " not in text
+    assert not re.search(r" [.,:;]", text) or topic_of(name) == "list"
+    assert text.count("{") == text.count("}")
+    assert topic_of(name) == name.split(".")[0]
+    if name.endswith(".mistakes"):
+        assert f"{topic_of(name)}.why" in SENTENCES
+        assert text.startswith("Usual mistake")
+
+
+def test_a_sentence_is_a_value() -> None:
+    one = say("gap.closes", one="A", other="B", gap=lay.Number("3"), speed=lay.Letter("v"))
+    assert one == say("gap.closes", speed=lay.Letter("v"), gap=lay.Number("3"), other="B", one="A")
+    assert len({one, say("so"), say("so")}) == 2
+    assert one.topic == "gap"
+    assert one.words == (
+        "The gap between A and B is ",
+        lay.Number("3"),
+        " and closes at ",
+        lay.Letter("v"),
+        ":",
+    )
+
+
+def test_lists_capitals_and_sentences_in_slots() -> None:
+    three = say("given.fact", fact=say("claim.rest", body="A"))
+    assert str(three) == "It is given that A is at rest:"
+    assert str(say("answer.value", item="v", values=["1", "2", "3"])) == "v = 1 or 2 or 3"
+    assert str(say("aim.unless", reason="a sphere stops")) == "A sphere stops unless"
+    components = [say("unchanged.component", value=lay.Number("1"), body=each) for each in "ABC"]
+    words = say("unchanged.components", components=components).words
+    spoken = "".join(each if isinstance(each, str) else to_text(each) for each in words)
+    assert spoken == "the components stay 1 for A, 1 for B and 1 for C."
+    assert words_of([say("so"), say("range.is")]) == ("So So the range is",)
+    assert to_text(operand(say("extremum.maximum", quantity=lay.Letter("v")))) == "maximum of v"
+
+
+def test_a_sentence_that_is_not_there_or_not_filled_is_refused() -> None:
+    with pytest.raises(KeyError):
+        say("no.such-sentence")
+    with pytest.raises(TypeError, match="label"):
+        say("carried.part")
+    with pytest.raises(TypeError, match="label"):
+        say("so", label="a")
+    with pytest.raises(TypeError):
+        str(say("line.axis", axis=lay.Bold("i")))  # mathematics is no string
+
+
+def test_marks_are_data() -> None:
+    marks = (M1, DM1, A1, A1_STAR, Mark("A", ft=True), Mark("B", number=2))
+    assert written(marks) == "M1 DM1 A1 A1* A1ft B2"
+    assert written(()) == ""
+
+
+@pytest.mark.parametrize("name", list(examples.names())[::9])
+def test_every_step_of_a_working_is_made_of_sentences_and_reasoned_marks(name: str) -> None:
+    explanation = explain(solve(parse(examples.text(name))))
+    steps = [step for part in explanation.parts for step in part.steps]
+    points = [mark for step in steps for each in (step, *step.rows) for mark in each.points]
+    assert len(points) == explanation.marks > 0
+    assert all(mark.because in SENTENCES for mark in points)
+    for step in steps:
+        assert all(isinstance(each, Sentence) for each in step.sentences)
+        spoken = "".join(each if isinstance(each, str) else "…" for each in step.words)
+        assert "{" not in spoken and "  " not in spoken
