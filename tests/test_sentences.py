@@ -43,6 +43,7 @@ NO_SENTENCES = {
     "the end",
     "the end of a wall",
 }
+RENDERERS = {"html.py", "markup.py", "typst.py"}
 MARKUP = {"STYLE", "_PAGE", "PREAMBLE", "_PREAMBLE"}
 
 
@@ -89,9 +90,9 @@ def test_sentences_stand_in_one_file() -> None:
         excepted = {id(each) for each in silent(tree)}
         for node in ast.walk(tree):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                text = re.sub(r"<[^>]*>?|\\\w+", "", node.value)  # without markup
-                several = re.search(r"[A-Za-z]{2,},? [a-z]|[a-z]{2,} $|^ [a-z]{2,}", text)
+                several = re.search(r"[A-Za-z]{2,},? [a-z]|[a-z]{2,} $|^ [a-z]{2,}", node.value)
                 fine = not several or id(node) in excepted or node.value in NO_SENTENCES
+                fine = fine or (path.name in RENDERERS and any(c in node.value for c in "<#\\"))
                 assert fine, (path.name, node.lineno, node.value)
 
 
