@@ -43,8 +43,9 @@ def corruptions(derivation: Derivation) -> Iterator[tuple[str, Derivation]]:
                 yield kind, _with(derivation, n, replace(line, relation=relation))
     for end in derivation.items:
         yield "answer first", _answer_first(derivation, end)
-        yield "answer missing", replace(
-            derivation, lines=tuple(x for x in derivation.lines if x.number != end.line)
+        yield (
+            "answer missing",
+            replace(derivation, lines=tuple(x for x in derivation.lines if x.number != end.line)),
         )
     for fact in derivation.facts:
         if any(fact.id in line.premises for line in derivation.lines):
@@ -52,9 +53,7 @@ def corruptions(derivation: Derivation) -> Iterator[tuple[str, Derivation]]:
             yield "fact not of the statement", replace(derivation, facts=facts)
 
 
-def _about_premises(
-    derivation: Derivation, n: int, line: Line
-) -> Iterator[tuple[str, Derivation]]:
+def _about_premises(derivation: Derivation, n: int, line: Line) -> Iterator[tuple[str, Derivation]]:
     above = [
         each.number
         for each in derivation.lines[:n]
@@ -72,9 +71,7 @@ def _about_premises(
 
 
 def _with(derivation: Derivation, n: int, line: Line) -> Derivation:
-    return replace(
-        derivation, lines=(*derivation.lines[:n], line, *derivation.lines[n + 1 :])
-    )
+    return replace(derivation, lines=(*derivation.lines[:n], line, *derivation.lines[n + 1 :]))
 
 
 def _left_out(derivation: Derivation, n: int, inherit: bool) -> Derivation:

@@ -20,13 +20,31 @@ from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.solve import solve
 
+# Who reads and writes lines in the language of statements, and judges them, writes no sentences.
+NOT_FOR_READERS = {
+    "sentences.py",
+    "principles.py",
+    "algebra.py",
+    "derivation.py",
+    "facts.py",
+    "follower.py",
+    "layouts.py",
+    "moves.py",
+    "notation.py",
+    "rules.py",
+    "signs.py",
+    "step.py",
+    "storing.py",
+    "tracing.py",
+    "trees.py",
+}
 SOURCE = Path(restitution.examples.__file__).parent.parent
 PACKAGE = SOURCE / "explain"
 MODULES = {
     path: ast.parse(path.read_text(encoding="utf-8"))
     for folder in (PACKAGE, SOURCE / "explaining")
     for path in sorted(folder.glob("*.py"))
-    if path.name != "sentences.py"
+    if folder is PACKAGE or path.name not in NOT_FOR_READERS
 }
 MODULES[SOURCE / "components.py"] = ast.parse(
     (SOURCE / "components.py").read_text(encoding="utf-8")

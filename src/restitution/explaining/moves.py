@@ -593,7 +593,9 @@ def _triangle(step: Step, relation: Relation) -> bool:
         and isinstance(link.left, Apply)
         and link.left.function in _RATIOS
         and link.left.argument in known
-        and not any(isinstance(each, Apply) and each.function != "sqrt" for each in walk(link.right))
+        and not any(
+            isinstance(each, Apply) and each.function != "sqrt" for each in walk(link.right)
+        )
         for link in relation.only
     ) and _by_oracle(step, relation)
 
@@ -779,8 +781,7 @@ def _inverse(step: Step, relation: Relation) -> bool:
     sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
     return _equal(step, found, _in_radians(step, value)) and all(
-        oracle.proves(compared(a, sign, b))
-        for a, b in ((low, angle), (angle, high))
+        oracle.proves(compared(a, sign, b)) for a, b in ((low, angle), (angle, high))
     )
 
 

@@ -743,7 +743,6 @@ class _Numbers:
         return None
 
 
-
 def _is_positive(world: World, number: int) -> bool:
     """Whether a generator is a mass, a speed or another letter that is positive."""
     key = world.keys_by_number()[number]

@@ -1007,6 +1007,8 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
         case "+":
             return total([left, bracketed(right) if _is_negation(right) else right])
         case "-":
+            if _has_terms(left) and _has_terms(right) and _has_vectors(node):
+                left = Brackets(left)  # a change of velocity: one vector minus another
             parts = left.terms if isinstance(left, Sum) else (("+", left),)
             return Sum((*parts, ("-", bracketed(right))))
         case "*":
@@ -1019,6 +1021,14 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
             return Fraction(left, right)
         case "^":
             return power(left, right)
+
+
+def _has_terms(layout: Layout) -> bool:
+    return isinstance(layout, Sum) and len(layout.terms) > 1
+
+
+def _has_vectors(node: trees.Expression) -> bool:
+    return any(isinstance(each, trees.Unit) for each in trees.walk(node))
 
 
 def _is_negation(layout: Layout) -> bool:

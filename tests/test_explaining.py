@@ -1,0 +1,326 @@
+"""Lines as text and as JSON, lines from anyone traced to moves, and derivations on paper."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from derivations import FOLDER, derivation_of, oracle_of, read_derivation
+
+from restitution.errors import StatementError
+from restitution.explain.derived import explanation_of
+from restitution.explain.html import to_html
+from restitution.explain.markup import to_latex, to_markdown
+from restitution.explain.text import to_text
+from restitution.explain.typst import to_markup
+from restitution.explaining.algebra import NotComparableError, World
+from restitution.explaining.derivation import Derivation, Meaning, Move, Relation
+from restitution.explaining.facts import facts_of
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import (
+    read_meaning,
+    read_relation,
+    read_tree,
+    write_meaning,
+    write_relation,
+)
+from restitution.explaining.storing import from_json, to_json
+from restitution.explaining.tracing import Tracer, explain_line
+from restitution.language.reading import parse
+from restitution.oracle.roles import ACUTE, POSITIVE
+
+NAMES = {"A": "sphere", "B": "sphere", "W": "wall"}
+FILES = sorted(FOLDER.glob("*.txt"))
+
+
+# --- notation -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "tan(beta) = U sin(alpha)/v = 3tan(alpha)/(2 - e) [put]",
+        "t = 1/sqrt(3) or t = -1/sqrt(3)",
+        "sin(alpha) = 3/5 and cos(alpha) = 4/5",
+        "1/2 < e <= 1",
+        "x ≈ 3.993",
+        "e != 0",
+        "restitution(1) = 1/2",
+        "velocity(A, 1) perpendicular to velocity(A, 0)",
+        "line_of_centres(1) parallel to 3i + 4j",
+        "along(velocity(A, 1), W) = -2u",
+    ],
+)
+def test_a_relation_reads_back_as_it_was_written(text: str) -> None:
+    relation = read_relation(text, NAMES)
+    assert write_relation(relation) == text
+    assert read_relation(write_relation(relation), NAMES) == relation
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "let v = along(velocity(A, 1), line_of_centres(1))",
+        "let vector R = impulse(A, 1)",
+        "let v = along(velocity(A, 1), i) in the sense of -i",
+        "let beta = angle(velocity(A, 1), W) as an acute angle",
+    ],
+)
+def test_a_meaning_reads_back_as_it_was_written(text: str) -> None:
+    meaning = read_meaning(text, NAMES)
+    assert write_meaning(meaning) == text
+    assert read_meaning(write_meaning(meaning), NAMES) == meaning
+
+
+@pytest.mark.parametrize("text", ["v", "2 + ", "let 3 = v", "a == b", ""])
+def test_what_is_no_relation_is_an_error(text: str) -> None:
+    with pytest.raises(StatementError):
+        read_relation(text, NAMES)
+
+
+def test_statements_know_no_quantity_of_lines() -> None:
+    with pytest.raises(StatementError):
+        parse("sphere A: mass 1, velocity i\nfind restitution(1)")
+
+
+# --- trees that are compared ----------------------------------------------------------------------
+
+
+def same(left: str, right: str, *identities: str) -> bool:
+    """Whether two texts are one quotient of polynomials."""
+    roles = {"alpha": ACUTE, "theta": ACUTE, "u": POSITIVE, "m": POSITIVE}
+    angles = frozenset({"alpha", "theta"})
+    world = World(roles, frozenset(), angles, identities=frozenset(identities))  # type: ignore[arg-type]
+    a, b = (read_tree(each, {}) for each in (left, right))
+    world.divide_angles([a, b])
+    gap = world.scalar(a) - world.scalar(b)
+    return world.reduced(gap).vanishes
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("tan(alpha)", "sin(alpha)/cos(alpha)"),
+        ("sqrt(12)", "2 sqrt(3)"),
+        ("sqrt(8 u^2)", "2 sqrt(2) u"),
+        ("1/sqrt(3)", "sqrt(3)/3"),
+        ("cos(60°)", "1/2"),
+        ("sin(75°)", "(sqrt(6) + sqrt(2))/4"),
+        ("cos(50°)", "sin(40°)"),
+        ("sin(-alpha)", "-sin(alpha)"),
+        ("cos(arctan(3/4))", "4/5"),
+        ("abs(3i - 4j)", "5"),
+        ("dot(2i + 7j, -18i - 24j)", "-204"),
+    ],
+)
+def test_equal_trees_are_the_same(left: str, right: str) -> None:
+    assert same(left, right)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "identity"),
+    [
+        ("sin^2(alpha) + cos^2(alpha)", "1", "pythagoras"),
+        ("sin(2theta)", "2 sin(theta) cos(theta)", "double-angle"),
+        ("tan(2theta)", "2tan(theta)/(1 - tan^2(theta))", "double-angle"),
+        ("cos(alpha)", "2cos^2(alpha/2) - 1", "half-angle"),
+        ("sin(alpha + theta)", "sin(alpha) cos(theta) + cos(alpha) sin(theta)", "sum"),
+        ("sin(90° - alpha)", "cos(alpha)", "complement"),
+    ],
+)
+def test_identities_hold_only_where_they_are_named(left: str, right: str, identity: str) -> None:
+    assert not same(left, right)
+    assert same(left, right, identity)
+
+
+def test_what_cannot_be_compared_is_told_apart() -> None:
+    world = World({})
+    for text in ("2^u", "u^(1/3)", "1/(u - u)", "i/j"):
+        with pytest.raises(NotComparableError):
+            world.value(read_tree(text, {}))
+
+
+# --- facts ----------------------------------------------------------------------------------------
+
+
+def test_facts_are_made_of_the_statement_alone() -> None:
+    problem = parse(
+        "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W: e = 1/2\n"
+        "part a\ngiven speed(P) < 4\nfind speed(P)\npart b\ngiven P at rest\nfind e"
+    )
+    told = {each.id: (write_relation(each.relation), each.part) for each in facts_of(problem)}
+    assert told == {
+        "mass P": ("mass(P) = 2", None),
+        "velocity P": ("velocity(P, 0) = 3i - 4j", None),
+        "wall W": ("direction(W) parallel to i", None),
+        "e 1": ("restitution(1) = 1/2", None),
+        "axis 1": ("line_of_centres(1) = -j", None),
+        "given 1": ("speed(P, 1) < 4", "a"),
+        "given 2": ("velocity(P, 1) = (0, 0)", "b"),
+    }
+
+
+# --- JSON -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_json_reads_back_and_is_followed(path: Path) -> None:
+    problem, derivation = read_derivation(path)
+    text = json.dumps(to_json(derivation))
+    again = from_json(json.loads(text))
+    assert again == derivation
+    assert follow(again, oracle_of(problem)) == ()
+
+
+def test_json_that_is_no_derivation_is_refused() -> None:
+    _, derivation = read_derivation(FOLDER / "unknown-wall.txt")
+    whole = to_json(derivation)
+    for spoiled in (
+        {},
+        {**whole, "version": 9},
+        {**whole, "lines": [{**whole["lines"][0], "move": "guess"}]},
+        {**whole, "lines": [{**whole["lines"][1], "text": "R = )"}]},
+    ):
+        with pytest.raises(StatementError):
+            from_json(spoiled)
+
+
+# --- lines from anyone ----------------------------------------------------------------------------
+
+
+def traced(path: Path) -> list[tuple[int, Move, object]]:
+    """Each line of a working by hand, its own move, and what it is traced to."""
+    problem, derivation = read_derivation(path)
+    tracer = Tracer(replace(derivation, lines=()), oracle_of(problem))
+    found = []
+    for line in derivation.lines:
+        if isinstance(line.relation, Relation):
+            found.append((line.number, line.move, tracer.trace(line.relation)))
+        tracer.add(line.number, line.relation)
+    return found
+
+
+SIX = [
+    "show-tangent",
+    "half-angle",
+    "right-angle",
+    "unknown-wall",
+    "two-conditions",
+    "half-the-angle-out",
+]
+
+
+@pytest.mark.parametrize("name", SIX)
+def test_every_line_by_hand_is_one_move(name: str) -> None:
+    for number, move, trace in traced(FOLDER / f"{name}.txt"):
+        assert trace.kind == "move", number  # type: ignore[attr-defined]
+        if move.id == "law":
+            assert trace.move.record == move.record, number  # type: ignore[attr-defined]
+
+
+def test_premises_are_what_the_line_needs() -> None:
+    problem, derivation = read_derivation(FOLDER / "show-tangent.txt")
+    for number in (3, 4, 5, 6, 7, 8):
+        line = derivation.line(number)
+        assert line is not None
+        above = replace(derivation, lines=derivation.lines[: number - 1])
+        assert isinstance(line.relation, Relation)
+        trace = explain_line(line.relation, above, oracle_of(problem))
+        assert set(trace.premises) == set(line.premises), number
+
+
+SPHERES = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+A hits B: along i, e = 1/2
+find velocity(A)
+"""
+LETTERS = """
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+"""
+
+
+def trace_of(text: str, *above: str) -> tuple[str, str | None]:
+    """What a line by a student is, under lines by the same student."""
+    problem = parse(SPHERES)
+    start = derivation_of(problem, LETTERS)
+    tracer = Tracer(replace(start, lines=()), oracle_of(problem))
+    for line in start.lines:
+        tracer.add(line.number, line.relation)
+    for number, each in enumerate(above, 3):
+        tracer.add(number, read_relation(each, NAMES))
+    trace = tracer.trace(read_relation(text, NAMES))
+    return trace.kind, trace.move and (trace.move.record or trace.move.id)
+
+
+@pytest.mark.parametrize(
+    ("text", "above", "expected"),
+    [
+        ("2*3 + 4*(-1) = 2v + 4w", (), ("move", "momentum")),
+        ("2 = 2v + 4w", (), ("move", "momentum")),
+        ("1 = v + 2w", (), ("move", "momentum")),
+        ("4w - 4 = 6 - 2v - 4", (), ("unrecognised", None)),
+        ("w - v = 1/2 (3 + 1)", (), ("move", "restitution")),
+        ("v = w - 2", (), ("move", "restitution")),
+        ("v - w = 2", (), ("unrecognised", None)),
+        ("2*3 + 4*1 = 2v + 4w", (), ("unrecognised", None)),
+        ("3w = 3", ("1 = v + 2w", "w - v = 2"), ("move", "combine")),
+        ("v = -1", ("1 = v + 2w", "w - v = 2", "w = 1"), ("move", "put")),
+        ("w = 1", ("1 = v + 2w",), ("composition", "put")),
+        ("w = 2", ("1 = v + 2w", "w - v = 2"), ("unrecognised", None)),
+    ],
+)
+def test_lines_of_students(
+    text: str, above: tuple[str, ...], expected: tuple[str, str | None]
+) -> None:
+    assert trace_of(text, *above) == expected
+
+
+# --- on paper -------------------------------------------------------------------------------------
+
+
+def test_a_derivation_reads_as_a_teacher_writes() -> None:
+    problem, derivation = read_derivation(FOLDER / "unknown-wall.txt")
+    assert to_text(explanation_of(derivation, problem)).splitlines() == [
+        "Let 𝐑 be the impulse on P.",
+        "Impulse = change of momentum:",
+        "    𝐑 = 3((−4𝐢 − 𝐣) − (2𝐢 + 7𝐣))                                              M1",
+        "    𝐑 = −18𝐢 − 24𝐣                                                            A1",
+        "    magnitude of the impulse = √(18² + 24²) = 30                           M1 A1",
+        "Newton's experimental law:",
+        "    (−4)(−18) + (−1)(−24) = −e(2(−18) + 7(−24))                            M1 A1",
+        "    e = 8/17                                                                  A1",
+    ]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_format_has_every_line_and_every_mark(path: Path) -> None:
+    problem, derivation = read_derivation(path)
+    explanation = explanation_of(derivation, problem)
+    marks = sum(len(line.marks) for line in derivation.lines)
+    assert explanation.marks == marks
+    shown = [each for each in derivation.lines if not isinstance(each.relation, Meaning)]
+    assert len(explanation.rows()) >= len(shown)
+    for written in (
+        to_text(explanation),
+        to_markdown(explanation),
+        to_latex(explanation),
+        to_html(explanation),
+        to_markup(explanation),
+    ):
+        assert len(written) > 20 * len(shown)
+        assert "along(" not in written
+        assert "None" not in written
+    for line in to_text(explanation).splitlines():
+        assert len(line) <= 100
+
+
+def test_frozen_values_are_hashable() -> None:
+    _, derivation = read_derivation(FOLDER / "two-conditions.txt")
+    assert isinstance(hash(derivation), int)
+    assert isinstance(derivation, Derivation)
+    assert Fraction(1) == 1
