@@ -85,10 +85,10 @@ def check(problem: Problem) -> None:
     Raises StatementError for the first, with its place where the problem was read from a text;
     the rest are its ``others``.
     """
-    mistakes = list(_mistakes(problem))
-    if mistakes:
-        mistakes[0].others = tuple(mistakes[1:20])
-        raise mistakes[0]
+    found = list(mistakes(problem))
+    if found:
+        found[0].others = tuple(found[1:20])
+        raise found[0]
 
 
 def _error(message: str, place: Place | None) -> StatementError:
@@ -106,7 +106,11 @@ def _unknown_name(bodies: _Bodies, name: str, place: Place | None) -> StatementE
     return mistake
 
 
-def _mistakes(problem: Problem) -> Iterator[StatementError]:
+def mistakes(problem: Problem, more_events: int = 0) -> Iterator[StatementError]:
+    """The mistakes in a problem, in the order of bodies and then of steps.
+
+    ``more_events`` may be told beside those of the problem, in lines that cannot be read yet.
+    """
     kinds: dict[str, str] = {}
     bodies_told: list[Sphere | Wall | Point] = [
         *problem.spheres,
@@ -118,6 +122,7 @@ def _mistakes(problem: Problem) -> Iterator[StatementError]:
             yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
         kinds.setdefault(body.name, _kind(body))
     told = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
+    told += more_events
     named = frozenset(step.letter for _, step in problem.steps() if isinstance(step, Let))
     bodies = _Bodies(kinds, told, named)
     for sphere in problem.spheres:

@@ -1,4 +1,4 @@
-"""Cures that hold: a fix is offered only where the text reads further with it.
+"""Cures that hold: a fix is offered only where nothing is wrong with the line that it mends.
 
 Where a mended line has another slip, that is mended as well, so that one cure makes it read.
 """
@@ -21,21 +21,27 @@ _BREAK = re.compile(r"\r\n|\r|\n")
 _SHOWN = 60
 
 FirstMistake = Callable[[Line, Mapping[str, str]], StatementError | None]
+MistakeWithin = Callable[[str, int, int], StatementError | None]
 
 
 def cured(
-    text: str, line: Line, mistake: StatementError, first_mistake: FirstMistake
+    text: str,
+    line: Line,
+    mistake: StatementError,
+    first_mistake: FirstMistake,
+    mistake_within: MistakeWithin,
 ) -> StatementError:
     """The mistake in a line of a text, with those of its fixes that hold.
 
-    ``first_mistake`` reads a line. Where the whole line was to be another, and that had slips too,
-    the message suggests what reads.
+    ``first_mistake`` reads a line by itself, ``mistake_within`` a text, and looks at some of its
+    lines. Where the whole line was to be another, and that had slips too, the message suggests what
+    reads.
     """
     candidates = [*mistake.fixes[:_OFFERED], *_with_a_capital(text, line)]
     places = _Region(line, text)
     mistake.fixes = ()
     for fix in candidates:
-        held = _carried_on(text, places, fix, first_mistake)
+        held = _carried_on(text, places, fix, first_mistake, mistake_within)
         if held is not None:
             mistake.fixes = (*mistake.fixes, held)
             written = places.lines(mended(text, held))
@@ -59,6 +65,10 @@ class _Region:
         every = _BREAK.split(text)
         return every[self.first - 1 : len(every) - self.after]
 
+    def stretch(self, text: str) -> tuple[int, int]:
+        """The first and the last of them."""
+        return self.first, len(_BREAK.split(text)) - self.after
+
     def is_whole(self, fix: Fix) -> bool:
         """Whether a fix writes the whole line anew."""
         if len(fix.edits) != 1 or self.first != self.last:
@@ -73,43 +83,37 @@ class _Region:
     def first_mistake(self, text: str, read: FirstMistake) -> StatementError | None:
         lines = list(logical_lines(text))
         names = declared_names(lines)
-        end = len(_BREAK.split(text)) - self.after
+        first, last = self.stretch(text)
         for line in lines:
-            if self.first <= line.source.pieces[0][1] <= end:
+            if first <= line.source.pieces[0][1] <= last:
                 mistake = read(line, names)
                 if mistake is not None:
                     return mistake
         return None
 
 
-def _carried_on(text: str, places: _Region, fix: Fix, read: FirstMistake) -> Fix | None:
-    """A fix, with what else the line needs so that it reads; None where it does not help."""
-    step, now, alone = fix, text, False
+def _carried_on(
+    text: str, places: _Region, fix: Fix, read: FirstMistake, within: MistakeWithin
+) -> Fix | None:
+    """A fix, with what else the line needs so that nothing is wrong there; None where that fails.
+
+    A line is read by itself as long as it does not read: that costs little.
+    """
+    step, now = fix, text
     for _ in range(_STEPS):
         then = mended(now, step)
         if then == now:
-            break
+            return None
         try:
-            left = places.first_mistake(then, read)
+            left = places.first_mistake(then, read) or within(then, *places.stretch(then))
         except StatementError:
-            break  # the text has grown too long
+            return None  # the text has grown too long
         if left is None:
             return fix if now is text else _as_one(text, then, places)
-        if now is text:
-            alone = _is_behind(left, step)
         if not left.fixes or not places.holds(fix):
-            break
+            return None
         step, now = left.fixes[0], then
-    return fix if alone else None
-
-
-def _is_behind(left: StatementError, step: Fix) -> bool:
-    """Whether the mistake that is left stands behind what was written."""
-    edit = step.edits[0]
-    rows = _BREAK.split(edit.text)
-    line = edit.line + len(rows) - 1
-    column = len(rows[-1]) + (edit.column if len(rows) == 1 else 1)
-    return (left.line or 0, left.column or 0) >= (line, column)
+    return None
 
 
 def _as_one(text: str, then: str, places: _Region) -> Fix:

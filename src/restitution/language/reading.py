@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache
-from itertools import pairwise
+from itertools import islice, pairwise
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -33,14 +33,14 @@ from restitution.expression.reading import (
 )
 from restitution.expression.tree import Expression, Name, Number, Pair, Place, Quantity
 from restitution.expression.writing import write_expression
-from restitution.language.checking import check
+from restitution.language.checking import mistakes as mistakes_of
 from restitution.language.cures import cured
 from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
 from restitution.language.slips import with_guess
-from restitution.mending import Fix, Note, mended
+from restitution.mending import Fix, Note
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -66,6 +66,11 @@ from restitution.problem import (
     Wall,
 )
 
+_BODIES: Mapping[str, Any] = {
+    "sphere": Sphere,
+    "wall": Wall,
+    "point": lambda name: Point(name, None),
+}
 _CURED = 5  # mistakes in what lines say for which cures are sought
 _LABEL = re.compile(r"\(?([^\W_](?:[\w.'-]*\w)?)\)?:?")
 
@@ -97,64 +102,77 @@ def parse(text: str | bytes) -> Problem:
     raise first
 
 
-def _read_through(text: str, cures: bool = True) -> tuple[Problem | None, list[StatementError]]:
-    """The problem of a text, or the mistakes in it, with what ``cures`` them if that is wanted."""
+def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
+    """The problem of a text, or the mistakes in it, each with what cures it."""
     lines = list(logical_lines(text))
-    names = declared_names(lines)
-    story = _Story(names)
+    story = _Story(declared_names(lines))
     mistakes: list[StatementError] = []
     for line in lines:
         try:
             _tell(story, line)
         except StatementError as mistake:
-            if cures:
-                mistake = cured(text, line, mistake, _first_mistake)
-            mistakes.append(mistake)
+            mistakes.append(cured(text, line, mistake, _first_mistake, _mistake_within))
             if len(mistakes) >= MAX_ERRORS:
                 break
     if mistakes:
         return None, mistakes
+    problem, mistakes = _checked(story)
+    if not mistakes:
+        return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
+    for number, mistake in enumerate(mistakes):
+        if number >= _CURED:
+            mistake.fixes = ()  # each cure costs readings of the whole
+        elif mistake.line is not None:
+            line = [each for each in lines if each.source.pieces[0][1] <= mistake.line][-1]
+            mistakes[number] = cured(
+                text, line, _with_a_guess(mistake, line, story), _first_mistake, _mistake_within
+            )
+    return None, mistakes
+
+
+def _with_a_guess(mistake: StatementError, line: Line, story: _Story) -> StatementError:
+    """A mistake in what a line says, with what was probably meant if it has no cure of its own."""
+    if mistake.fixes:
+        return mistake
+    return with_guess(line.source, line.word, mistake, story.names)
+
+
+def _checked(story: _Story, broken: int = 0) -> tuple[Problem, list[StatementError]]:
+    """The problem that a story is, in SI, and the mistakes in what its lines say.
+
+    ``broken`` lines besides could not be read; any of them may tell an event.
+    """
     problem = story.problem()
-    try:
-        if story.has_units:
-            problem, told = in_si(problem, frozenset(names))
-            story.notes.extend(told)
-        check(problem)
-    except StatementError as first:
-        mistakes = [first, *first.others]
-        first.others = ()
-        if cures:
-            # Each cure costs a reading of the whole.
-            for number, each in enumerate(mistakes[:_CURED]):
-                mistakes[number] = _with_what_helps(text, lines, each, len(mistakes))
-            for each in mistakes[_CURED:]:
-                each.fixes = ()
-        return None, mistakes
-    return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
+    if story.has_units:
+        try:
+            problem, notes = in_si(problem, frozenset(story.names))
+        except StatementError as first:
+            others = first.others
+            first.others = ()
+            return problem, [first, *others]
+        story.notes.extend(notes)
+    return problem, list(islice(mistakes_of(problem, broken), MAX_ERRORS if not broken else None))
 
 
-def _with_what_helps(
-    text: str, lines: list[Line], mistake: StatementError, count: int
-) -> StatementError:
-    """A mistake in what lines say, one of ``count``, with those of its fixes that help."""
-    if not mistake.fixes and mistake.line is not None:
-        begun = [line for line in lines if line.source.pieces[0][1] <= mistake.line]
-        if begun:
-            line = begun[-1]
-            mistake = with_guess(line.source, line.word, mistake, declared_names(lines))
-    mistake.fixes = tuple(fix for fix in mistake.fixes if _helps(text, fix, mistake, count))
-    return mistake
-
-
-def _helps(text: str, fix: Fix, mistake: StatementError, count: int) -> bool:
-    """Whether a text with a fix has no more mistakes than ``count``, and not this one."""
-    try:
-        problem, left = _read_through(mended(text, fix), cures=False)
-    except StatementError:
-        return False  # the text has grown too long
-    same = (mistake.line, mistake.column, mistake.message)
-    gone = all((each.line, each.column, each.message) != same for each in left)
-    return problem is not None or (gone and len(left) <= count)
+def _mistake_within(text: str, first: int, last: int) -> StatementError | None:
+    """The first mistake in some lines of a text, whatever there is in its other lines."""
+    lines = list(logical_lines(text))
+    story = _Story(declared_names(lines))
+    broken = 0
+    for line in lines:
+        try:
+            _tell(story, line)
+        except StatementError as mistake:
+            if first <= line.source.pieces[0][1] <= last:
+                return mistake
+            broken += 1
+    for name, kind in story.names.items():
+        story.bodies.setdefault(name, _BODIES[kind](name))
+    for mistake in _checked(story, broken)[1]:
+        if mistake.line is not None and first <= mistake.line <= last:
+            line = [each for each in lines if each.source.pieces[0][1] <= mistake.line][-1]
+            return _with_a_guess(mistake, line, story)
+    return None
 
 
 def _first_mistake(line: Line, names: Mapping[str, str]) -> StatementError | None:
