@@ -119,15 +119,19 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
     problem, mistakes = _checked(story)
     if not mistakes:
         return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
-    for number, mistake in enumerate(mistakes):
+    for number, met in enumerate(mistakes):
         if number >= _CURED:
-            mistake.fixes = ()  # each cure costs readings of the whole
-        elif mistake.line is not None:
-            line = [each for each in lines if each.source.pieces[0][1] <= mistake.line][-1]
-            mistakes[number] = cured(
-                text, line, _with_a_guess(mistake, line, story), _first_mistake, _mistake_within
-            )
+            met.fixes = ()  # each cure costs readings of the whole
+        elif met.line is not None:
+            line = _line_of(lines, met.line)
+            met = _with_a_guess(met, line, story)
+            mistakes[number] = cured(text, line, met, _first_mistake, _mistake_within)
     return None, mistakes
+
+
+def _line_of(lines: list[Line], number: int) -> Line:
+    """The logical line that holds a line of the text."""
+    return [each for each in lines if each.source.pieces[0][1] <= number][-1]
 
 
 def _with_a_guess(mistake: StatementError, line: Line, story: _Story) -> StatementError:
@@ -168,10 +172,9 @@ def _mistake_within(text: str, first: int, last: int) -> StatementError | None:
             broken += 1
     for name, kind in story.names.items():
         story.bodies.setdefault(name, _BODIES[kind](name))
-    for mistake in _checked(story, broken)[1]:
-        if mistake.line is not None and first <= mistake.line <= last:
-            line = [each for each in lines if each.source.pieces[0][1] <= mistake.line][-1]
-            return _with_a_guess(mistake, line, story)
+    for met in _checked(story, broken)[1]:
+        if met.line is not None and first <= met.line <= last:
+            return _with_a_guess(met, _line_of(lines, met.line), story)
     return None
 
 

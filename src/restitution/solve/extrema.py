@@ -60,7 +60,7 @@ def find_extremum(
     sign = 1 if item.kind == "maximum" else -1
     found: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
     values: dict[int, sp.Expr] = {}
-    for trial, value in _images(outcome, item.expression, now):
+    for trial, value in _images(outcome, item.expression, now, f"the {item.kind}"):
         values[id(trial)] = value
         best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:

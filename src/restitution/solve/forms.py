@@ -54,6 +54,37 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
     return seen if oracle.decide(claim) else None
 
 
+def open_in(value: Any, samples: Samples) -> list[str]:
+    """What the statement leaves open and a value rests on: names that begin with ``_``.
+
+    Each of them is seen to matter, as the value is another where that alone is a little larger.
+    This costs little beside a textbook form, which nobody would read.
+    """
+    sides = [value.x, value.y] if isinstance(value, Angle | Vector) else [value]
+    sides = [sp.sympify(each, strict=True) for each in sides]
+    present = sorted(
+        (s for s in set().union(*(x.free_symbols for x in sides)) if s.name.startswith("_")),
+        key=lambda s: s.name,
+    )
+    found = []
+    for symbol in present:
+        other = sp.Symbol(f"{symbol.name}_besides", real=True)
+        there = [each.xreplace({symbol: other}) for each in sides]
+        if isinstance(value, Angle):
+            differences = [sides[0] * there[1] - sides[1] * there[0]]
+        else:
+            differences = [a - b for a, b in zip(sides, there, strict=True)]
+        for point in itertools.islice(samples, _FEW):
+            here = point.get(symbol.name)
+            if here is None:
+                continue
+            moved = {**point, other.name: here + (abs(here) or 1) / 1024}
+            if any(sign_at(each, [moved]) for each in differences):
+                found.append(symbol.name)
+                break
+    return found
+
+
 def plain(value: Any, samples: Samples) -> Any:
     """A value of any kind in textbook form: a SymPy expression, or a Vector of two."""
     if isinstance(value, Vector):

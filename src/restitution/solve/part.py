@@ -37,6 +37,7 @@ from restitution.problem import (
     Unknown,
 )
 from restitution.problem import Value as ValueItem
+from restitution.solve import missing
 from restitution.solve.admission import (
     COEFFICIENT_RULE,
     Admission,
@@ -1102,7 +1103,14 @@ def _solve_equations(
         if letter is not None:
             chosen = chosen | {letter}
             continue
-        found = solve_in_stages(values, unknowns, angles, acute, known, conditions)
+        try:
+            found = solve_in_stages(values, unknowns, angles, acute, known, conditions)
+        except UnsupportedError as error:
+            if len(unknowns) <= len(values):
+                raise
+            raise missing.too_many(
+                letters_.phrases.get(s.name, s.name) for s in unknowns
+            ) from error
         leftover = [each for one in found for each in one.leftover]
         if not leftover:
             return found

@@ -36,7 +36,7 @@ from restitution.oracle.roles import REAL, TO_180, Role
 from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
 from restitution.render.text import to_text
-from restitution.solve import forms
+from restitution.solve import forms, missing
 from restitution.solve.cases import Case, cases
 from restitution.solve.letters import is_angle, roles
 from restitution.solve.numbers import (
@@ -256,7 +256,7 @@ def _range_of_quantity(
         return [(sp.FiniteSet(*[value for _, value in values]), ())], angle, "algebra"
     if any(name.startswith("_") for name in present):
         hidden = min(name for name in present if name.startswith("_"))
-        raise MissingError(f"the range needs {outcome.letters.phrases.get(hidden, hidden)}")
+        raise missing.needs("the range", [outcome.letters.phrases.get(hidden, hidden)])
     image, proof = _image(outcome, values, sorted(free), angle)
     return image, angle, proof
 
@@ -272,12 +272,19 @@ def _restricted(outcome: Outcome) -> set[str]:
     return found
 
 
-def _images(outcome: Outcome, tree: Expression, now: int) -> list[tuple[Trial, sp.Expr]]:
+def _images(
+    outcome: Outcome, tree: Expression, now: int, asked: str = "the range"
+) -> list[tuple[Trial, sp.Expr]]:
     found = []
     for trial in outcome.accepted:
         told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples)
         story = outcome.setting.tell(told)
-        value = forms.plain(story.evaluator(now).value(tree), outcome.witnesses(trial))
+        raw = story.evaluator(now).value(tree)
+        phrases = {**outcome.letters.phrases, **told.phrases}
+        needed = [phrases.get(name, name) for name in forms.open_in(raw, trial.samples)]
+        if needed:
+            raise missing.needs(asked, needed)
+        value = forms.plain(raw, outcome.witnesses(trial))
         if isinstance(value, tuple):
             raise UnsupportedError("the range of a vector is not a set of numbers")
         found.append((trial, value))

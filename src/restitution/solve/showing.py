@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import MissingError, UnsupportedError
+from restitution.errors import UnsupportedError
 from restitution.expression.tree import letters
 from restitution.oracle import (
     BeyondError,
@@ -33,6 +33,7 @@ from restitution.problem import (
     trees,
     trees_of_relation,
 )
+from restitution.solve import missing
 from restitution.solve.admission import formula_of
 from restitution.solve.coefficients import without_impossible
 from restitution.solve.conditions import Equation
@@ -184,8 +185,7 @@ def _complete(matters: set[str], branch: Branch) -> None:
     phrases = branch.letters.phrases if isinstance(branch.letters, Letters) else {}
     open_ = sorted(name for name in matters if name.startswith("_"))
     if open_:
-        needed = dict.fromkeys(phrases.get(name, name.lstrip("_")) for name in open_)
-        raise MissingError(f"this claim needs {' and '.join(needed)}")
+        raise missing.needs("this claim", (phrases.get(name, name.lstrip("_")) for name in open_))
 
 
 def _hidden_roles(branch: Branch) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from typing import Any
@@ -58,7 +58,7 @@ from restitution.render.layout import (
     display_vector,
 )
 from restitution.render.text import to_text
-from restitution.solve import clash, forms
+from restitution.solve import clash, forms, missing
 from restitution.solve.coefficients import (
     COEFFICIENTS,
     impossible_coefficients,
@@ -482,7 +482,7 @@ class _Worker:
         for branch in branches:
             trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
             samples = (branch.sample,) if trial is None else outcome.witnesses(trial)
-            value = self._evaluate(item.expression, branch, now, samples, kind)
+            value = self._evaluate(item, branch, now, samples, kind)
             self._complete(item, value, outcome, branch, in_terms_of)
             if kind != "direction":
                 verify_value(value, item, branch, now)
@@ -511,13 +511,15 @@ class _Worker:
         plain = value_layout(answer.value, kind, answer.angle, item.percentage)
         return with_condition(answer, plain, limits)
 
-    def _evaluate(
-        self, tree: Expression, branch: Branch, now: int, samples: Any, kind: ItemKind
-    ) -> Any:
+    def _evaluate(self, item: Value, branch: Branch, now: int, samples: Any, kind: ItemKind) -> Any:
+        tree = item.expression
         if self._of_letters(tree):
             value = Evaluator(SYMBOLIC, branch.letters.letter).value(tree)
         else:
             value = branch.story.evaluator(now).value(tree)
+        open_ = forms.open_in(value, samples)
+        if open_:
+            raise _needed(item, branch, open_)
         if isinstance(tree, Letter) and isinstance(value, Angle):
             measured = value.measure()
             if not measured.has(sp.atan2, sp.Abs):
@@ -570,15 +572,19 @@ class _Worker:
         present = {s.name for part in parts for s in part.free_symbols}
         hidden = sorted(name for name in present if name.startswith("_"))
         if hidden:
-            phrases = list(dict.fromkeys(_phrase(branch, name) for name in hidden))
-            raise MissingError(f"{_called(item)} needs {' and '.join(phrases)}")
+            raise _needed(item, branch, hidden)
         own = letters(item.expression)
         if not has_quantity(item.expression) and own & outcome.setting.asked:
             unsolved = own - set(branch.values) - set(outcome.setting.lets)
             loose = present & outcome.setting.asked
             if unsolved == own or loose:
                 name = min(loose or own)
-                raise MissingError(f"{name} is not fixed by what is given")
+                tied = [
+                    {key, *(s.name for s in x.free_symbols)} for key, x in branch.values.items()
+                ]
+                beside = sorted(set().union(*(each for each in tied if name in each)))
+                beside = [_phrase(branch, each) for each in beside if each.startswith("_")]
+                raise missing.is_open(name, beside)
         if in_terms_of is not None:
             extra = sorted(present - set(in_terms_of))
             if extra:
@@ -646,6 +652,16 @@ class _Worker:
             return ItemResult(step, line, step.text, "show", error=error)
         except UNFORESEEN as error:
             return ItemResult(step, line, step.text, "show", error=unforeseen(error, line))
+
+
+def _needed(item: Value, branch: Branch, names: Iterable[str]) -> MissingError:
+    """What to say of an item that rests on what is left open."""
+    phrases = dict.fromkeys(_phrase(branch, name) for name in names)
+    called = _called(item)
+    own = next((each for each in phrases if each.startswith(called)), None)
+    if own is not None:
+        return missing.is_open(own)
+    return missing.needs(called, phrases)
 
 
 def _phrase(branch: Branch, name: str) -> str:

@@ -1,0 +1,53 @@
+"""What to say where too little is known: what is open, and how a statement gives it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from restitution.errors import MissingError
+
+# How what is open would be written; that a sphere has a mass and a velocity its line shows.
+_WRITTEN = (
+    (re.compile(r"the line of centres of (\w+) and (\w+)"), r"'\1 hits \2: along …'"),
+    (re.compile(r"the direction of the wall (\w+)"), r"'wall \1: along …'"),
+)
+
+
+def needs(called: str, phrases: Iterable[str]) -> MissingError:
+    """That something (``called``) needs what phrases name, with how the first is written."""
+    named = list(dict.fromkeys(phrases))
+    return MissingError(f"{called} needs {_listed(named)}{_written(named)}")
+
+
+def too_many(phrases: Iterable[str]) -> MissingError:
+    """That more is unknown than the facts are."""
+    named = sorted(set(phrases))
+    return MissingError(
+        f"there are more unknowns than facts that could fix them: {_listed(named)}{_written(named)}"
+    )
+
+
+def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
+    """That the facts do not fix something, and with it what stands ``beside`` it."""
+    named = list(dict.fromkeys(beside))
+    because = f", as {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
+    return MissingError(
+        f"{called} is not fixed by what is given{because}{_written([called, *named])}"
+    )
+
+
+def _listed(named: list[str]) -> str:
+    if len(named) == 1:
+        return named[0]
+    pause = "," if len(named) > 2 or any(" and " in each for each in named) else ""
+    return f"{', '.join(named[:-1])}{pause} and {named[-1]}"
+
+
+def _written(named: list[str]) -> str:
+    for phrase in named:
+        for pattern, text in _WRITTEN:
+            match = pattern.fullmatch(phrase)
+            if match:
+                return f" (write {match.expand(text)})"
+    return ""
