@@ -41,7 +41,7 @@ from restitution.mending import Edit, Fix, Note
 
 _WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
-_PERCENT = re.compile(r"\s*%")
+_PERCENT = re.compile(r"\s*(?:%|per\s?cent(?!\w))")
 _DEGREES = re.compile(r"\s*(?:[°º˚]|deg(?:rees?)?(?!\w))")
 _SUBSCRIPT = re.compile(r"_?([0-9]+)|_([A-Za-z])(?![A-Za-z0-9])|([₀-₉]+)")
 _SUPERSCRIPT = re.compile(r"([⁺⁻]?)([⁰¹²³⁴-⁹]+)")

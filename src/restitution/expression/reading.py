@@ -375,7 +375,7 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         signature.staged
         and isinstance(last, Number)
         and last.value.denominator == 1
-        and "%" not in reading.text(given[-1].first, given[-1].last)
+        and "%" not in str(given[-1].last)
         and "." not in reading.text(given[-1].first, given[-1].last)
     ):
         if last.value > 10**6:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from restitution.errors import StatementError
 from restitution.expression.lexer import Source
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
-from restitution.expression.words import NAME
+from restitution.expression.words import MEANT, NAME, near
 
 _BREAK = re.compile(r"\r\n|\r|\n")
 _FIRST_WORD = re.compile(r"\s*(\w+)")
@@ -86,7 +86,11 @@ def _first_word(line: str) -> str:
 
 
 def declared_names(lines: list[Line]) -> dict[str, str]:
-    """Every name declared anywhere, with what it is; the first declaration counts."""
+    """Every name declared anywhere, with what it is; the first declaration counts.
+
+    A name in a line that was meant as a declaration and cannot be read is known all the same: the
+    mistake is told where it stands, and not again wherever the name does.
+    """
     names: dict[str, str] = {}
     for line in lines:
         match = _DECLARATION.match(line.source.plain)
@@ -96,4 +100,65 @@ def declared_names(lines: list[Line]) -> dict[str, str]:
                 name = told.split()[0] if told.strip() else ""
                 if NAME.fullmatch(name):
                     names.setdefault(name, match.group(1))
+    for line in lines:
+        for name, kind in _meant_names(line):
+            names.setdefault(name, kind)
+    for kind, name in _NAMELESS.items():
+        if kind not in names.values() and name not in names and is_nameless(lines, kind):
+            names[name] = kind
     return names
+
+
+# --- names in lines that cannot be read ---------------------------------------------------------
+
+_KINDS = ("sphere", "wall", "point")
+_LIST = re.compile(rf"{NAME.pattern}(?:\s*(?:,|&|\band\b)\s*{NAME.pattern}\b)*")
+_ADJECTIVES = (
+    r"(?:(?i:let|there\s+(?:is|are)|the|an?|another|two|three|four|smooth|uniform|small|identical"
+    r"|equal|solid|fixed|vertical|straight)\s+)*"
+)
+_KIND_FIRST = re.compile(rf"\s*{_ADJECTIVES}(?P<kind>[A-Za-z]{{3,}})\s+(?={NAME.pattern}\b)")
+_NAME_FIRST = re.compile(
+    rf"\s*(?:let\s+)?(?P<list>{_LIST.pattern})\s+(?:is|are|be)\s+{_ADJECTIVES}(?P<kind>[a-z]{{3,}})\b"
+)
+_NAME_ALONE = re.compile(rf"\s*(?P<list>{_LIST.pattern})\s*:\s*(?P<first>[(a-z]\w*)?")
+_NAMELESS = {"sphere": "P", "wall": "W"}
+_WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*:")
+
+
+def _meant_names(line: Line) -> Iterator[tuple[str, str]]:
+    """The names that a line would declare if it could be read, each with what it would be."""
+    text = line.source.plain
+    if match := _KIND_FIRST.match(text):
+        kind, start = _kind(match["kind"]), match.end()
+    elif match := _NAME_FIRST.match(text):
+        kind, start = _kind(match["kind"]), match.start("list")
+    elif match := _NAME_ALONE.match(text):
+        first = match["first"] or ""
+        kind = "point" if first == "(" else "wall" if first in _OF_WALLS else "sphere"
+        start = match.start("list")
+    else:
+        return
+    listed = _LIST.match(text, start)
+    if kind is not None and listed is not None:
+        for name in NAME.findall(listed.group()):
+            yield name, kind
+
+
+_OF_WALLS = frozenset(("along", "parallel", "through", "from"))
+
+
+def _kind(word: str) -> str | None:
+    """What a word that stands before a name, or behind one, is a slip for or another word for."""
+    word = word.lower()
+    for each in (word, word.removesuffix("s")):
+        meant = MEANT.get(each, each)
+        if meant in _KINDS:
+            return meant
+    return near(word, _KINDS, cutoff=0.8)
+
+
+def is_nameless(lines: list[Line], kind: str) -> bool:
+    """Whether a line declares a sphere, or a wall, without a name."""
+    matches = (_WITHOUT_A_NAME.match(line.source.plain) for line in lines)
+    return any(match is not None and match["kind"] == kind for match in matches)

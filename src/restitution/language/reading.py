@@ -32,6 +32,7 @@ from restitution.expression.reading import (
     parse_tokens,
 )
 from restitution.expression.tree import Expression, Name, Number, Pair, Place, Quantity
+from restitution.expression.units import NAMES
 from restitution.expression.writing import write_expression
 from restitution.language.checking import mistakes as mistakes_of
 from restitution.language.cures import cured
@@ -39,8 +40,9 @@ from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
+from restitution.language.prose import in_words, is_in_words, is_of_the_language
 from restitution.language.slips import with_guess
-from restitution.mending import Fix, Note
+from restitution.mending import Fix, Note, mended
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -106,16 +108,21 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
     """The problem of a text, or the mistakes in it, each with what cures it."""
     lines = list(logical_lines(text))
     story = _Story(declared_names(lines))
-    mistakes: list[StatementError] = []
+    wrong: list[tuple[Line, StatementError]] = []
+    prose: list[Line] = []
     for line in lines:
         try:
             _tell(story, line)
         except StatementError as mistake:
-            mistakes.append(cured(text, line, mistake, _first_mistake, _mistake_within))
-            if len(mistakes) >= MAX_ERRORS:
+            cured(text, line, mistake, _first_mistake, _mistake_within)
+            if not mistake.fixes and is_in_words(line, story.bodies):
+                prose.append(line)
+                continue
+            wrong.append((line, mistake))
+            if len(wrong) >= MAX_ERRORS:
                 break
-    if mistakes:
-        return None, mistakes
+    if wrong or prose:
+        return None, _told_once(text, wrong, prose, story)
     problem, mistakes = _checked(story)
     if not mistakes:
         return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
@@ -127,6 +134,38 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
             met = _with_a_guess(met, line, story)
             mistakes[number] = cured(text, line, met, _first_mistake, _mistake_within)
     return None, mistakes
+
+
+def _told_once(
+    text: str,
+    wrong: list[tuple[Line, StatementError]],
+    prose: list[Line],
+    story: _Story,
+) -> list[StatementError]:
+    """The mistakes in lines, without those that come of others.
+
+    Lines in words are one mistake together. A mistake that the cure of another line mends as well,
+    as a name does that is written with a capital, is not told.
+    """
+    if prose:
+        beside = [line for line, _ in wrong if not is_of_the_language(line, story.bodies)]
+        wrong = [(line, each) for line, each in wrong if line not in beside]
+        together = sorted((*prose, *beside), key=lambda line: line.source.pieces[0][1])
+        wrong = [*wrong, (together[0], in_words(together))]
+        wrong.sort(key=lambda pair: pair[0].source.pieces[0][1])
+    found: list[StatementError] = []
+    mended_besides: set[int] = set()
+    for line, mistake in wrong:
+        if line.source.pieces[0][1] in mended_besides:
+            continue
+        found.append(mistake)
+        if len(mistake.fixes) == 1:
+            cure = mistake.fixes[0]
+            rows = {edit.line for edit in cure.edits}
+            if len(rows) > 1:
+                then = mended(text, cure)
+                mended_besides |= {row for row in rows if _mistake_within(then, row, row) is None}
+    return found
 
 
 def _line_of(lines: list[Line], number: int) -> Line:
@@ -496,7 +535,7 @@ def _compare(reading: Reading, node: Tree[Token], spans: list[Span]) -> Compare:
 def _look_for_a_share(reading: Reading, quantity: Span, number: Span) -> None:
     """Note ``energy_lost = 60%``, which says 0.6 J."""
     typed = reading.text(number.first, number.last)
-    if number.first is not number.last or not typed.endswith("%"):
+    if number.first is not number.last or not str(number.first).endswith("%"):
         return
     tree = quantity.value
     if not isinstance(tree, Expression) or dimension_of_any([tree]) in (None, NONE):
@@ -559,7 +598,25 @@ def _percentage(spans: list[Span]) -> bool:
 
 def _value(reading: Reading, node: Tree[Token], spans: list[Span]) -> Value:
     text = reading.text(spans[0].first, spans[-1].last)
+    if _percentage(spans):
+        _refuse_a_unit(reading, spans[0])
     return Value(spans[0].value, _percentage(spans), text, place=spans[0].place)
+
+
+def _refuse_a_unit(reading: Reading, item: Span) -> None:
+    """Raise StatementError for a percentage of nothing: ``energy_lost as a percentage``."""
+    dimension = dimension_of_any([item.value])
+    if dimension in (None, NONE):
+        return
+    typed = reading.text(item.first, item.last)
+    unit = f" is in {NAMES[dimension][1]}" if dimension in NAMES else " has a unit"
+    said = f"a percentage needs a ratio, and {typed}{unit}"
+    whole = _whole_of(item.value, reading.events)
+    if whole is None:
+        raise reading.error(f"{said}: write what it is a part of, as in X/Y", item.place)
+    meant = f"{typed}/{whole}"
+    fix = reading.fix(item.first, item.last, meant)
+    raise reading.error(f"{said}: did you mean {meant}?", item.place, fix)
 
 
 def _range(reading: Reading, node: Tree[Token], spans: list[Span]) -> Range:
