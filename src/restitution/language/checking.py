@@ -22,10 +22,12 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     children,
+    has_quantity,
     letters,
     walk,
 )
 from restitution.expression.words import meant_name, unknown_name
+from restitution.expression.writing import write_expression
 from restitution.mending import Edit, Fix
 from restitution.problem import (
     Aligned,
@@ -65,6 +67,9 @@ _ARGUMENTS: Mapping[str, AbstractSet[str]] = {
     "distance": frozenset(("sphere", "point")),
 }
 _SPHERE = frozenset(("sphere",))
+
+# Quantities of vectors, for which the name of a sphere stands as that of its velocity.
+_OF_VECTORS = frozenset(("angle", "along", "across", "dot"))
 
 # Quantities of one event: they need at least event 1.
 _OF_AN_EVENT = frozenset(("deflection", "impulse", "energy_lost", "line_of_centres", "time"))
@@ -284,7 +289,14 @@ def _vector(
         )
         return
     if not angle and isinstance(value, Expression) and _is_number(bodies, value):
-        yield _error(f"expected a vector after '{what}', such as 3i - 4j", _place_of(value))
+        said = f"expected a vector after '{what}', such as 3i - 4j"
+        if not has_quantity(value):
+            size = write_expression(value)
+            said = (
+                f"expected a vector after '{what}', and {size} has no direction: write "
+                f"'{what} {size} at 30°', or a vector, such as 3i - 4j"
+            )
+        yield _error(said, _place_of(value))
     yield from _in(bodies, value, _NOTHING)
 
 
@@ -423,7 +435,13 @@ def _name(
             said = (
                 f"'{node.name}' is the name of a {kind} and cannot stand for a letter or a vector"
             )
-        yield _error(said, node.place)
+        mistake = _error(said, node.place)
+        of_vectors = isinstance(parent, Quantity) and parent.kind in _OF_VECTORS
+        if of_vectors and kind == "sphere" and node.place is not None:
+            line, column = node.place.line, node.place.column
+            edit = Edit(line, column, line, column + len(node.name), f"velocity({node.name})")
+            mistake.fixes = (Fix(f"Write velocity({node.name})", (edit,)),)
+        yield mistake
 
 
 def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:

@@ -40,8 +40,10 @@ def cured(
     candidates = [*mistake.fixes[:_OFFERED], *_with_a_capital(text, line)]
     places = _Region(line, text)
     mistake.fixes = ()
+    beside: StatementError | None = None
     for fix in candidates:
-        held = _carried_on(text, places, fix, first_mistake, mistake_within)
+        held, left = _carried_on(text, places, fix, first_mistake, mistake_within)
+        beside = beside or left
         if held is not None:
             mistake.fixes = (*mistake.fixes, held)
             written = places.lines(mended(text, held))
@@ -49,6 +51,11 @@ def cured(
                 typed, meant = _short(places.text), _short(written[0])
                 mistake.message = f"cannot read '{typed}': did you mean '{meant}'?"
                 mistake.args = (mistake.message,)
+    if not mistake.fixes and beside is not None and beside.message != mistake.message:
+        mistake.message += (
+            f"{'' if mistake.message.endswith('?') else '.'} Besides, {beside.message}"
+        )
+        mistake.args = (mistake.message,)
     return mistake
 
 
@@ -94,26 +101,27 @@ class _Region:
 
 def _carried_on(
     text: str, places: _Region, fix: Fix, read: FirstMistake, within: MistakeWithin
-) -> Fix | None:
-    """A fix, with what else the line needs so that nothing is wrong there; None where that fails.
+) -> tuple[Fix | None, StatementError | None]:
+    """A fix, with what else the line needs so that nothing is wrong there.
 
-    A line is read by itself as long as it does not read: that costs little.
+    Where that fails there is none, but the mistake that is left. A line is read by itself as long
+    as it does not read: that costs little.
     """
     step, now = fix, text
     for _ in range(_STEPS):
         then = mended(now, step)
         if then == now:
-            return None
+            break
         try:
             left = places.first_mistake(then, read) or within(then, *places.stretch(then))
         except StatementError:
-            return None  # the text has grown too long
+            break  # the text has grown too long
         if left is None:
-            return fix if now is text else _as_one(text, then, places)
+            return fix if now is text else _as_one(text, then, places), None
         if not left.fixes or not places.holds(fix):
-            return None
+            return None, left
         step, now = left.fixes[0], then
-    return None
+    return None, None
 
 
 def _as_one(text: str, then: str, places: _Region) -> Fix:

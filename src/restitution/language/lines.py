@@ -123,7 +123,7 @@ _NAME_FIRST = re.compile(
 )
 _NAME_ALONE = re.compile(rf"\s*(?P<list>{_LIST.pattern})\s*:\s*(?P<first>[(a-z]\w*)?")
 _NAMELESS = {"sphere": "P", "wall": "W"}
-_WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*:")
+_WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*(?::|$)")
 
 
 def _meant_names(line: Line) -> Iterator[tuple[str, str]]:

@@ -74,6 +74,7 @@ _BODIES: Mapping[str, Any] = {
     "point": lambda name: Point(name, None),
 }
 _CURED = 5  # mistakes in what lines say for which cures are sought
+_LABELLED = re.compile(r"\s*part\s+\(?\w{1,3}[).:]*(?P<gap>[\s:,]+)(?=[A-Za-z]{2})")
 _LABEL = re.compile(r"\(?([^\W_](?:[\w.'-]*\w)?)\)?:?")
 
 
@@ -122,7 +123,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
             if len(wrong) >= MAX_ERRORS:
                 break
     if wrong or prose:
-        return None, _told_once(text, wrong, prose, story)
+        return None, _one_of_each(_told_once(text, wrong, prose, story))
     problem, mistakes = _checked(story)
     if not mistakes:
         return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
@@ -133,7 +134,17 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
             line = _line_of(lines, met.line)
             met = _with_a_guess(met, line, story)
             mistakes[number] = cured(text, line, met, _first_mistake, _mistake_within)
-    return None, mistakes
+    return None, _one_of_each(mistakes)
+
+
+def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
+    """Mistakes without what was told before: a name that no line declares is told once."""
+    found: list[StatementError] = []
+    for each in mistakes:
+        a_name = "unknown name" in each.message and "did you mean" not in each.message
+        if not (a_name and any(other.message == each.message for other in found)):
+            found.append(each)
+    return found
 
 
 def _told_once(
@@ -214,6 +225,12 @@ def _mistake_within(text: str, first: int, last: int) -> StatementError | None:
     for met in _checked(story, broken)[1]:
         if met.line is not None and first <= met.line <= last:
             return _with_a_guess(met, _line_of(lines, met.line), story)
+    for note in story.doubts:
+        # What is probably a slip has no answer, or another one.
+        if note.line is not None and first <= note.line <= last:
+            doubt = StatementError(note.message, note.line, note.column)
+            doubt.fixes = note.fixes
+            return doubt
     return None
 
 
@@ -256,6 +273,7 @@ class _Story:
     )
     events: int = 0
     notes: list[Note] = field(default_factory=list)
+    doubts: list[Note] = field(default_factory=list)
     has_units: bool = False
 
     def problem(self) -> Problem:
@@ -283,6 +301,7 @@ def _tell(story: _Story, line: Line) -> None:
         return
     reading, said = _understood(line, story.names, story.events)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
+    story.doubts.extend(reading.warnings)
     story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)
     if isinstance(said, _Said):
         for name in said.names:
@@ -328,11 +347,14 @@ def _tell_part(story: _Story, line: Line, place: Place) -> None:
     text = line.rest.strip()
     match = _LABEL.fullmatch(text)
     if not match:
-        raise StatementError(
-            "expected one word as a label after 'part'" + (f", not '{text[:40]}'" if text else ""),
-            place.line,
-            place.column,
+        said = "expected one word as a label after 'part'" + (
+            f", not '{text[:40]}'" if text else ""
         )
+        mistake = StatementError(said, place.line, place.column)
+        labelled = _LABELLED.match(line.source.text)
+        if labelled is not None:
+            mistake.fixes = (line.source.fix(*labelled.span("gap"), "\n", "Begin a line"),)
+        raise mistake
     label = match.group(1)
     if any(label == known for known, _, _ in story.parts):
         raise StatementError(f"there is a part '{label}' already", place.line, place.column)
@@ -599,24 +621,24 @@ def _percentage(spans: list[Span]) -> bool:
 def _value(reading: Reading, node: Tree[Token], spans: list[Span]) -> Value:
     text = reading.text(spans[0].first, spans[-1].last)
     if _percentage(spans):
-        _refuse_a_unit(reading, spans[0])
+        _look_for_a_unit(reading, spans[0])
     return Value(spans[0].value, _percentage(spans), text, place=spans[0].place)
 
 
-def _refuse_a_unit(reading: Reading, item: Span) -> None:
-    """Raise StatementError for a percentage of nothing: ``energy_lost as a percentage``."""
+def _look_for_a_unit(reading: Reading, item: Span) -> None:
+    """Note a percentage of what has a unit: ``energy_lost as a percentage``."""
     dimension = dimension_of_any([item.value])
-    if dimension in (None, NONE):
+    whole = _whole_of(item.value, reading.events)
+    if whole is None or dimension in (None, NONE):
         return
     typed = reading.text(item.first, item.last)
-    unit = f" is in {NAMES[dimension][1]}" if dimension in NAMES else " has a unit"
-    said = f"a percentage needs a ratio, and {typed}{unit}"
-    whole = _whole_of(item.value, reading.events)
-    if whole is None:
-        raise reading.error(f"{said}: write what it is a part of, as in X/Y", item.place)
+    said = f"a percentage needs a ratio, and {typed} is in {NAMES[dimension][1]}"
     meant = f"{typed}/{whole}"
     fix = reading.fix(item.first, item.last, meant)
-    raise reading.error(f"{said}: did you mean {meant}?", item.place, fix)
+    place = item.place
+    reading.warnings.append(
+        Note(f"{said}: did you mean {meant}?", place.line, place.column, (fix,))
+    )
 
 
 def _range(reading: Reading, node: Tree[Token], spans: list[Span]) -> Range:

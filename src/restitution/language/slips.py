@@ -23,16 +23,25 @@ class _Cure:
     """What to say of a slip, and what to write for its ``x``; both may name groups of the pattern.
 
     ``tight`` takes the place of the blanks before it too. ``of`` is the group that is written anew.
+    ``more`` is what else may be meant; ``{sphere}`` in ``text`` is each of the spheres in turn, or
+    all of them ``together``.
     """
 
     said: str
     text: str
     tight: bool = False
     of: str = "x"
+    more: tuple[str, ...] = ()
+    together: bool = False
 
 
 def _meant(text: str, more: str = "") -> _Cure:
     return _Cure(f"did you mean '{text}'?{more}", text)
+
+
+def _either(*texts: str) -> _Cure:
+    listed = " or ".join(f"'{each}'" for each in texts)
+    return _Cure(f"did you mean {listed}?", texts[0], more=texts[1:])
 
 
 _CUT = _Cure("leave out '{x}'", "")
@@ -41,11 +50,31 @@ _NAME = r"[A-Z][A-Za-z0-9]*"
 _BODY = rf"(?:the\s+)?(?:(?:sphere|ball|particle|wall)\s+)?(?P<body>{_NAME})\b"
 _KINETIC = r"(?:kinetic\s+energy|KE|K\.E\.|energy)"
 
+_LOST = r"(?:(?:that|which)\s+)?(?:(?:is|was|has\s+been)\s+)?(?:lost|loss)\b"
+
 _BODIES = "sphere wall"
 _ASKED = "find show given let"
 
 _STOPS = r"(?:rests|stops|comes\s+to\s+rest|is\s+brought\s+to\s+rest)\b"
+_NAMES = rf"{_NAME}(?:\s*(?:,|&|\band\b)\s*{_NAME})*"
+_BALL = r"(?:spheres?|balls?|particles?|disc?s?|disks?|pucks?|marbles?)"
+_MANY = (
+    r"(?:(?:let|there\s+(?:is|are)|the|[Aa]n?|another|[Tt]wo|[Tt]hree|smooth|uniform|small|identical"
+    r"|equal|solid|fixed|vertical|straight)\s+)*"
+)
 _RESTITUTION = r"coefficient\s+of\s+restitution(?:\s+between\s+\w+\s+and\s+\w+)?"
+
+_AFTER = r"(?:\s+(?:immediately\s+|just\s+)?after(?:wards)?\b(?:\s+\w+){0,3})"
+
+# A size that is a number or a letter, perhaps with its unit; and what stands before a direction.
+_SIZE = (
+    r"(?P<v>\d[\d.]*(?:/\d+)?(?:\s?[a-z](?![\w/]|\s+s))?|[a-z](?:_?\d)?)"
+    r"(?:\s*(?P<unit>m\s*/\s*s|m\s?s\s?\^?-1|ms⁻¹|m\s?s⁻¹|N\s?s))?"
+)
+_ALONG = (
+    r"(?:along|in\s+(?:the\s+)?(?:same\s+)?(?:positive\s+)?direction(?:\s+of)?)(?:\s+the)?"
+    r"(?:\s+(?:vector|direction(?:\s+of)?))?"
+)
 
 # A wall or a ball is struck in many words.
 _STRIKES = (
@@ -59,6 +88,79 @@ _STRIKES = (
 # that is certain.
 _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     # how a line begins
+    # bodies in words
+    (
+        "other let wall sphere",
+        rf"^\s*(?P<x>{_MANY}(?P<k>{_BALL})\s+)(?={_NAME}\b)",
+        _Cure("did you mean 'sphere …'?", "sphere"),
+    ),
+    (
+        "other let wall",
+        rf"^\s*(?P<x>{_MANY}(?:walls?|barriers?|cushions?)\s+)(?={_NAME}\b)(?<!^wall\s)",
+        _Cure("did you mean 'wall …'?", "wall"),
+    ),
+    (
+        "other let",
+        (
+            rf"^\s*(?P<x>(?:let\s+)?(?P<n>{_NAMES})\s+(?:is|are|be)\s+{_MANY}{_BALL}"
+            r"(?P<more>\s+(?:of|with|which\s+has))?)\b"
+        ),
+        _Cure("did you mean 'sphere {n}'?", "sphere {n}{more}"),
+    ),
+    (
+        "other let",
+        rf"^\s*(?P<x>(?:let\s+)?(?P<n>{_NAMES})\s+(?:is|are|be)\s+{_MANY}walls?)\b",
+        _meant("wall {n}"),
+    ),
+    (
+        "other",
+        rf"^\s*(?P<x>(?P<n>{_NAMES})\s+(?:has|have|is\s+of|are\s+of)\s+mass(?:es)?(?:\s+of)?)\b",
+        _meant("sphere {n}: mass"),
+    ),
+    (
+        "other",
+        (
+            rf"^\s*(?P<x>(?P<n>{_NAME})\s+(?:(?:initially|now|then)\s+)?"
+            r"(?:has|is\s+(?:moving|travelling)(?:\s+with)?|(?:moves|travels)(?:\s+with)?)\s+"
+            r"(?:an?\s+)?(?:initial\s+)?(?P<q>velocity|speed)(?:\s+of)?)\b"
+        ),
+        _Cure(
+            "did you mean 'sphere {n}: velocity …', at the start, or 'given {q}({n}) = …'?",
+            "sphere {n}: velocity",
+            more=("given {q}({n}) =",),
+        ),
+    ),
+    (
+        "other sphere",
+        (
+            r"^\s*(?P<x>[Ii]t|(?:[Tt]he\s+)?(?:sphere|ball|particle))\s+(?:then\s+|now\s+)?"
+            rf"(?=(?:hits|receives|reaches|{_STRIKES})\b)"
+        ),
+        "it is called by its name, as in 'sphere P: velocity 3i'",
+    ),
+    ("sphere", r"^\s*sphere(?P<x>)\s*(?::|$)", _Cure("a sphere has a name, such as P", " P")),
+    ("wall", r"^\s*wall(?P<x>)\s*(?::|$)", _Cure("a wall has a name, such as W", " W")),
+    (
+        "sphere wall point",
+        rf"^\s*\w+\s+{_NAMES}\s*:.*[^:,\s](?P<x>\s*[:;,.]+)\s*$",
+        _Cure("leave out '{x}' at the end", ""),
+    ),
+    (
+        "sphere wall point",
+        rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+[a-z][^:]*[^:,\s](?P<x>\s*:+)\s*$",
+        _Cure("leave out '{x}' at the end", ""),
+    ),
+    ("other", rf"^\s*(?P<x>{_NAME})\s*:\s*\(", _Cure("did you mean 'point {x}: …'?", "point {x}")),
+    (
+        "other",
+        rf"^\s*(?P<x>{_NAME})\s*:\s*(?:along|parallel|through|from)\b",
+        _Cure("did you mean 'wall {x}: …'?", "wall {x}"),
+    ),
+    (
+        "other",
+        r"^\s*(?P<x>[Ww]ork\s+out|[Ww]rite\s+down|[Ff]ind\s+out|[Ss]olve\s+for|[Gg]ive)\b",
+        _meant("find"),
+    ),
     ("other", r"^\s*(?P<x>[Ww]hat\s+(?:is|are)\b)", _meant("find")),
     (
         "other",
@@ -115,7 +217,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         "other",
         (
             rf"^\s*(?P<all>(?P<a>{_NAME})\s+and\s+(?P<b>{_NAME})\s+(?P<x>(?:will\s+|then\s+)?collide)"
-            r"(?!\s+again)\b(?:\s+(?:directly|obliquely))?)"
+            r"(?!\s+again)\b(?:\s+(?:directly|obliquely))?).*$"
         ),
         _Cure("did you mean '{a} hits {b}'?", "{a} hits {b}", of="all"),
     ),
@@ -133,6 +235,11 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         "other",
         rf"^\s*{_NAME}\s+(?P<x>(?:gets|is\s+given)\b)",
         _meant("receives"),
+    ),
+    (
+        "other",
+        r"^\s*(?P<x>(?:[Tt]he\s+)?lines?\s+(?:of\s+cent(?:re|er)s?|joining\s+(?:the(?:ir)?\s+)?cent(?:re|er)s)\b.*?(?:is|:|=))",
+        "the line of centres stands on the line of an impact: 'A hits B: along i'",
     ),
     ("other", r"^\s*(?P<x>[Tt]hen|[Nn]ow|[Nn]ext|[Tt]he|[Hh]ence|[Tt]hus|[Aa]lso)\b", _CUT),
     (
@@ -210,6 +317,51 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         _meant("{a} at {b}"),
     ),
     (
+        "sphere",
+        r"[:,]\s*(?P<x>(?:velocity|speed)\s+(?:is\s+|=\s*)?(?:at\s+rest|zero|nil|none))\b",
+        _meant("at rest"),
+    ),
+    ("sphere", r"\bat\s+rest\s+(?P<x>initially|at\s+first|at\s+the\s+start)\b", _CUT),
+    (
+        "sphere event",
+        rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+{_ALONG}\s*(?P<d>[ij]))\s*(?:,|$)",
+        _Cure("did you mean {each}?", "{v}{d} {unit}"),
+    ),
+    (
+        "sphere event",
+        rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+parallel\s+to\s+(?P<d>[ij]))\s*(?:,|$)",
+        _Cure("did you mean {each}?", "{v}{d} {unit}", more=("-{v}{d} {unit}",)),
+    ),
+    (
+        "sphere event",
+        (
+            rf"\b(?:velocity|speed|receives)\s+{_SIZE}\s+(?P<x>{_ALONG})"
+            r"\s*(?=[-\d(]*\s*[\w]*\s*[ij,])"
+        ),
+        _meant("at 0° from"),
+    ),
+    *(
+        (
+            "sphere event",
+            (
+                rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+(?:(?:to|towards)\s+the\s+|due\s+|in\s+the\s+)?"
+                rf"(?:{words})(?:\s+direction)?)\s*(?:,|$)"
+            ),
+            _Cure("did you mean {each}?", f"{sign}{{v}}{vector} {{unit}}"),
+        )
+        for words, sign, vector in (
+            ("right|east", "", "i"),
+            ("left|west", "-", "i"),
+            ("north", "", "j"),
+            ("south", "-", "j"),
+        )
+    ),
+    (
+        "sphere",
+        r"\bvelocity\s[^,]*?(?P<x>\b(?:to)?wards?\b[^,]*|\baway\s+from\b[^,]*)",
+        "a direction is told by an angle or a vector: 'velocity 3 at 30°', 'velocity -3i'",
+    ),
+    (
         "sphere event",
         r"(?P<x>\bin\s+(?:the\s+)?(?:same\s+)?direction(?:\s+of)?)\b",
         "a direction is told by an angle: 'u at 30°', or 'u at 0° from 3i + 4j'",
@@ -232,7 +384,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         _BODIES,
         rf"^\s*\w+\s+{_NAME}(?:\s*,\s*{_NAME})*\s+(?P<x>and)\s+{_NAME}",
-        _meant(","),
+        _Cure("did you mean ','?", ",", tight=True),
     ),
     (
         _BODIES,
@@ -252,13 +404,38 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         "event",
-        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*(?P<x>,?\s*(?:with|where|and|at)\b|,)",
+        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*:?\s*,?\s*(?P<x>(?:(?:which|that)\s+is\s+)?(?:initially\s+)?at\s+rest)\b",
+        "'at rest' stands on the line of a sphere: 'sphere B: at rest'",
+    ),
+    (
+        "event",
+        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*(?P<x>,?\s*(?:directly|obliquely|head\s*-?\s*on))\b",
+        _CUT,
+    ),
+    (
+        "event",
+        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*:?\s*(?P<x>along\s+(?:the\s+|their\s+)?lines?\s+of\s+cent(?:re|er)s?)(?=\s+\w|\s*[,:])",
+        _CUT,
+    ),
+    (
+        "event",
+        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*(?P<x>,?\s*(?:with|where|when|as|and|at)\b|,)",
         _Cure("expected ':' here", ":", tight=True),
+    ),
+    (
+        "event",
+        r":.*?[^\s:,](?P<x>\s+(?:with|where|when))\s+(?=(?:an?\s+|the\s+)?(?:e\b|coefficient|along|offset|line))",
+        _Cure("did you mean ','?", ",", tight=True),
     ),
     (
         "event",
         rf"^\s*{_NAME}\s+hits\s+{_NAME}\s+(?P<x>along|e|offset|coefficient|line)\b",
         _Cure("expected ':' before '{x}'", ": {x}", tight=True),
+    ),
+    (
+        "event",
+        r"(?P<x>coefficient(?:\s+of\s+restitution)?\s+(?:is\s+)?(?P<e>[a-z]))\s*(?:,|$)",
+        _meant("e = {e}"),
     ),
     (
         "event",
@@ -324,6 +501,15 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         r"[:,]\s*(?P<x>(?:(?:is|initially)\s+)+at\s+rest|(?:initially\s+)?(?:rest|stationary|still)\b)",
         _meant("at rest"),
     ),
+    ("sphere", r"[:,]\s*(?P<x>(?P<v>\d[\d.]*\s*k?g))\b", _Cure("did you mean {each}?", "mass {v}")),
+    (
+        "sphere",
+        (
+            r"[:,]\s*(?P<x>(?P<v>(?:[-+−]?\s*(?:\d[\d.]*)?\s*[a-z]?\s*[ij]\b\s*)+"
+            r"|(?:\d[\d.]*|[a-z])\s*(?:m\s*/\s*s|ms-1|ms⁻¹)?\s+at\b[^,]*))\s*(?:,|$)"
+        ),
+        _Cure("did you mean {each}?", "velocity {v}"),
+    ),
     ("sphere", r"[:,]\s*(?P<x>weight)\b", _meant("mass")),
     ("sphere", r"[:,]\s*(?P<x>position|centre|initially\s+at|starts\s+at)\b", _meant("at")),
     (
@@ -333,7 +519,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         "wall",
-        r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+the\s+)?direction(?:\s+of)?|(?:inclined\s+)?at|angle)\b)",
+        r"[:,]\s*(?P<x>(?:parallel\s+to|(?:in\s+(?:the\s+)?)?direction(?:\s+of)?|(?:inclined\s+)?at|angle)\b)",
         _meant("along"),
     ),
     ("wall", r"\balong\s[^,]*?(?P<x>\bto\s+(?:the\s+)?i)\s*(?:,|$)", _CUT),
@@ -355,6 +541,32 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         _meant("along j, through ({c}, 0)"),
     ),
     ("wall", r":\s*(?P<x>(?:-?\s*\d*\s*[ij]\b|\(|\d+\s*°)[^,]*)", _meant("along {x}")),
+    (
+        "",
+        (
+            r"(?:\b(?:to|with|from|off|against|into|hits|reaches|of|on|by|and|between)\s+|[,(]\s*)"
+            rf"(?P<x>the\s+(?:[Ww]all|[Ss]phere|[Bb]all|particle))\b(?!\s+(?:\(|{_NAME}\b))"
+        ),
+        "it is called by its name, as in 'wall W: along i'",
+    ),
+    (
+        "sphere event",
+        (
+            r"(?P<x>\b(?:(?:and\s+)?(?:making|which\s+makes|that\s+makes)\s+(?:an?\s+)?(?:acute\s+)?angle"
+            r"(?:\s+of)?|(?:inclined|directed)\s+at))\b"
+        ),
+        _meant("at"),
+    ),
+    ("", r"\bat\s[^,]*?(?P<x>\b(?:to|with)\s+(?:the\s+)?horizontal)\b", _meant("from i")),
+    ("", r"\bat\s[^,]*?(?P<x>\b(?:to|with)\s+(?:the\s+)?vertical)\b", _meant("from j")),
+    (
+        "sphere",
+        r"(?P<x>\b(?:to|with|from)\s+(?:the\s+|their\s+)?lines?[\s_]of[\s_]cent(?:re|er)s?)\b",
+        (
+            "the line of centres stands on the line of the impact: with 'A hits B: along i', write "
+            "'u at 30° from i'"
+        ),
+    ),
     # vectors
     ("", r"\bat\s+(?P<x>(?:an?\s+|the\s+)?(?:acute\s+)?angle(?:\s+of)?)(?!\s*\()", _CUT),
     (
@@ -363,27 +575,99 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         _meant("from {d}"),
     ),
     ("", rf"\bat\s[^,]*?(?P<x>\b(?:with|against|towards)\s+{_BODY})", _meant("to {body}")),
+    *(
+        (
+            _ASKED,
+            (
+                rf"(?P<x>\b(?:the\s+)?(?:(?:final|new)\s+)?(?:{plural}(?!\s*\(|\s+of\b|\s*[A-Z])|(?:{one}|{plural})\s+of\s+"
+                rf"(?:both|each|all|the\s+two|the\s+spheres\b)(?:\s+(?:of\s+)?(?:the\s+)?(?:two\s+)?(?:them\b|{_BALL}\b(?!\s+{_NAME}\b)))?)"
+                rf"{_AFTER}?)"
+            ),
+            _Cure("did you mean {each}?", f"{one}({{sphere}})", together=True),
+        )
+        for one, plural in (
+            ("velocity", "velocities"),
+            ("speed", "speeds"),
+            ("direction", "directions"),
+            ("deflection", "deflections"),
+        )
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>\b[vV]\s*(?:_|\(\s*|of\s+)?{_BODY}\s*\)?)",
+        _either("velocity({body})", "speed({body})"),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>\b[uU]\s*(?:_|\(\s*|of\s+)?{_BODY}\s*\)?)",
+        _either("velocity({body}, 0)", "speed({body}, 0)"),
+    ),
+    (_ASKED, rf"(?P<x>\bm(?:_|\s*\(\s*|\s+of\s+){_BODY}\s*\)?)", _meant("mass({body})")),
+    (
+        _ASKED,
+        (
+            r"(?P<x>\b(?:the\s+)?(?:final\s+)?(?P<q>speed|velocity|direction|deflection)\b"
+            rf"(?!\s*\(|\s*[A-Z]|\s+of\b){_AFTER}?)"
+        ),
+        _Cure("did you mean {each}?", "{q}({sphere})"),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>\b[vV]{_AFTER})",
+        _Cure("did you mean {each}?", "velocity({sphere})"),
+    ),
     # what is asked, in words
     (
         "find",
         (
-            rf"(?P<x>(?:the\s+)?percentages?\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)?"
-            rf"(?:{_KINETIC}\s+(?:that\s+is\s+)?(?:lost|loss)|loss\s+(?:of|in)\s+(?:the\s+)?{_KINETIC}))"
+            r"^\s*find\s+(?:.*,\s*)?(?P<x>(?P<q>[^\s,][^,]*?)\s+as\s+an?\s+(?P<share>percentage|percent|fraction|proportion)"
+            r"\s+of\s+(?:the\s+|its\s+)?(?P<w>(?:(?:initial|original|total)\s+)*"
+            rf"{_KINETIC}(?!\s*\()(?:\s+before\b.*)?|(?:initial|original)\s+value))"
+        ),
+        _Cure("a share is a quotient, such as '{q}/energy(0)'", "{q}/energy(0){as_share}"),
+    ),
+    (
+        "find",
+        (
+            r"^\s*find\s+(?:.*,\s*)?(?P<x>(?P<q>[^\s,][^,]*?)\s+as\s+an?\s+(?P<share>percentage|percent|fraction|proportion)"
+            r"\s+of\s+(?:the\s+)?(?P<w>[^\s,][^,]*?))\s*$"
+        ),
+        _Cure("a share is a quotient, such as '{q}/{w}'", "{q}/{w}{as_share}"),
+    ),
+    (
+        "find",
+        (
+            rf"(?P<x>(?:the\s+|what\s+)?(?:percentages?|%)\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)?"
+            rf"(?:{_KINETIC}\s+{_LOST}|loss\s+(?:of|in)\s+(?:the\s+)?{_KINETIC})\s+by\s+{_BODY})"
+        ),
+        _meant("(energy({body}, before) - energy({body}))/energy({body}, before) as a percentage"),
+    ),
+    ("find", r"[A-Za-z)]\s*(?P<x>%)\s*(?:$|,)", _meant("as a percentage")),
+    (
+        "find",
+        rf"(?P<x>(?:how\s+much\s+(?:of\s+the\s+)?|the\s+amount\s+of\s+)(?:\w+\s+)??{_KINETIC}\s+{_LOST})",
+        _meant("energy_lost"),
+    ),
+    (
+        "find",
+        (
+            rf"(?P<x>(?:the\s+|what\s+)?(?:percentages?|%)\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)?"
+            rf"(?:{_KINETIC}\s+{_LOST}|loss\s+(?:of|in)\s+(?:the\s+)?{_KINETIC}))"
         ),
         _meant("energy_lost/energy(0) as a percentage"),
     ),
     (
         _ASKED,
         (
-            rf"(?P<x>(?:what\s+|the\s+)?fraction\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)?"
-            rf"{_KINETIC}\s+(?:that\s+is\s+)?(?:lost|loss))"
+            rf"(?P<x>(?:what\s+|the\s+)?(?:fraction|proportion)\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)?"
+            rf"{_KINETIC}\s+{_LOST})"
         ),
         _meant("energy_lost/energy(0)"),
     ),
     (
         "other given show",
         (
-            r"(?P<x>(?P<n>\d[\d.]*\s*%)\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)*"
+            r"(?P<x>(?P<n>\d[\d.]*\s*(?:%|per\s?cent))\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)*"
             rf"{_KINETIC}\s+is\s+lost)"
         ),
         _meant("energy_lost = {n} of energy(0)"),
@@ -426,10 +710,80 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         ),
         _meant("velocity({body}), velocity({b})"),
     ),
+    *(
+        (
+            _ASKED,
+            (
+                rf"(?P<x>(?:the\s+)?{size}impulse\s+(?:(?:received|experienced)\s+by|(?:acting|exerted)\s+on"
+                rf"|given\s+to|imparted\s+to|(?:of|exerted\s+by|from)\s+(?:the\s+\w+|{_NAME})\s+on)"
+                rf"\s+{_BODY}(?:\s+by\s+(?:the\s+)?\w+)?)"
+            ),
+            _meant(text),
+        )
+        for size, text in (
+            (r"(?:magnitude|size)\s+of\s+(?:the\s+)?", "abs(impulse({body}))"),
+            ("", "impulse({body})"),
+        )
+    ),
     (
         _ASKED,
-        rf"(?P<x>(?:the\s+)?impulse\s+(?:of|exerted\s+by|from)\s+{_NAME}\s+on\s+{_BODY})",
+        rf"(?P<x>(?:the\s+)?change\s+(?:in|of)\s+(?:the\s+)?momentum\s+(?:of|for)\s+{_BODY})",
         _meant("impulse({body})"),
+    ),
+    (
+        _ASKED,
+        (
+            r"(?P<x>(?:the\s+)?(?:acute\s+)?angle\s+(?:that\s+|which\s+)?(?:the\s+(?:path|direction\s+of\s+motion"
+            rf"|velocity)\s+of\s+)?{_BODY}\s+makes\s+with\s+(?P<b>[^,=]+?)){_AFTER}?\s*(?:$|,|=)"
+        ),
+        _meant("angle(velocity({body}), {b})"),
+    ),
+    (
+        "given show",
+        (
+            r"(?P<x>(?:the\s+)?(?:direction(?:\s+of\s+motion)?|path|velocity)\s+of\s+"
+            rf"{_BODY}\s+is\s+(?:turned|deflected|changed)\s+(?:through|by))\b"
+        ),
+        _meant("deflection({body}) ="),
+    ),
+    (
+        "given show",
+        (
+            rf"(?P<x>(?:(?:the\s+)?(?:direction(?:\s+of\s+motion)?|path|velocity)\s+of\s+)?{_BODY}\s+(?:is|moves|is\s+moving)"
+            r"\s+(?:off\s+)?(?:at\s+right\s+angles|perpendicular)\s+to\s+its\s+(?:original|initial|previous|first)\s+"
+            r"(?:direction(?:\s+of\s+motion)?|velocity|path))"
+        ),
+        _meant("velocity({body}) perpendicular to velocity({body}, 0)"),
+    ),
+    (
+        "given show other",
+        (
+            rf"(?P<x>{_BODY}\s+loses\s+(?P<n>\d[\d.]*\s*(?:%|per\s?cent))\s+of\s+its\s+"
+            rf"(?:(?:initial|original)\s+)?{_KINETIC})"
+        ),
+        _meant("energy({body}, before) - energy({body}) = {n} of energy({body}, before)"),
+    ),
+    *(
+        (
+            "given show other",
+            (
+                rf"(?P<x>{words}\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)*{_KINETIC}\s+"
+                r"is\s+lost)"
+            ),
+            _meant(f"energy_lost = {share} energy(0)"),
+        )
+        for words, share in (
+            (r"(?:one\s+|a\s+)?half", "1/2"),
+            (r"(?:one\s+|a\s+)third", "1/3"),
+            (r"(?:one\s+|a\s+)quarter", "1/4"),
+            (r"two[\s-]thirds", "2/3"),
+            (r"three[\s-]quarters", "3/4"),
+        )
+    ),
+    (
+        "given show",
+        rf"(?P<x>(?:the\s+)?speed\s+of\s+{_BODY}\s+is\s+halved)\b",
+        _meant("speed({body}) = 1/2 speed({body}, before)"),
     ),
     ("find", rf"(?P<x>(?:the\s+)?{_RESTITUTION})", _meant("e")),
     (
@@ -695,6 +1049,11 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     # signs, and words too many
     ("", r"(?P<x>[.;?!])\s*$", _CUT),
     ("", r"(?P<x>;)", _Cure("did you mean ','?", ",", tight=True)),
+    (
+        _ASKED,
+        r"(?P<x>\b(?:the\s+)?(?:(?:exact|possible)\s+)?value\s+of)\b",
+        _CUT,
+    ),
     ("", r"(?P<x>\b(?:the|smooth))\b\s*", _CUT),
     (
         "find given unknown show sphere wall event",
@@ -722,6 +1081,7 @@ def _slips() -> tuple[_Slip, ...]:
 
 _EVENT = re.compile(rf"\s*{_NAME}\s+(?:hits|receives|reaches)\b")
 _SHOWN = 60
+_ALTERNATIVES = 3
 _LONGEST = 300  # what people write in one line; a longer one is not searched
 
 
@@ -735,7 +1095,10 @@ def with_guess(
     """
     if beyond := outside(source):
         return beyond
-    kind = "event" if _EVENT.match(source.plain) else word if word in LINE_WORDS else "other"
+    first_word = word.lower()  # ``Find the value of e``
+    kind = "event" if _EVENT.match(source.plain) else first_word
+    if kind not in (*LINE_WORDS, "event"):
+        kind = "other"
     start_of_line = source.place(len(source.text) - len(source.text.lstrip()))
     if (mistake.line, mistake.column) == (start_of_line.line, start_of_line.column) and (
         mistake.message.endswith(tuple(f"did you mean '{each}'?" for each in LINE_WORDS))
@@ -765,15 +1128,29 @@ def _told(
         for name in slip.pattern.groupindex
     }
     parts["x"] = source.text[start:end]
+    share = parts.get("share", "").startswith("percent")
+    parts["as_share"] = " as a percentage" if share else ""
     shown = {name: _short(text) for name, text in parts.items()}
     cure = slip.cure
-    said = cure if isinstance(cure, str) else cure.said
-    message = f"cannot read '{shown['x']}': {said.format(**shown)}"
-    text = _the_only_one(parts["x"], names) if isinstance(cure, str) else cure.text.format(**parts)
-    if text is None:
-        return source.error(message, start)
-    fix = _fix(source, cure, text, match, start, end) if isinstance(cure, _Cure) else None
-    return source.error(message, start, fix or source.fix(start, end, text))
+    if isinstance(cure, str):
+        message = f"cannot read '{shown['x']}': {cure.format(**shown)}" if shown["x"] else cure
+        text = _the_only_one(parts["x"], names)
+        if text:
+            message = f"cannot read '{shown['x']}': did you mean '{text}'?"
+        return source.error(message, start, *([source.fix(start, end, text)] if text else []))
+    spheres = [name for name, kind in names.items() if kind == "sphere"]
+    each_of = spheres if "{sphere}" in cure.text else [""]
+    texts = [
+        text.format(**parts, sphere=sphere)
+        for text in (cure.text, *cure.more)
+        for sphere in each_of
+    ]
+    texts = [", ".join(texts)] if cure.together else texts[:_ALTERNATIVES]
+    listed = " or ".join(f"'{text}'" for text in texts)
+    said = cure.said.format(**shown, sphere=spheres[0] if spheres else "A", each=listed)
+    message = f"cannot read '{shown['x']}': {said}" if shown["x"] else said
+    fixes = [_fix(source, cure, text, match, start, end) for text in texts]
+    return source.error(message, start, *fixes)
 
 
 def _fix(source: Source, cure: _Cure, text: str, match: re.Match[str], start: int, end: int) -> Fix:
@@ -796,10 +1173,10 @@ def _fix(source: Source, cure: _Cure, text: str, match: re.Match[str], start: in
 
 def _the_only_one(words: str, names: Mapping[str, str]) -> str | None:
     """The name of the only wall or sphere there is, where ``the wall`` speaks of it."""
-    match = re.fullmatch(r"(?:the\s+)?(wall|sphere|ball)", words, re.IGNORECASE)
+    match = re.fullmatch(r"(?:the\s+)?(wall|sphere|ball|particle|it)", words, re.IGNORECASE)
     if match is None:
         return None
-    kind = {"ball": "sphere"}.get(match.group(1).lower(), match.group(1).lower())
+    kind = "wall" if match.group(1).lower() == "wall" else "sphere"
     known = [name for name, each in names.items() if each == kind]
     return known[0] if len(known) == 1 else None
 
