@@ -54,7 +54,39 @@ BROKEN = {
     "wall V along i": "wall V: along i",
     "wall V: y = 2": "wall V: along i, through (0, 2)",
     "point N: 0, 0": "point N: (0, 0)",
+    "two spheres C and D of mass 2": "sphere C, D: mass 2",
+    "C is a sphere of mass 2": "sphere C: mass 2",
+    "let C be a smooth sphere": "sphere C",
+    "a wall V is parallel to i": "wall V: along i",
+    "C has mass 2": "sphere C: mass 2",
+    "C: mass 2": "sphere C: mass 2",
+    "V: along 30°": "wall V: along 30°",
+    "N: (1, 2)": "point N: (1, 2)",
+    "sphere: mass 2": "sphere P: mass 2",
+    "sphere C: 2 kg, 3i - 4j": "sphere C: mass 2 kg, velocity 3i - 4j",
+    "sphere C: 2kg, (3i - 4j) m/s": "sphere C: mass 2kg, velocity (3i - 4j) m/s",
+    "sphere C: velocity at rest": "sphere C: at rest",
+    "sphere C: at rest initially": "sphere C: at rest",
+    "sphere C: velocity 3 along i": "sphere C: velocity 3i",
+    "sphere C: velocity 3 m/s in the direction of j": "sphere C: velocity 3j m/s",
+    "sphere C: velocity u along 3i + 4j": "sphere C: velocity u at 0° from 3i + 4j",
+    "sphere C: velocity 3 parallel to i": "sphere C: velocity 3i",
+    "sphere C: velocity u to the left": "sphere C: velocity -u i",
+    "sphere C: velocity 3 at 30° to the wall": "sphere C: velocity 3 at 30° to W",
+    "sphere C: velocity 3 at 30° to the horizontal": "sphere C: velocity 3 at 30° from i",
+    "sphere C: velocity 3 making an angle of 30° with i": "sphere C: velocity 3 at 30° from i",
+    "wall V: along the x-axis": "wall V: along i",
+    "wall V along j:": "wall V: along j",
+    "wall V: perpendicular to i": "wall V: along j",
+    "wall V: in direction 3i + 4j": "wall V: along 3i + 4j",
     # events
+    "A hits W: 1/2": "A hits W: e = 1/2",
+    "A hits W directly": "A hits W",
+    "A hits the wall with e = 1/2": "A hits W: e = 1/2",
+    "A hits B along j with e = 1/2": "A hits B: along j, e = 1/2",
+    "A strikes B when the line of centres is parallel to j": "A hits B: along j",
+    "A and B collide with coefficient of restitution 1/2": "A hits B: e = 1/2",
+    "A then hits B with coefficient e": "A hits B: e = e",
     "A collides with B": "A hits B",
     "A collides with the wall": "A hits W",
     "A strikes the wall": "A hits W",
@@ -92,7 +124,47 @@ BROKEN = {
     "A is turned through 30°": "given deflection(A) = 30°",
     "e = 0.5": "given e = 0.5",
     "let v be the speed of A": "let v = speed(A)",
+    "given 16 percent of the energy is lost": "given energy_lost = 16 percent of energy(0)",
+    "given half of the kinetic energy is lost": "given energy_lost = 1/2 energy(0)",
+    "given A loses 16% of its kinetic energy": (
+        "given energy(A, before) - energy(A) = 16% of energy(A, before)"
+    ),
+    "given A moves at right angles to its original direction": (
+        "given velocity(A) perpendicular to velocity(A, 0)"
+    ),
+    "given the direction of motion of A is turned through 30°": "given deflection(A) = 30°",
     # questions
+    "find v(B)": "find velocity(B)",
+    "find vA, vB": "find velocity(A), velocity(B)",
+    "find v of A after": "find velocity(A)",
+    "find v after": "find velocity(A)",
+    "find u(A)": "find velocity(A, 0)",
+    "find the speeds of both spheres": "find speed(A), speed(B)",
+    "find velocities after the collision": "find velocity(A), velocity(B)",
+    "find the speed of A after the first collision": "find speed(A, 1)",
+    "find KE lost as a percentage": "find energy_lost/energy(0) as a percentage",
+    "find percentage of KE lost": "find energy_lost/energy(0) as a percentage",
+    "find what percentage of the kinetic energy is lost": (
+        "find energy_lost/energy(0) as a percentage"
+    ),
+    "find energy lost in per cent": "find energy_lost/energy(0) as a percentage",
+    "find % of KE lost": "find energy_lost/energy(0) as a percentage",
+    "find KE loss %": "find energy_lost/energy(0) as a percentage",
+    "find energy_lost as a percentage of energy(0)": "find energy_lost/energy(0) as a percentage",
+    "find energy_lost as a fraction of the initial energy": "find energy_lost/energy(0)",
+    "find how much kinetic energy is lost": "find energy_lost",
+    "find percentage of KE lost by A": (
+        "find (energy(A, before) - energy(A))/energy(A, before) as a percentage"
+    ),
+    "find the change in momentum of A": "find impulse(A)",
+    "find the magnitude of the impulse exerted on A by B": "find abs(impulse(A))",
+    "find the angle A makes with the wall": "find angle(velocity(A), W)",
+    "find angle between A and i": "find angle(velocity(A), i)",
+    "find angle between velocities": "find angle(velocity(A), velocity(B))",
+    "Find the value of e.": "find e",
+    "work out e": "find e",
+    "part (b) find e": "part (b)\nfind e",
+    "(a) find the velocity of A immediately after the collision": "part a\nfind velocity(A)",
     "find velocity of A": "find velocity(A)",
     "find the velocity of A": "find velocity(A)",
     "find the speeds of A and B": "find speed(A), speed(B)",
@@ -137,6 +209,23 @@ def mend(text, clicks=6):
             return text, count
         text = mended(text, fixes[0])
     return text, clicks
+
+
+def assert_that_cures_hold(text) -> None:
+    """With a cure in place nothing is wrong at the lines that it writes."""
+    for mistake in mistakes(text):
+        for fix in mistake.fixes:
+            first = min(edit.line for edit in fix.edits)
+            last = max(edit.end_line + edit.text.count("\n") for edit in fix.edits)
+            then = mended(text, fix)
+            assert not [m for m in mistakes(then) if first <= (m.line or 0) <= last], fix
+
+
+@pytest.mark.parametrize("line", BROKEN)
+def test_every_cure_holds(line) -> None:
+    assert_that_cures_hold(HEAD + line)
+    # Whatever else is broken.
+    assert_that_cures_hold(f"{HEAD}sphere ?\n{line}\nfind ((")
 
 
 @pytest.mark.parametrize("line", BROKEN)
@@ -240,10 +329,17 @@ def test_mending_comes_to_an_end(line) -> None:
     """Whatever the words: no text comes again, and in the end none is offered."""
     text, seen = HEAD + line, set()
     while fixes := [fix for mistake in mistakes(text) for fix in mistake.fixes]:
+        assert_that_cures_hold(text)
         assert text not in seen
         seen.add(text)
         text = mended(text, fixes[0])
         assert len(seen) < 20
+
+
+@given(st.lists(st.sampled_from(list(BROKEN)), min_size=2, max_size=6, unique=True))
+@settings(max_examples=100, deadline=None)
+def test_cures_hold_whatever_else_is_broken(lines) -> None:
+    assert_that_cures_hold(HEAD + "\n".join(lines))
 
 
 def test_of_many_mistakes_the_first_are_mended() -> None:
@@ -302,6 +398,152 @@ def test_a_share_of_nothing_is_doubtful(line, meant) -> None:
 )
 def test_other_shares_are_not(line) -> None:
     assert parse(HEAD + line).notes == ()
+
+
+def test_a_percentage_of_what_has_a_unit_is_doubtful() -> None:
+    (note,) = parse(HEAD + "find energy_lost as a percentage, energy_lost/energy(0)").notes
+    assert note.message == (
+        "a percentage needs a ratio, and energy_lost is in J: did you mean energy_lost/energy(0)?"
+    )
+    text = mended(HEAD + "find energy_lost as a percentage", note.fixes[0])
+    assert text == HEAD + "find energy_lost/energy(0) as a percentage"
+    assert parse(text).notes == ()
+
+
+@pytest.mark.parametrize("typed", ["16 percent", "16 per cent", "16percent"])
+def test_per_cent_is_read(typed) -> None:
+    assert parse(f"{HEAD}given energy_lost = {typed} of energy(0)") == parse(
+        f"{HEAD}given energy_lost = 16% of energy(0)"
+    )
+
+
+# --- questions in words -------------------------------------------------------------------------
+
+IN_WORDS = [
+    (
+        "A smooth sphere A of mass 2 kg is moving with speed 5 m s^-1 when it collides with a "
+        "smooth sphere B of mass 3 kg, which is at rest. Find the speed of each after the impact."
+    ),
+    (
+        "Two small smooth spheres P and Q have masses 2m and 3m respectively.\n"
+        "They move towards each other on a smooth horizontal plane and collide obliquely.\n"
+        "\n"
+        "(a) Find, in terms of u, the speed of P immediately after the collision.\n"
+        "(b) Find the kinetic energy lost in the collision."
+    ),
+    "A ball is projected along a smooth floor so that it strikes a vertical wall at 60°.",
+    "[In this question i and j are perpendicular unit vectors in a horizontal plane.]",
+    "1. A particle P of mass 0.3 kg is moving in a straight line when it is struck by a bat.",
+]
+
+
+@pytest.mark.parametrize("text", IN_WORDS)
+def test_a_question_in_words_is_one_mistake(text) -> None:
+    (mistake,) = mistakes(text)
+    assert mistake.line == 1
+    assert mistake.message.startswith("this is a question in words: write one fact a line")
+    (fix,) = mistake.fixes
+    kept = mended(text, fix)
+    assert kept == "\n".join(f"# {row}" if row else row for row in text.split("\n"))
+    assert mistakes(kept) == []
+
+
+def test_beside_a_question_in_words_the_statement_is_read() -> None:
+    text = IN_WORDS[0] + "\n" + HEAD + "find sped(A)"
+    words, slip = mistakes(text)
+    assert words.message.startswith("this is a question in words")
+    assert (slip.line, slip.fixes[0].label) == (6, "Replace 'sped' by 'speed'")
+
+
+@pytest.mark.parametrize("line", BROKEN)
+def test_a_slip_is_no_question_in_words(line) -> None:
+    assert all("in words" not in each.message for each in mistakes(HEAD + line))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "A collides with B at some unknown time along the line of centres with speed",
+        "find the speed of the sphere when it has gone round the table again",
+        "given that the spheres move on and never come near to each other again",
+    ],
+)
+def test_nor_is_what_begins_as_a_line_does(line) -> None:
+    assert all("in words" not in each.message for each in mistakes(HEAD + line))
+
+
+# --- names in lines that cannot be read ---------------------------------------------------------
+
+USES = "A hits W\nA hits B: along i\ngiven speed(A) = 2, B at rest\nfind e, angle(velocity(A), W)"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "sphere A mass 2 ( velocity 3i",
+        "sphere A, mass",
+        "Sphere A: ((",
+        "spere A: mass 2",
+        "ball A of mass 2 or 3",
+        "A is a sphere of ((",
+        "let A be a sphere with ((",
+        "A: mass ((",
+        "particle A mass",
+    ],
+)
+def test_a_name_in_a_broken_line_is_known(line) -> None:
+    text = f"{line}\nsphere B: mass 3, at rest\nwall W: along j\n{USES}"
+    assert [each.line for each in mistakes(text)] == [1]
+
+
+def test_names_of_several_broken_lines_are_known() -> None:
+    text = f"two spheres A and B ((\nwalll W along j:\n{USES}"
+    assert [each.line for each in mistakes(text)] == [1, 2]
+
+
+def test_the_wall_is_the_only_one_though_it_has_no_name() -> None:
+    text = "wall: along i\nsphere P: velocity 3i - j\nP hits the wall: e = 1/2\nfind speed(P)"
+    assert mend(text)[0] == text.replace("the wall", "W").replace("wall:", "wall W:")
+
+
+def test_a_name_that_no_line_declares_is_told_once() -> None:
+    text = "sphere A: velocity 3i\nA hits W\nW hits A\nfind e\nA hits W"
+    (mistake,) = mistakes(text)
+    assert mistake.line == 2
+    assert "unknown name 'W'" in mistake.message
+
+
+def test_the_use_of_a_small_name_is_no_mistake_of_its_own() -> None:
+    text = "sphere a: mass 2\nsphere b: mass 3\na hits b: along i\nfind speed(a)"
+    (mistake,) = mistakes(text)
+    assert mistake.line == 1
+    assert not mistakes(mended(text, mistake.fixes[0]))
+
+
+def test_a_line_of_centres_goes_to_the_line_of_the_impact() -> None:
+    head = HEAD.replace(": along i", ": e = 1/2")
+    (mistake,) = mistakes(head + "the line of centres is parallel to 3i + 4j\nfind e")
+    assert mended(head + "the line of centres is parallel to 3i + 4j\nfind e", *mistake.fixes) == (
+        head.replace("e = 1/2", "e = 1/2, along 3i + 4j") + "find e"
+    )
+
+
+def test_what_is_left_is_told_beside_a_cure_that_is_not_enough() -> None:
+    (mistake,) = mistakes(HEAD + "sphere C: moving with speed 3")
+    assert mistake.fixes == ()
+    assert mistake.message == (
+        "cannot read 'moving with speed': did you mean 'velocity'? Besides, expected a vector "
+        "after 'velocity', and 3 has no direction: write 'velocity 3i' where it is along i, or "
+        "'velocity 3 at 30°'"
+    )
+
+
+def test_alternatives_have_a_button_each() -> None:
+    (mistake,) = mistakes(HEAD + "find v(B)")
+    assert [fix.label for fix in mistake.fixes] == [
+        "Replace 'v(B)' by 'velocity(B)'",
+        "Replace 'v(B)' by 'speed(B)'",
+    ]
 
 
 # --- as others get it -------------------------------------------------------------------------

@@ -51,11 +51,13 @@ class RestitutionError(Exception):
 class StatementError(RestitutionError):
     """A text that cannot be read, or that contradicts the rules of the language.
 
-    ``others`` are further mistakes in the same text.
+    ``others`` are further mistakes in the same text, ``hints`` other ways to see this one while a
+    cure is sought.
     """
 
     kind = "syntax"
     others: tuple[StatementError, ...] = ()
+    hints: tuple[StatementError, ...] = ()
 
 
 class MissingError(RestitutionError):

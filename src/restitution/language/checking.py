@@ -292,9 +292,10 @@ def _vector(
         said = f"expected a vector after '{what}', such as 3i - 4j"
         if not has_quantity(value):
             size = write_expression(value)
+            along = write_expression(Binary("*", value, Unit("i")))
             said = (
                 f"expected a vector after '{what}', and {size} has no direction: write "
-                f"'{what} {size} at 30°', or a vector, such as 3i - 4j"
+                f"'{what} {along}' where it is along i, or '{what} {size} at 30°'"
             )
         yield _error(said, _place_of(value))
     yield from _in(bodies, value, _NOTHING)

@@ -11,7 +11,7 @@ from itertools import takewhile
 
 from restitution.errors import StatementError
 from restitution.expression.tree import QUANTITIES
-from restitution.expression.words import FRAGMENTS, WORDS
+from restitution.expression.words import FRAGMENTS, NAME, WORDS
 from restitution.language.lines import Line, declared_names, logical_lines
 from restitution.mending import Edit, Fix, mended
 
@@ -37,6 +37,9 @@ def cured(
     lines. Where the whole line was to be another, and that had slips too, the message suggests what
     reads.
     """
+    if moved := _into_the_event(text, line, mistake_within):
+        mistake.fixes = (moved,)
+        return mistake
     candidates = [*mistake.fixes[:_OFFERED], *_with_a_capital(text, line)]
     places = _Region(line, text)
     mistake.fixes = ()
@@ -51,12 +54,28 @@ def cured(
                 typed, meant = _short(places.text), _short(written[0])
                 mistake.message = f"cannot read '{typed}': did you mean '{meant}'?"
                 mistake.args = (mistake.message,)
+    if not mistake.fixes:
+        _by_a_hint(text, places, mistake, first_mistake, mistake_within)
     if not mistake.fixes and beside is not None and beside.message != mistake.message:
-        mistake.message += (
-            f"{'' if mistake.message.endswith('?') else '.'} Besides, {beside.message}"
-        )
+        stop = "" if mistake.message.endswith("?") else "."
+        mistake.message += f"{stop} Besides, {beside.message}"
         mistake.args = (mistake.message,)
+    mistake.hints = ()
     return mistake
+
+
+def _by_a_hint(
+    text: str, places: _Region, mistake: StatementError, read: FirstMistake, within: MistakeWithin
+) -> None:
+    """Tell a mistake as what stands before it, where the line reads with the cure of that."""
+    for hint in mistake.hints:
+        for fix in hint.fixes[:1]:
+            held, _ = _carried_on(text, places, fix, read, within)
+            if held is not None:
+                mistake.message, mistake.fixes = hint.message, (held,)
+                mistake.line, mistake.column = hint.line, hint.column
+                mistake.args = (mistake.message,)
+                return
 
 
 class _Region:
@@ -108,6 +127,7 @@ def _carried_on(
     as it does not read: that costs little.
     """
     step, now = fix, text
+    stuck: StatementError | None = None  # where a cure is not plain
     for _ in range(_STEPS):
         then = mended(now, step)
         if then == now:
@@ -118,10 +138,13 @@ def _carried_on(
             break  # the text has grown too long
         if left is None:
             return fix if now is text else _as_one(text, then, places), None
-        if not left.fixes or not places.holds(fix):
-            return None, left
-        step, now = left.fixes[0], then
-    return None, None
+        if not left.fixes:
+            stuck = stuck or left
+        onward = left.fixes or tuple(each for hint in left.hints[:1] for each in hint.fixes)
+        if not onward or not places.holds(fix):
+            return None, stuck or left
+        step, now = onward[0], then
+    return None, stuck
 
 
 def _as_one(text: str, then: str, places: _Region) -> Fix:
@@ -146,6 +169,42 @@ def _position(text: str, offset: int, first: int) -> tuple[int, int]:
 def _short(text: str) -> str:
     text = " ".join(text.split())
     return text if len(text) <= _SHOWN else text[: _SHOWN - 1] + "…"
+
+
+# --- a line of centres on a line of its own -----------------------------------------------------
+
+_CENTRES = re.compile(
+    r"\s*(?:[Tt]he\s+)?line\s+(?:of\s+cent(?:re|er)s|joining\s+(?:the(?:ir)?\s+)?cent(?:re|er)s)\b[^=:]*?"
+    r"(?:\bis\b|=|:)\s*(?:(?:parallel\s+to|along|in\s+the\s+direction(?:\s+of)?)\b)?\s*(?P<d>[^\s.].*?)"
+    r"[\s.]*$"
+)
+_EVENT = re.compile(
+    rf"\s*{NAME.pattern}\s+hits\s+{NAME.pattern}\s*(?P<colon>:)?(?P<rest>[^:]*?)\s*$"
+)
+
+
+def _into_the_event(text: str, line: Line, within: MistakeWithin) -> Fix | None:
+    """The cure that says a line of centres where the only impact is told, if there is one such."""
+    match = _CENTRES.match(line.source.plain)
+    events = [each for each in logical_lines(text) if " hits " in each.source.plain]
+    if match is None or len(events) != 1 or len(line.source.pieces) > 1:
+        return None
+    source = events[0].source
+    event = _EVENT.match(source.plain)
+    if event is None or "along" in event["rest"] or len(source.pieces) > 1:
+        return None
+    mark = ":" if not event["colon"] else "," if event["rest"].strip() else ""
+    at = source.place(event.end("rest"))
+    own = line.source.pieces[0][1]
+    edits = (
+        Edit(at.line, at.column, at.line, at.column, f"{mark} along {match['d']}"),
+        Edit(own, 1, own + 1, 1, ""),
+    )
+    then = mended(text, Fix("", edits))
+    told = at.line - (at.line > own)
+    if within(then, told, told) is not None:
+        return None
+    return Fix(f"Write 'along {match['d']}' on the line of the impact", edits)
 
 
 # --- a name in small letters ------------------------------------------------------------------

@@ -129,16 +129,15 @@ _WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*(?::|$)")
 def _meant_names(line: Line) -> Iterator[tuple[str, str]]:
     """The names that a line would declare if it could be read, each with what it would be."""
     text = line.source.plain
+    kind, start = None, 0
     if match := _KIND_FIRST.match(text):
         kind, start = _kind(match["kind"]), match.end()
-    elif match := _NAME_FIRST.match(text):
+    if kind is None and (match := _NAME_FIRST.match(text)):
         kind, start = _kind(match["kind"]), match.start("list")
-    elif match := _NAME_ALONE.match(text):
+    if kind is None and (match := _NAME_ALONE.match(text)):
         first = match["first"] or ""
         kind = "point" if first == "(" else "wall" if first in _OF_WALLS else "sphere"
         start = match.start("list")
-    else:
-        return
     listed = _LIST.match(text, start)
     if kind is not None and listed is not None:
         for name in NAME.findall(listed.group()):

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from itertools import islice, pairwise
 from os import PathLike
 from pathlib import Path
@@ -35,7 +35,7 @@ from restitution.expression.tree import Expression, Name, Number, Pair, Place, Q
 from restitution.expression.units import NAMES
 from restitution.expression.writing import write_expression
 from restitution.language.checking import mistakes as mistakes_of
-from restitution.language.cures import cured
+from restitution.language.cures import MistakeWithin, cured
 from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
@@ -71,7 +71,7 @@ from restitution.problem import (
 _BODIES: Mapping[str, Any] = {
     "sphere": Sphere,
     "wall": Wall,
-    "point": lambda name: Point(name, None),
+    "point": lambda name: Point(name, Pair(Number(Fraction(0)), Number(Fraction(0)))),
 }
 _CURED = 5  # mistakes in what lines say for which cures are sought
 _LABELLED = re.compile(r"\s*part\s+\(?\w{1,3}[).:]*(?P<gap>[\s:,]+)(?=[A-Za-z]{2})")
@@ -109,13 +109,14 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
     """The problem of a text, or the mistakes in it, each with what cures it."""
     lines = list(logical_lines(text))
     story = _Story(declared_names(lines))
+    within = partial(_mistake_within, {})
     wrong: list[tuple[Line, StatementError]] = []
     prose: list[Line] = []
     for line in lines:
         try:
             _tell(story, line)
         except StatementError as mistake:
-            cured(text, line, mistake, _first_mistake, _mistake_within)
+            cured(text, line, mistake, _first_mistake, within)
             if not mistake.fixes and is_in_words(line, story.bodies):
                 prose.append(line)
                 continue
@@ -123,7 +124,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
             if len(wrong) >= MAX_ERRORS:
                 break
     if wrong or prose:
-        return None, _one_of_each(_told_once(text, wrong, prose, story))
+        return None, _one_of_each(_told_once(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
         return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
@@ -133,7 +134,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
         elif met.line is not None:
             line = _line_of(lines, met.line)
             met = _with_a_guess(met, line, story)
-            mistakes[number] = cured(text, line, met, _first_mistake, _mistake_within)
+            mistakes[number] = cured(text, line, met, _first_mistake, within)
     return None, _one_of_each(mistakes)
 
 
@@ -152,6 +153,7 @@ def _told_once(
     wrong: list[tuple[Line, StatementError]],
     prose: list[Line],
     story: _Story,
+    within: MistakeWithin,
 ) -> list[StatementError]:
     """The mistakes in lines, without those that come of others.
 
@@ -175,7 +177,7 @@ def _told_once(
             rows = {edit.line for edit in cure.edits}
             if len(rows) > 1:
                 then = mended(text, cure)
-                mended_besides |= {row for row in rows if _mistake_within(then, row, row) is None}
+                mended_besides |= {row for row in rows if within(then, row, row) is None}
     return found
 
 
@@ -208,16 +210,36 @@ def _checked(story: _Story, broken: int = 0) -> tuple[Problem, list[StatementErr
     return problem, list(islice(mistakes_of(problem, broken), MAX_ERRORS if not broken else None))
 
 
-def _mistake_within(text: str, first: int, last: int) -> StatementError | None:
-    """The first mistake in some lines of a text, whatever there is in its other lines."""
+_Shelf = dict[tuple[Line, tuple[tuple[str, str], ...], int], "tuple[Reading, Any] | None"]
+
+
+def _mistake_within(shelf: _Shelf, text: str, first: int, last: int) -> StatementError | None:
+    """The first mistake in some lines of a text, whatever there is in its other lines.
+
+    The ``shelf`` keeps what those others say, None where they cannot be read: cure after cure is
+    tried on one of many lines.
+    """
     lines = list(logical_lines(text))
     story = _Story(declared_names(lines))
     broken = 0
+    names = tuple(story.names.items())
     for line in lines:
+        here = first <= line.source.pieces[0][1] <= last
+        key = (line, names, story.events)
         try:
-            _tell(story, line)
+            if here or line.word in ("title", "part"):
+                _tell(story, line)
+                continue
+            if key not in shelf:
+                shelf[key] = None
+                shelf[key] = _understood(line, story.names, story.events)
+            understood = shelf[key]
+            if understood is not None:
+                _add(story, line, *understood)
+            else:
+                broken += 1
         except StatementError as mistake:
-            if first <= line.source.pieces[0][1] <= last:
+            if here:
                 return mistake
             broken += 1
     for name, kind in story.names.items():
@@ -299,7 +321,12 @@ def _tell(story: _Story, line: Line) -> None:
     if line.word == "part":
         _tell_part(story, line, place)
         return
-    reading, said = _understood(line, story.names, story.events)
+    _add(story, line, *_understood(line, story.names, story.events))
+
+
+def _add(story: _Story, line: Line, reading: Reading, said: Any) -> None:
+    """Add what a line says to the story."""
+    place = line.source.place(line.start)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
     story.doubts.extend(reading.warnings)
     story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)

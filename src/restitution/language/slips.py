@@ -64,7 +64,10 @@ _MANY = (
 )
 _RESTITUTION = r"coefficient\s+of\s+restitution(?:\s+between\s+\w+\s+and\s+\w+)?"
 
-_AFTER = r"(?:\s+(?:immediately\s+|just\s+)?after(?:wards)?\b(?:\s+\w+){0,3})"
+_AFTER = (
+    r"(?:\s+(?:immediately\s+|just\s+)?after(?:wards)?\b(?!\s+(?:each|every|both|all)\b)"
+    r"(?:\s+\w+){0,3})"
+)
 
 # A size that is a number or a letter, perhaps with its unit; and what stands before a direction.
 _SIZE = (
@@ -210,7 +213,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ("find show given let", r"^\s*\w+\s*(?P<x>:)", _CUT),
     (
         "other",
-        r"^\s*(?P<x>\(?(?P<label>[a-z]|[ivx]{2,4}|\d)[).](?!\d))",
+        r"^\s*(?P<x>\(?(?P<label>[a-z]|[ivx]{2,4}|\d)[).](?!\d)).*$",
         _Cure("a part begins with a line 'part {label}'", "part {label}\n"),
     ),
     (
@@ -325,12 +328,12 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         "sphere event",
         rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+{_ALONG}\s*(?P<d>[ij]))\s*(?:,|$)",
-        _Cure("did you mean {each}?", "{v}{d} {unit}"),
+        _Cure("did you mean {each}?", "{v}{gap}{d} {unit}"),
     ),
     (
         "sphere event",
         rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+parallel\s+to\s+(?P<d>[ij]))\s*(?:,|$)",
-        _Cure("did you mean {each}?", "{v}{d} {unit}", more=("-{v}{d} {unit}",)),
+        _Cure("did you mean {each}?", "{v}{gap}{d} {unit}", more=("-{v}{gap}{d} {unit}",)),
     ),
     (
         "sphere event",
@@ -347,7 +350,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
                 rf"\b(?:velocity|speed|receives)\s+(?P<x>{_SIZE}\s+(?:(?:to|towards)\s+the\s+|due\s+|in\s+the\s+)?"
                 rf"(?:{words})(?:\s+direction)?)\s*(?:,|$)"
             ),
-            _Cure("did you mean {each}?", f"{sign}{{v}}{vector} {{unit}}"),
+            _Cure("did you mean {each}?", f"{sign}{{v}}{{gap}}{vector} {{unit}}"),
         )
         for words, sign, vector in (
             ("right|east", "", "i"),
@@ -363,7 +366,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         "sphere event",
-        r"(?P<x>\bin\s+(?:the\s+)?(?:same\s+)?direction(?:\s+of)?)\b",
+        r"(?P<x>\bin\s+(?:the\s+|an?\s+)?(?:(?:same|opposite)\s+)?direction(?:\s+(?:of|to)\b[^,]*)?)",
         "a direction is told by an angle: 'u at 30°', or 'u at 0° from 3i + 4j'",
     ),
     ("", r"(?P<x>\b(?:anticlockwise|counterclockwise|counter-clockwise))\b", _CUT),
@@ -432,6 +435,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         rf"^\s*{_NAME}\s+hits\s+{_NAME}\s+(?P<x>along|e|offset|coefficient|line)\b",
         _Cure("expected ':' before '{x}'", ": {x}", tight=True),
     ),
+    ("event", r"[:,]\s*(?P<x>(?P<e>e|\d[\d./]*|[½¼¾⅓⅔]))\s*(?:,|$)", _meant("e = {e}")),
     (
         "event",
         r"(?P<x>coefficient(?:\s+of\s+restitution)?\s+(?:is\s+)?(?P<e>[a-z]))\s*(?:,|$)",
@@ -505,7 +509,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         "sphere",
         (
-            r"[:,]\s*(?P<x>(?P<v>(?:[-+−]?\s*(?:\d[\d.]*)?\s*[a-z]?\s*[ij]\b\s*)+"
+            r"[:,]\s*(?P<x>(?P<v>\([^()]*[ij]\s*\)(?:\s*m\b[^,]*)?|(?:[-+−]?\s*(?:\d[\d.]*)?\s*[a-z]?\s*[ij]\b\s*)+"
             r"|(?:\d[\d.]*|[a-z])\s*(?:m\s*/\s*s|ms-1|ms⁻¹)?\s+at\b[^,]*))\s*(?:,|$)"
         ),
         _Cure("did you mean {each}?", "velocity {v}"),
@@ -523,6 +527,8 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         _meant("along"),
     ),
     ("wall", r"\balong\s[^,]*?(?P<x>\bto\s+(?:the\s+)?i)\s*(?:,|$)", _CUT),
+    ("wall", r"[:,]\s*(?P<x>perp\w*\s+to\s+(?:the\s+)?i)\b", _meant("along j")),
+    ("wall", r"[:,]\s*(?P<x>perp\w*\s+to\s+(?:the\s+)?j)\b", _meant("along i")),
     (
         "wall",
         r"[:,]\s*(?P<x>perp\w*(?:\s+to)?)",
@@ -579,6 +585,57 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         (
             _ASKED,
             (
+                rf"(?P<x>\b(?:the\s+)?(?P<q>speed|velocity|direction|energy)\s+of\s+{_BODY}\s+"
+                r"(?:immediately\s+|just\s+)?after\s+(?:the\s+|its\s+)?"
+                rf"(?:{words})\s+(?:collision|impact|event))"
+            ),
+            _meant(f"{{q}}({{body}}, {number})"),
+        )
+        for number, words in enumerate(("first|1st", "second|2nd", "third|3rd"), start=1)
+    ),
+    (
+        _ASKED,
+        r"(?P<x>\bafter\s+(?:each|every|both)\b(?:\s+\w+)?)",
+        "the speed of A after event 1 is speed(A, 1), after event 2 speed(A, 2)",
+    ),
+    (
+        "find",
+        (
+            r"(?P<x>\b(?:the\s+)?(?:acute\s+)?angle\s+between\s+(?:the\s+|their\s+)?(?:two\s+)?(?:final\s+)?"
+            rf"(?:velocities|directions(?:\s+of\s+motion)?|paths)(?:\s+of\s+{_NAMES})?{_AFTER}?)"
+        ),
+        _Cure(
+            "did you mean 'angle(velocity(A), velocity(B))'?",
+            "angle(velocity({first}), velocity({second}))",
+        ),
+    ),
+    (
+        _ASKED,
+        r"(?P<x>\b(?:the\s+)?angle)\b(?!\s*(?:\(|of\b|between\b|turned\b|deflected\b))",
+        (
+            "an angle is between two directions, as in 'angle(velocity(P), W)'; how far P is "
+            "turned is 'deflection(P)'"
+        ),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>\b[vV]\s+(?:of|for)\s+{_BODY}\s+and\s+(?:(?:of|for)\s+)?(?P<b>{_NAME}))",
+        _either("velocity({body}), velocity({b})", "speed({body}), speed({b})"),
+    ),
+    (
+        _ASKED,
+        rf"(?P<x>\b(?:the\s+)?path\s+of\s+{_BODY})",
+        _meant("velocity({body})"),
+    ),
+    (
+        "given show",
+        r"(?P<x>\bthere\s+(?:are|is|will\s+be)\s+no\s+(?:more|further)\s+(?:collisions?|impacts?))",
+        "name the two, as in 'A and B do not collide again'",
+    ),
+    *(
+        (
+            _ASKED,
+            (
                 rf"(?P<x>\b(?:the\s+)?(?:(?:final|new)\s+)?(?:{plural}(?!\s*\(|\s+of\b|\s*[A-Z])|(?:{one}|{plural})\s+of\s+"
                 rf"(?:both|each|all|the\s+two|the\s+spheres\b)(?:\s+(?:of\s+)?(?:the\s+)?(?:two\s+)?(?:them\b|{_BALL}\b(?!\s+{_NAME}\b)))?)"
                 rf"{_AFTER}?)"
@@ -594,7 +651,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         _ASKED,
-        rf"(?P<x>\b[vV]\s*(?:_|\(\s*|of\s+)?{_BODY}\s*\)?)",
+        rf"(?P<x>\b[vV]\s*(?:_|\(\s*|(?:of|for)\s+)?{_BODY}\s*\)?)",
         _either("velocity({body})", "speed({body})"),
     ),
     (
@@ -746,14 +803,21 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         ),
         _meant("deflection({body}) ="),
     ),
-    (
-        "given show",
+    *(
         (
-            rf"(?P<x>(?:(?:the\s+)?(?:direction(?:\s+of\s+motion)?|path|velocity)\s+of\s+)?{_BODY}\s+(?:is|moves|is\s+moving)"
-            r"\s+(?:off\s+)?(?:at\s+right\s+angles|perpendicular)\s+to\s+its\s+(?:original|initial|previous|first)\s+"
-            r"(?:direction(?:\s+of\s+motion)?|velocity|path))"
-        ),
-        _meant("velocity({body}) perpendicular to velocity({body}, 0)"),
+            "given show",
+            (
+                rf"(?P<x>(?:(?:the\s+)?(?:direction(?:\s+of\s+motion)?|path|velocity)\s+of\s+)?{_BODY}"
+                rf"\s+(?:is|moves|is\s+moving)\s+(?:off\s+)?(?:{words})\s+to\s+its\s+"
+                r"(?:original|initial|previous|first)\s+(?:direction(?:\s+of\s+motion)?|velocity|path))"
+            ),
+            _meant(f"velocity({{body}}) {relation} velocity({{body}}, 0)"),
+        )
+        for words, relation in (
+            (r"at\s+right\s+angles|perpendicular", "perpendicular to"),
+            ("parallel", "parallel to"),
+            ("opposite", "opposite to"),
+        )
     ),
     (
         "given show other",
@@ -839,7 +903,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         _ASKED,
         r"(?P<x>angle\s+of\s+deflection|angle\s+(?:turned|deflected)|deflection)(?!\s*\(?\s*[A-Z])",
-        _meant("deflection(A)"),
+        _Cure("did you mean {each}?", "deflection({sphere})"),
     ),
     (
         _ASKED,
@@ -1082,6 +1146,7 @@ def _slips() -> tuple[_Slip, ...]:
 _EVENT = re.compile(rf"\s*{_NAME}\s+(?:hits|receives|reaches)\b")
 _SHOWN = 60
 _ALTERNATIVES = 3
+_TWO = 2
 _LONGEST = 300  # what people write in one line; a longer one is not searched
 
 
@@ -1104,13 +1169,18 @@ def with_guess(
         mistake.message.endswith(tuple(f"did you mean '{each}'?" for each in LINE_WORDS))
     ):
         return mistake  # the first word is known already
+    before: list[tuple[_Slip, re.Match[str], int, int]] = []
+    at = (mistake.line, mistake.column)
     for slip, match in _found(source, kind):
-        span = "x" if "x" in slip.pattern.groupindex else 0
-        start, end = match.span(span)
+        start, end = match.span("x" if "x" in slip.pattern.groupindex else 0)
         first, last = source.place(match.start()), source.place(match.end())
-        at = (mistake.line, mistake.column)
         if (first.line, first.column) <= at <= (last.line, last.column):
             return _told(source, slip, match, start, end, names)
+        if (first.line, first.column) <= at and isinstance(slip.cure, _Cure):
+            before.append((slip, match, start, end))
+    if not mistake.fixes:
+        # A word that cannot be read may stand behind a slip with which it would be read.
+        mistake.hints = tuple(_told(source, *each, names) for each in before[:_ALTERNATIVES])
     return mistake
 
 
@@ -1129,6 +1199,7 @@ def _told(
     }
     parts["x"] = source.text[start:end]
     share = parts.get("share", "").startswith("percent")
+    parts["gap"] = " " if parts.get("v", "")[-1:].isalpha() else ""
     parts["as_share"] = " as a percentage" if share else ""
     shown = {name: _short(text) for name, text in parts.items()}
     cure = slip.cure
@@ -1140,8 +1211,11 @@ def _told(
         return source.error(message, start, *([source.fix(start, end, text)] if text else []))
     spheres = [name for name, kind in names.items() if kind == "sphere"]
     each_of = spheres if "{sphere}" in cure.text else [""]
+    if "{second}" in cure.text and len(spheres) != _TWO:
+        return source.error(f"cannot read '{shown['x']}': {cure.said}", start)
+    parts["first"], parts["second"] = (*spheres, "A", "B")[:_TWO]
     texts = [
-        text.format(**parts, sphere=sphere)
+        text.format(**parts, sphere=sphere).rstrip(" ")
         for text in (cure.text, *cure.more)
         for sphere in each_of
     ]
