@@ -113,6 +113,10 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
     wrong: list[tuple[Line, StatementError]] = []
     prose: list[Line] = []
     for line in lines:
+        if len(wrong) + len(prose) >= MAX_ERRORS:
+            if prose and is_in_words(line, story.bodies):
+                prose.append(line)
+            continue
         try:
             _tell(story, line)
         except StatementError as mistake:
@@ -121,8 +125,6 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
                 prose.append(line)
                 continue
             wrong.append((line, mistake))
-            if len(wrong) >= MAX_ERRORS:
-                break
     if wrong or prose:
         return None, _one_of_each(_told_once(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
