@@ -35,6 +35,7 @@ from restitution.problem import (
     Relation,
     Show,
     Unknown,
+    Value,
     trees,
 )
 
@@ -45,12 +46,14 @@ _ANGLES = frozenset(("direction", "angle", "deflection"))
 
 
 def doubts(problem: Problem, text: str) -> Iterator[Note]:
-    """Warnings: numbers of degrees without their sign, facts tied to nothing.
+    """Warnings: numbers of degrees without their sign, facts and questions tied to nothing.
 
     ``text`` is what the problem was read from.
     """
     yield from _radians(problem, text)
     yield from _idle_facts(problem)
+    yield from _idle_questions(problem)
+    yield from _axes(problem)
 
 
 def _note(place: Place | None, said: str, *fixes: Fix) -> Note:
@@ -161,7 +164,7 @@ def _idle_facts(problem: Problem) -> Iterator[Note]:
     ]
     if not facts:
         return
-    used = _tied(set(_used(problem, facts)), facts)
+    used = _tied(set(_used(problem, [each for fact in facts for each in fact.operands])), facts)
     for fact in facts:
         named = _letters_of(fact.operands) - used
         if not named:
@@ -170,9 +173,13 @@ def _idle_facts(problem: Problem) -> Iterator[Note]:
         like = [each for each in used if (each in GREEK) == (first in GREEK) and each != "e"]
         meant = f": did you mean {like[0]}?" if len(named) == len(like) == 1 else ""
         stand = "stands" if len(named) == 1 else "stand"
+        alone = [each for each in fact.operands if isinstance(each, Letter)]
+        fixes = _quantities_meant(problem, alone[0]) if len(alone) == len(named) == 1 else ()
+        fixes = tuple(fix for fix in fixes if fix.edits[0].text.startswith("speed"))
         yield _note(
             getattr(fact.operands[0], "place", None),
             f"{' and '.join(sorted(named))} {stand} nowhere else in the statement{meant}",
+            *fixes,
         )
 
 
@@ -195,9 +202,90 @@ def _letters_of(operands: Iterable[Expression]) -> frozenset[str]:
     return frozenset().union(*map(letters, operands))
 
 
-def _used(problem: Problem, facts: list[Compare]) -> Iterator[str]:
-    """The letters that stand anywhere but in the facts, the unwritten e of an impact included."""
-    apart = {id(operand) for fact in facts for operand in fact.operands}
+def _idle_questions(problem: Problem) -> Iterator[Note]:
+    """Letters that are asked for and of which nothing is told."""
+    asked = [
+        item.expression
+        for _, step in problem.steps()
+        if isinstance(step, Find)
+        for item in step.items
+        if isinstance(item, Value) and isinstance(item.expression, Letter)
+    ]
+    used = set(_used(problem, asked)) if asked else set()
+    said: set[str] = set()
+    for letter in asked:
+        if letter.name not in used | said:
+            said.add(letter.name)
+            fixes = _quantities_meant(problem, letter)
+            meant = " or ".join(fix.edits[0].text for fix in fixes)
+            yield _note(
+                letter.place,
+                f"{letter.name} stands nowhere else in the statement, and so has no value"
+                + (f": did you mean {meant}?" if meant else ""),
+                *fixes,
+            )
+
+
+# What letters usually stand for on paper, where they are not the letters of a statement.
+_OF_A_SPHERE = {"v": ("velocity({})", "speed({})"), "u": ("velocity({}, 0)", "speed({}, 0)")}
+_OF_ALL = {"I": "impulse", "J": "impulse"}
+_FEW = 3
+
+
+def _quantities_meant(problem: Problem, letter: Letter) -> tuple[Fix, ...]:
+    """What v, v_A or J was meant to be, each as a cure."""
+    place = letter.place
+    if place is None:
+        return ()
+    symbol, _, of = letter.name.partition("_")
+    spheres = [sphere.name for sphere in problem.spheres]
+    if symbol in _OF_ALL and not of:
+        texts = [_OF_ALL[symbol]]
+    elif symbol in _OF_A_SPHERE and (not of or of in spheres):
+        forms = _OF_A_SPHERE[symbol]
+        if of or len(spheres) == 1:
+            texts = [form.format(of or spheres[0]) for form in forms]
+        else:
+            texts = [forms[0].format(name) for name in spheres[:_FEW]]
+    else:
+        return ()
+    end = place.column + len(letter.name)
+    return tuple(
+        Fix(f"Write {text}", (Edit(place.line, place.column, place.line, end, text),))
+        for text in texts
+    )
+
+
+# --- axes ---------------------------------------------------------------------------------------
+
+
+def _axes(problem: Problem) -> Iterator[Note]:
+    """``along x``, where x is a letter of nothing else: an angle, and probably the axis."""
+    directions = [wall.along for wall in problem.walls]
+    directions += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
+    axes = [each for each in directions if isinstance(each, Letter) and each.name in _AXES]
+    if not axes:
+        return
+    used = set(_used(problem, axes))
+    for letter in axes:
+        place = letter.place
+        if letter.name in used or place is None:
+            continue
+        vector = _AXES[letter.name]
+        edit = Edit(place.line, place.column, place.line, place.column + 1, vector)
+        yield _note(
+            place,
+            f"{letter.name} was read as an angle: did you mean {vector}?",
+            Fix(f"Write {vector}", (edit,)),
+        )
+
+
+_AXES = {"x": "i", "y": "j"}
+
+
+def _used(problem: Problem, besides: Iterable[Expression]) -> Iterator[str]:
+    """The letters that stand anywhere but in some expressions, the unwritten e of an impact too."""
+    apart = {id(each) for each in besides}
     for tree in trees(problem):
         if id(tree) not in apart:
             yield from letters(tree)
