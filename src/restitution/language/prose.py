@@ -22,7 +22,7 @@ _LETTERS = re.compile(r"[A-Z][A-Za-z0-9]*")
 _SAID = (
     "this is a question in words: write one fact a line, such as "
     "'sphere A: mass 2, velocity 3i - 4j', 'A hits B: along j, e = 1/2' and 'find velocity(A)', "
-    "or use the form"
+    "or use the form on the page"
 )
 
 
