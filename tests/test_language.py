@@ -428,7 +428,7 @@ MISTAKES = {
     "A hits W: offset 2": (18, "takes no 'offset'"),
     "A hits W: along j": (17, "takes no 'along'"),
     "A hits B: along i, offset 2": (1, "not both"),
-    "A hits B: e 1/2": (13, "expected '='"),
+    "A hits B: e 1/2": (11, "did you mean 'e ='"),
     "A hits B: f = 1/2": (11, "unknown property 'f'"),
     "A hits B: e = 1, e = 1": (18, "given twice"),
     "A hits B: along": (16, "expected a vector or an angle after 'along'"),

@@ -65,6 +65,11 @@ BROKEN = {
     "sphere: mass 2": "sphere P: mass 2",
     "sphere C: 2 kg, 3i - 4j": "sphere C: mass 2 kg, velocity 3i - 4j",
     "sphere C: 2kg, (3i - 4j) m/s": "sphere C: mass 2kg, velocity (3i - 4j) m/s",
+    "Sphere C of mass 3 kg moving at 4 m/s at 30°": "sphere C: mass 3 kg, velocity 4 m/s at 30°",
+    "sphere C is at rest with mass 3": "sphere C: at rest, mass 3",
+    "sphere C (mass 2, velocity 3i)": "sphere C: mass 2, velocity 3i",
+    "sphere C - mass 2 - velocity 3i": "sphere C: mass 2, velocity 3i",
+    "sphere C: m=2, v=3i": "sphere C: mass 2, velocity 3i",
     "sphere C: velocity at rest": "sphere C: at rest",
     "sphere C: at rest initially": "sphere C: at rest",
     "sphere C: velocity 3 along i": "sphere C: velocity 3i",
@@ -99,6 +104,10 @@ BROKEN = {
     "A hits W with e = 1/2": "A hits W: e = 1/2",
     "A hits W: coefficient of restitution 0.5": "A hits W: e = 0.5",
     "A receives an impulse of 3i": "A receives 3i",
+    "A hits B (e = 1/2)": "A hits B: e = 1/2",
+    "A hits B, e 1/2": "A hits B: e = 1/2",
+    "collision between A and B": "A hits B",
+    "impulse of 3i on A": "A receives 3i",
     # facts
     "A is at rest": "given A is at rest",
     "A is at rest after": "given A is at rest",
@@ -125,6 +134,11 @@ BROKEN = {
     "e = 0.5": "given e = 0.5",
     "let v be the speed of A": "let v = speed(A)",
     "given 16 percent of the energy is lost": "given energy_lost = 16 percent of energy(0)",
+    "given speed of A is twice speed of B": "given speed(A) = 2 speed(B)",
+    "given that the speeds of A and B are equal": "given speed(A) = speed(B)",
+    "given that after the collision A is at rest": "given A is at rest",
+    "show that A and B move in opposite directions": "show velocity(A) opposite to velocity(B)",
+    "show B moves faster than A": "show speed(B) > speed(A)",
     "given half of the kinetic energy is lost": "given energy_lost = 1/2 energy(0)",
     "given A loses 16% of its kinetic energy": (
         "given energy(A, before) - energy(A) = 16% of energy(A, before)"
@@ -156,6 +170,13 @@ BROKEN = {
     "find percentage of KE lost by A": (
         "find (energy(A, before) - energy(A))/energy(A, before) as a percentage"
     ),
+    "find speed of A & B": "find speed(A), speed(B)",
+    "find |velocity(A)|": "find abs(velocity(A))",
+    "find the magnitude of the velocity of A": "find speed(A)",
+    "find velocity of A relative to B": "find velocity(A) - velocity(B)",
+    "find ratio of speed(A) to speed(B)": "find (speed(A))/(speed(B))",
+    "find the component of velocity of A parallel to W": "find along(velocity(A), W)",
+    "find the KE of A before the collision": "find energy(A, before)",
     "find the change in momentum of A": "find impulse(A)",
     "find the magnitude of the impulse exerted on A by B": "find abs(impulse(A))",
     "find the angle A makes with the wall": "find angle(velocity(A), W)",

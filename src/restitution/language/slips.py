@@ -427,13 +427,31 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     (
         "event",
-        r":.*?[^\s:,](?P<x>\s+(?:with|where|when))\s+(?=(?:an?\s+|the\s+)?(?:e\b|coefficient|along|offset|line))",
+        r":.*?[^\s:,]\s+(?P<x>with|where|when)\s+(?=(?:an?\s+|the\s+)?(?:e\b|coefficient|along|offset|line))",
         _Cure("did you mean ','?", ",", tight=True),
     ),
     (
         "event",
         rf"^\s*{_NAME}\s+hits\s+{_NAME}\s+(?P<x>along|e|offset|coefficient|line)\b",
         _Cure("expected ':' before '{x}'", ": {x}", tight=True),
+    ),
+    ("event", r"[:,]\s*(?P<x>e)\s+(?=[\d½¼¾⅓⅔])", _meant("e =")),
+    ("event", r"[:,]\s*(?P<x>restitution\s*(?:=|is|of)?)\s*(?=[\d½¼¾⅓⅔])", _meant("e =")),
+    (
+        "other",
+        (
+            rf"^\s*(?P<x>(?:[Cc]ollision|[Ii]mpact)\s+(?:between|of)\s+(?P<a>{_NAME})\s+"
+            rf"(?:and|with)\s+(?P<b>{_NAME}))"
+        ),
+        _meant("{a} hits {b}"),
+    ),
+    (
+        "other",
+        (
+            r"^\s*(?P<x>(?:[Aa]n\s+)?[Ii]mpulse\s+(?:of\s+)?(?P<v>[^,]+?)\s+(?:is\s+(?:given|applied)\s+to"
+            rf"|acts\s+on|on|to)\s+(?P<n>{_NAME}))\s*$"
+        ),
+        _meant("{n} receives {v}"),
     ),
     ("event", r"[:,]\s*(?P<x>(?P<e>e|\d[\d./]*|[½¼¾⅓⅔]))\s*(?:,|$)", _meant("e = {e}")),
     (
@@ -447,6 +465,33 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         _meant("e ="),
     ),
     ("event", r"\be\s*(?P<x>:|is\b|of\b)", _meant("=")),
+    (
+        "sphere",
+        rf"^\s*\w+\s+{_NAME}\s*(?P<x>\((?P<p>[^()]*(?:\([^()]*\)[^()]*)*)\))\s*$",
+        _Cure("did you mean ': {p}'?", ": {p}", tight=True),
+    ),
+    (
+        "event",
+        rf"^\s*{_NAME}\s+hits\s+{_NAME}\s*(?P<x>\((?P<p>[^()]*(?:\([^()]*\)[^()]*)*)\))\s*$",
+        _Cure("did you mean ': {p}'?", ": {p}", tight=True),
+    ),
+    (
+        "sphere",
+        (
+            r":.*?[^\s:,](?<!moving)(?<!moves)(?<!travelling)\s+"
+            r"(?P<x>(?:with|and|of|has|having|[-–])(?:\s+an?)?)\s+"
+            r"(?=(?:mass|velocity|radius|speed|(?:is\s+)?at\s+rest)\b)"
+        ),
+        _Cure("did you mean ','?", ",", tight=True),
+    ),
+    (
+        "sphere",
+        (
+            r"(?<=[^\s:,])\s+(?P<x>moving|moves|travelling|stationary|initially|(?:initial\s+)?speed"
+            r"|initial\s+velocity)\b"
+        ),
+        _Cure("expected ',' before '{x}'", ", {x}", tight=True),
+    ),
     (
         "sphere event",
         r"(?<=[^\s:,])\s+(?P<x>mass|velocity|radius|along|offset|at\s+rest|at(?=\s*\())\b",
@@ -509,7 +554,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         "sphere",
         (
-            r"[:,]\s*(?P<x>(?P<v>\([^()]*[ij]\s*\)(?:\s*m\b[^,]*)?|(?:[-+−]?\s*(?:\d[\d.]*)?\s*[a-z]?\s*[ij]\b\s*)+"
+            r"[:,]\s*(?P<x>(?P<v>\([^()]*[ij]\s*\)(?:\s*m\b[^,]*)?|(?:[-+−]?\s*(?:\d[\d.]*\s*)?(?:[a-hk-z]\s*)?[ij]\b\s*)+"
             r"|(?:\d[\d.]*|[a-z])\s*(?:m\s*/\s*s|ms-1|ms⁻¹)?\s+at\b[^,]*))\s*(?:,|$)"
         ),
         _Cure("did you mean {each}?", "velocity {v}"),
@@ -634,7 +679,7 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     ),
     *(
         (
-            _ASKED,
+            "find",
             (
                 rf"(?P<x>\b(?:the\s+)?(?:(?:final|new)\s+)?(?:{plural}(?!\s*\(|\s+of\b|\s*[A-Z])|(?:{one}|{plural})\s+of\s+"
                 rf"(?:both|each|all|the\s+two|the\s+spheres\b)(?:\s+(?:of\s+)?(?:the\s+)?(?:two\s+)?(?:them\b|{_BALL}\b(?!\s+{_NAME}\b)))?)"
@@ -743,6 +788,42 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         rf"(?P<x>(?:the\s+)?(?:initial|original)\s+(?:total\s+)?{_KINETIC})(?!\s*(?:of\b|\())",
         _meant("energy(0)"),
     ),
+    (_ASKED, r"(?P<x>\|(?P<v>[^|]+)\|)", _meant("abs({v})")),
+    (
+        _ASKED,
+        rf"(?P<x>(?:the\s+)?(?:magnitude|modulus|size)\s+of\s+(?:the\s+)?velocity\s+of\s+{_BODY})",
+        _meant("speed({body})"),
+    ),
+    (
+        _ASKED,
+        (
+            r"(?P<x>(?:the\s+)?(?:magnitude|modulus|size)\s+of\s+(?:the\s+)?"
+            r"(?P<v>\w+\([^()]*\)))"
+        ),
+        _meant("abs({v})"),
+    ),
+    (
+        _ASKED,
+        (
+            rf"(?P<x>(?:the\s+)?velocity\s*(?:of\s+|\(\s*){_BODY}\s*\)?\s+relative\s+to\s+"
+            rf"(?P<b>{_NAME}))"
+        ),
+        _meant("velocity({body}) - velocity({b})"),
+    ),
+    (_ASKED, r"(?P<x>\b(?:the\s+)?components\s+of)\b", _CUT),
+    (
+        "find",
+        r"(?P<x>(?:the\s+)?ratio\s+(?:of\s+)?(?:the\s+)?(?P<a>[^,:]+?)\s*(?::|\bto\b)\s*(?:the\s+)?(?P<b>[^,:]+))$",
+        _meant("({a})/({b})"),
+    ),
+    (
+        _ASKED,
+        (
+            rf"(?P<x>(?:the\s+)?{_KINETIC}\s+of\s+{_BODY}\s+(?:immediately\s+|just\s+)?before\b"
+            r"(?:\s+(?:the|its|this|impact|collision|it\w*))*)"
+        ),
+        _meant("energy({body}, before)"),
+    ),
     (
         _ASKED,
         (
@@ -755,14 +836,14 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
         "find",
         (
             rf"(?P<x>(?:(?:final|new|the)\s+)*(?P<q>speed|direction|deflection|energy|momentum|mass)s?"
-            rf"\s+of\s+{_BODY}\s+and\s+(?:of\s+)?(?P<b>{_NAME}))(?!\s*\()"
+            rf"\s+(?:of\s+)?{_BODY}\s*(?:\band\b|&)\s*(?:of\s+)?(?P<b>{_NAME}))(?!\s*\()"
         ),
         _meant("{q}({body}), {q}({b})"),
     ),
     (
         "find",
         (
-            rf"(?P<x>(?:(?:final|new|the)\s+)*velocit(?:y|ies)\s+of\s+{_BODY}\s+and\s+(?:of\s+)?"
+            rf"(?P<x>(?:(?:final|new|the)\s+)*velocit(?:y|ies)\s+(?:of\s+)?{_BODY}\s*(?:\band\b|&)\s*(?:of\s+)?"
             rf"(?P<b>{_NAME}))(?!\s*\()"
         ),
         _meant("velocity({body}), velocity({b})"),
@@ -843,6 +924,46 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
             (r"two[\s-]thirds", "2/3"),
             (r"three[\s-]quarters", "3/4"),
         )
+    ),
+    *(
+        ("given show", rf"(?P<x>\bis\s+(?:{words}))\s+(?!that\b|of\b)", _meant(f"= {factor}"))
+        for words, factor in (
+            ("twice|double|two\\s+times", "2"),
+            ("three\\s+times", "3"),
+            ("half", "1/2"),
+        )
+    ),
+    (
+        "given show",
+        (
+            rf"(?P<x>(?:the\s+)?speeds\s+of\s+{_BODY}\s+and\s+(?P<b>{_NAME})\s+are\s+(?:equal|the\s+same)"
+            rf"|(?P<c>{_NAME})\s+and\s+(?P<d>{_NAME})\s+have\s+(?:equal\s+speeds?|the\s+same\s+speed))"
+        ),
+        _meant("speed({body}{c}) = speed({b}{d})"),
+    ),
+    *(
+        (
+            "given show",
+            (
+                rf"(?P<x>(?P<a>{_NAME})\s+and\s+(?P<b>{_NAME})\s+(?:then\s+|now\s+)?(?:are\s+moving|move|travel)"
+                rf"\s+(?:off\s+)?(?:{words}))"
+            ),
+            _meant(f"velocity({{a}}) {relation} velocity({{b}})"),
+        )
+        for words, relation in (
+            (r"in\s+opposite\s+directions", "opposite to"),
+            (r"in\s+the\s+same\s+direction", "in the direction of"),
+            (
+                r"at\s+right\s+angles(?:\s+to\s+each\s+other)?|in\s+perpendicular\s+directions",
+                "perpendicular to",
+            ),
+            (r"in\s+parallel\s+directions", "parallel to"),
+        )
+    ),
+    (
+        "given show",
+        rf"(?P<x>(?P<a>{_NAME})\s+(?:is\s+moving|moves|is)\s+faster\s+than\s+(?P<b>{_NAME}))",
+        _meant("speed({a}) > speed({b})"),
     ),
     (
         "given show",
@@ -955,8 +1076,8 @@ _TABLE: tuple[tuple[str, str, _Cure | str], ...] = (
     (
         _ASKED,
         (
-            r"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after(?:wards)?|following)\b"
-            r"(?:\s+(?!(?:is|equals?|in|as|and)\b)\w+){0,3})"
+            rf"(?P<x>(?:immediately\s+|just\s+|straight\s+)?(?:after(?:wards)?|following)\b"
+            rf"(?:\s+(?!(?:is|equals?|in|as|and)\b)(?:[a-z]\w*|{_NAME}(?=\s*(?:$|[,.])))){{0,3}})"
         ),
         _Cure(
             "leave out '{x}': a quantity is the one after the events told so far, "
@@ -1240,7 +1361,10 @@ def _fix(source: Source, cure: _Cure, text: str, match: re.Match[str], start: in
         start = begin
     if text.endswith("\n"):
         end += len(source.text[end:]) - len(source.text[end:].lstrip())
-    elif text and source.text[end - 1 : end].isspace():
+    elif text and (
+        source.text[end - 1 : end].isspace()
+        or (text[-1].isalnum() and source.text[end : end + 1].isalnum())
+    ):
         text += " "
     return source.fix(start, end, text)
 
