@@ -19,6 +19,7 @@ _STEPS = 8  # slips in one line that are mended one after another
 _OFFERED = 3
 _BREAK = re.compile(r"\r\n|\r|\n")
 _SHOWN = 60
+_LONGEST = 300  # characters of a line in which a line of centres is sought
 
 FirstMistake = Callable[[Line, Mapping[str, str]], StatementError | None]
 MistakeWithin = Callable[[str, int, int], StatementError | None]
@@ -185,12 +186,14 @@ _EVENT = re.compile(
 
 def _into_the_event(text: str, line: Line, within: MistakeWithin) -> Fix | None:
     """The cure that says a line of centres where the only impact is told, if there is one such."""
+    if len(line.source.plain) > _LONGEST:
+        return None
     match = _CENTRES.match(line.source.plain)
     events = [each for each in logical_lines(text) if " hits " in each.source.plain]
     if match is None or len(events) != 1 or len(line.source.pieces) > 1:
         return None
     source = events[0].source
-    event = _EVENT.match(source.plain)
+    event = _EVENT.match(source.plain[:_LONGEST])
     if event is None or "along" in event["rest"] or len(source.pieces) > 1:
         return None
     mark = ":" if not event["colon"] else "," if event["rest"].strip() else ""
