@@ -41,12 +41,27 @@ def explanation_of(derivation: Derivation, problem: Problem) -> Explanation:
     parts: list[PartExplanation] = []
     by_part = groupby(derivation.lines, lambda line: writer.part_of(line))
     for label, lines in by_part:
-        steps = tuple(writer.steps(list(lines)))
+        steps = tuple(_joined(writer.steps(list(lines))))
         ends = [each for each in derivation.items if each.part == label]
         asked = tuple(dict.fromkeys(each.item for each in ends))
         answers = tuple(_plain(of_relation(each.answer, writer.vectors)) for each in ends)
         parts.append(PartExplanation(label, asked, steps, answers))
     return Explanation(problem.title, tuple(parts))
+
+
+def _joined(steps: Iterator[Step]) -> Iterator[Step]:
+    """Steps with the rows that follow without a word among the rows above them."""
+    last: Step | None = None
+    for step in steps:
+        wordless = step.rows and not step.title and not step.sentences
+        if last is not None and last.rows and wordless and step.item == last.item:
+            last = replace(last, rows=(*last.rows, *step.rows))
+            continue
+        if last is not None:
+            yield last
+        last = step
+    if last is not None:
+        yield last
 
 
 def _plain(layout: lay.Layout) -> str:
@@ -343,6 +358,24 @@ _TITLES = {
     "momentum-vector": "derived-momentum.title",
     "impulse-vector": "impulse.title",
     "opposite-impulses": "derived-opposite.title",
+    "across-the-impulse": "derived-axis.title",
+    "along-the-change": "derived-axis.title",
+    "energy": "derived-energy.title",
+    "energy-ratio": "derived-energy.title",
+    "energy-lost": "derived-energy.title",
+    "total": "derived-energy.title",
+    "tan": "derived-direction.title",
+    "tan-direction": "derived-direction.title",
+    "scalar-angle": "derived-direction.title",
+    "tan-deflection": "derived-deflection.title",
+    "sum": "derived-deflection.title",
+    "difference": "derived-deflection.title",
+    "speed": "derived-speed.title",
+    "component": "derived-resolved.title",
+    "assemble": "derived-assembled.title",
+    "perpendicular": "derived-perpendicular.title",
+    "parallel": "derived-parallel.title",
+    "straight-line": "derived-journey.title",
 }
 
 
