@@ -110,12 +110,12 @@ def _line(match: re.Match[str], names: dict[str, str]) -> Line:
 
 
 def _move(text: str) -> Move:
-    id, *words = text.split()
-    if id == "combine":
+    name, *words = text.split()
+    if name == "combine":
         return Move("combine", eliminated=_whole(" ".join(words)) or None)
     record = words[0] if words else None
     event = int(words[1]) if len(words) > 1 else None
-    return Move(id, record, event, tuple(words[2:]))  # type: ignore[arg-type]
+    return Move(name, record, event, tuple(words[2:]))  # type: ignore[arg-type]
 
 
 def _whole(text: str) -> str:

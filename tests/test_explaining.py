@@ -293,7 +293,7 @@ def test_a_derivation_reads_as_a_teacher_writes() -> None:
         "    magnitude of the impulse = √(18² + 24²) = 30                           M1 A1",
         "Newton's experimental law:",
         "    (−4)(−18) + (−1)(−24) = −e(2(−18) + 7(−24))                            M1 A1",
-        "    e = 8/17                                                                  A1",
+        "                        e = 8/17                                              A1",
     ]
 
 

@@ -39,7 +39,7 @@ def explanation_of(derivation: Derivation, problem: Problem) -> Explanation:
     """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of."""
     writer = _Writer(derivation)
     parts: list[PartExplanation] = []
-    by_part = groupby(derivation.lines, lambda line: writer.part_of(line))
+    by_part = groupby(derivation.lines, writer.part_of)
     for label, lines in by_part:
         steps = tuple(_joined(writer.steps(list(lines))))
         ends = [each for each in derivation.items if each.part == label]
@@ -226,7 +226,9 @@ class _Writer:
     def _asides(self, line: Line) -> Iterator[Sentence]:
         """What stands behind a row: its number, its reason, and that it was to be shown."""
         if line.move.id in _REASONED:
-            reasons = tuple(filter(None, (self._reason(ref) for ref in line.premises)))
+            reasons = tuple(
+                reason for ref in line.premises if (reason := self._reason(ref)) is not None
+            )
             if reasons:
                 yield say("derived.as", reasons=reasons)
         if line.number in self.numbers:

@@ -752,8 +752,8 @@ def _rational(tree: Expression) -> Fraction | None:
         case Number(value):
             return value
         case Negate(operand):
-            value = _rational(operand)
-            return None if value is None else -value
+            inner = _rational(operand)
+            return None if inner is None else -inner
         case Binary("/", left, right):
             above, below = _rational(left), _rational(right)
             return above / below if above is not None and below else None

@@ -193,9 +193,9 @@ class Derivation:
     cases: tuple[Case, ...] = ()
     others: tuple[Route, ...] = ()
 
-    def fact(self, id: str) -> Fact | None:
+    def fact(self, name: str) -> Fact | None:
         """The fact with an id; None where there is none."""
-        return next((each for each in self.facts if each.id == id), None)
+        return next((each for each in self.facts if each.id == name), None)
 
     def line(self, number: int) -> Line | None:
         """The line with a number; None where there is none."""

@@ -7,7 +7,7 @@ Ids are short and say what they are: ``mass A``, ``velocity A``, ``wall W``, ``a
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
@@ -51,16 +51,6 @@ _AXES: Mapping[Expression, Expression] = {
     Unit("i"): Unit("j"),
     Unit("j"): Negate(Unit("i")),
 }
-
-
-@dataclass(frozen=True)
-class Given_:
-    """A relation of the statement with the events told so far, and the part it is in force in."""
-
-    relation: Said
-    events: int
-    part: str | None
-    place: Any
 
 
 def events_of(problem: Problem) -> tuple[Event, ...]:
@@ -272,7 +262,7 @@ class _Facts:
 
     def _fact(
         self,
-        id: str,
+        name: str,
         left: Expression,
         right: Expression,
         place: Any,
@@ -280,7 +270,7 @@ class _Facts:
         kind: Any = "data",
     ) -> Fact:
         relation = Relation(((Link(left, sign, settled(right, self.events)),),))
-        return Fact(id, kind, relation, None, place)
+        return Fact(name, kind, relation, None, place)
 
 
 def settled_item(problem: Problem, tree: Expression, events: int) -> Expression:

@@ -6,9 +6,11 @@ nothing of how the working was made, or of how the problem was solved.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import lru_cache
 from typing import Literal
 
@@ -21,20 +23,18 @@ from restitution.explaining.derivation import (
     Line,
     Link,
     Meaning,
+    Move,
     Ref,
     Relation,
 )
 from restitution.explaining.moves import follows
 from restitution.explaining.notation import read_relation, read_tree
-from restitution.explaining.principles import RECORDS
 from restitution.explaining.step import Cited, Known, Setting, Step
-from restitution.explaining.trees import of_relation, settled, trees_of
+from restitution.explaining.trees import settled, trees_of
 from restitution.expression.tree import (
     Degrees,
     Expression,
-    Letter,
     Name,
-    Number,
     Quantity,
     letters,
     walk,
@@ -152,7 +152,7 @@ class _Reader:
                     yield Complaint("letter-introduced-twice", line.number, meaning.letter)
                 quantities[meaning.quantity] = meaning.letter
                 introduced.add(meaning.letter)
-                missing = letters(meaning.quantity) - known - introduced
+                missing = set(letters(meaning.quantity)) - known - introduced
             else:
                 missing = _letters_of(line.relation) - known - introduced
             for name in sorted(missing):
@@ -339,8 +339,7 @@ def _known(ref: str, setting: Setting) -> Known | None:
     head, colon, text = ref.partition(":")
     if colon and head.strip() == "acute":
         angle = read_tree(text, setting.names)
-        zero, right = Degrees(Number(0).value), Degrees(Number(90).value)
-        relation = Relation(((Link(zero, "<", angle), Link(angle, "<", right)),))  # type: ignore[arg-type]
+        zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
         relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
         names = letters(angle)
     else:
@@ -402,14 +401,10 @@ def _same(line: Relation, answer: Relation) -> bool:
     if len(line.options) != 1 or len(line.only) < 2:
         return False
     links = line.only
-    if any(a.right != b.left for a, b in zip(links, links[1:], strict=False)):
+    if any(a.right != b.left for a, b in itertools.pairwise(links)):
         return False
     whole = Link(links[0].left, links[-1].sign, links[-1].right)
     return _told(Relation(((whole,),))) == _told(answer)
 
 
-from restitution.explaining.derivation import Move  # noqa: E402
-
 _NO_MOVE = Move("let")
-__all__ = ["Complaint", "Reason", "follow", "known_of_letters", "setting_of"]
-_UNUSED = (Letter, RECORDS, of_relation)

@@ -7,6 +7,7 @@ step is one move long: that a line is true, or a consequence, does not make it r
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -113,7 +114,7 @@ def _rest(step: Step) -> tuple[Cited, ...]:
     return tuple(each for each in step.cited if each is not first)
 
 
-# --- one residual against another -----------------------------------------------------------------
+# --- one residual against another ----------------------------------------------------------------
 
 
 def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
@@ -208,13 +209,14 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
         if not (isinstance(left, Plane) and isinstance(right, Plane)):
             return False
         if each is template:
-            right = rules.put_into(right)  # type: ignore[assignment]
+            right = rules.put_into(right)
             assert isinstance(right, Plane)
         if template.sign == "parallel to":
             values.append(left.x * right.y - left.y * right.x)
         else:
             values.append(left.x * right.x + left.y * right.y)
-    return chosen.is_multiple(*values) is not None
+    own, expected = values
+    return chosen.is_multiple(own, expected) is not None
 
 
 # --- records that are worked out and not written down --------------------------------------------
@@ -300,19 +302,14 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
     for link in step.links:
         if link.sign == relation:
             yield from _tie(step, event, link.left, link.right, relation)
-        elif link.sign == "=" and link.left == Quantity("deflection", *_whose(link.left)):
-            angle = {"perpendicular to": 90, "parallel to": 0}[relation]
-            if link.right == Degrees(Fraction(angle)):
-                body, stage = link.left.arguments[0], link.left.stage  # type: ignore[union-attr]
-                before, after = (
-                    Quantity("velocity", (body,), each)
-                    for each in (stage - 1, stage)  # type: ignore[operator]
-                )
+            continue
+        angle = {"perpendicular to": 90, "parallel to": 0}[relation]
+        match link:
+            case Link(Quantity("deflection", (body,), int(stage)), "=", Degrees(value)) if (
+                value == angle
+            ):
+                before, after = (Quantity("velocity", (body,), n) for n in (stage - 1, stage))
                 yield from _tie(step, event, before, after, relation)
-
-
-def _whose(tree: Expression) -> tuple[tuple[Expression, ...], Any]:
-    return (tree.arguments, tree.stage) if isinstance(tree, Quantity) else ((), None)
 
 
 def _tie(
@@ -392,7 +389,7 @@ def _is_resolved(step: Step, line: Link) -> bool:
     return all(step.world.reduced(a - b).vanishes for a, b in pairs)
 
 
-# --- from one line ---------------------------------------------------------------------------------
+# --- from one line -------------------------------------------------------------------------------
 
 
 def _put(step: Step, line: Link) -> bool:
@@ -407,8 +404,7 @@ def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
     """The links of a relation, and the first side of a chain with its last."""
     yield from links
     if len(links) > 1 and all(
-        each.sign == "=" and before.right == each.left
-        for before, each in zip(links, links[1:], strict=False)
+        each.sign == "=" and before.right == each.left for before, each in itertools.pairwise(links)
     ):
         yield Link(links[0].left, "=", links[-1].right)
 
@@ -461,7 +457,7 @@ def _matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: S
     return k is not None and line.sign == (sign if k == 1 else FLIPPED[sign])
 
 
-# --- from two lines --------------------------------------------------------------------------------
+# --- from two lines ------------------------------------------------------------------------------
 
 
 def _pair(step: Step) -> tuple[Link, Link] | None:
@@ -509,7 +505,7 @@ def _combine(step: Step, line: Link) -> bool:
 
 
 def _coefficient(x: Quotient, number: int) -> Quotient | None:
-    """The factor of a generator in what is linear in it; None where it is not, or does not occur."""
+    """The factor of a generator in what is linear in it; None where it is not linear, or absent."""
     if any(m[number] for m in x.below) or any(m[number] > 1 for m in x.above):
         return None
     lead = {(*m[:number], 0, *m[number + 1 :]): v for m, v in x.above.items() if m[number]}
@@ -575,7 +571,7 @@ _LINKS: dict[MoveId, Callable[[Step, Link], bool]] = {
 }
 
 
-# --- whole relations -------------------------------------------------------------------------------
+# --- whole relations -----------------------------------------------------------------------------
 
 
 def _triangle(step: Step, relation: Relation) -> bool:
@@ -835,9 +831,8 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
         return None, None, False
     ((atom, count),) = turn.terms
     acute = any(
-        isinstance(each.relation, Relation) and each.ref.startswith("acute")
+        each.ref.startswith("acute") and step.world.turn(each.relation.options[0][0].left) == turn
         for each in step.known
-        if atom in {t for links in each.relation.options for x in links for t in walk(x.left)}
     )
     if acute:
         return sp.Integer(0), sp.pi / 2, False

@@ -17,7 +17,7 @@ from restitution.expression.writing import write_expression
 
 _EITHER = re.compile(r"\s+or\s+")
 _BOTH = re.compile(r"\s+and\s+")
-_SIGN = re.compile("|".join(sorted(map(re.escape, SIGNS), key=len, reverse=True)))
+_SIGN = re.compile("|".join(re.escape(each) for each in sorted(SIGNS, key=len, reverse=True)))
 _BY = re.compile(r"\[([a-z-]+)\]\s*$")
 _MEANING = re.compile(
     r"let\s+(?P<vector>vector\s+)?(?P<letter>\S+)\s*=\s*(?P<quantity>.+?)"

@@ -109,8 +109,10 @@ PRINCIPLES = (
         "momentum",
         "principle",
         (
-            f"mass(F) {_c('F', 0)} + mass(S) {_c('S', 0)}"
-            f" = mass(F) {_c('F', 1)} + mass(S) {_c('S', 1)}",
+            (
+                f"mass(F) {_c('F', 0)} + mass(S) {_c('S', 0)}"
+                f" = mass(F) {_c('F', 1)} + mass(S) {_c('S', 1)}"
+            ),
         ),
         "spheres",
         ("along", "mass"),
@@ -130,8 +132,10 @@ PRINCIPLES = (
         "momentum-vector",
         "principle",
         (
-            "mass(F) velocity(F, 0) + mass(S) velocity(S, 0)"
-            " = mass(F) velocity(F, 1) + mass(S) velocity(S, 1)",
+            (
+                "mass(F) velocity(F, 0) + mass(S) velocity(S, 0)"
+                " = mass(F) velocity(F, 1) + mass(S) velocity(S, 1)"
+            ),
         ),
         "spheres",
         ("velocity", "mass"),
@@ -229,8 +233,10 @@ DEFINITIONS = (
         "tan-deflection",
         "definition",
         (
-            f"tan(deflection(X, 1)) = ({_c('X', 0)} {_s('X', 1)} - {_s('X', 0)} {_c('X', 1)})"
-            f"/({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})",
+            (
+                f"tan(deflection(X, 1)) = ({_c('X', 0)} {_s('X', 1)} - {_s('X', 0)} {_c('X', 1)})"
+                f"/({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
+            ),
         ),
         gives=("deflection",),
         cost=2,
@@ -296,14 +302,20 @@ DEFINITIONS = (
         "scalar-angle",
         "definition",
         (
-            "cos(deflection(X, 1)) = dot(velocity(X, 0), velocity(X, 1))"
-            "/(abs(velocity(X, 0)) abs(velocity(X, 1)))",
-            "cos(angle(velocity(X, 1), velocity(Y, 1))) = dot(velocity(X, 1), velocity(Y, 1))"
-            "/(abs(velocity(X, 1)) abs(velocity(Y, 1)))",
+            (
+                "cos(deflection(X, 1)) = dot(velocity(X, 0), velocity(X, 1))"
+                "/(abs(velocity(X, 0)) abs(velocity(X, 1)))"
+            ),
+            (
+                "cos(angle(velocity(X, 1), velocity(Y, 1))) = dot(velocity(X, 1), velocity(Y, 1))"
+                "/(abs(velocity(X, 1)) abs(velocity(Y, 1)))"
+            ),
             f"cos(angle(velocity(X, 1), {AXIS})) = {_c('X', 1)}/sqrt{_square('X', 1)}",
             f"cos(angle(velocity(X, 0), {AXIS})) = {_c('X', 0)}/sqrt{_square('X', 0)}",
-            f"cos(deflection(X, 1)) = ({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
-            f"/(sqrt{_square('X', 0)} sqrt{_square('X', 1)})",
+            (
+                f"cos(deflection(X, 1)) = ({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
+                f"/(sqrt{_square('X', 0)} sqrt{_square('X', 1)})"
+            ),
         ),
         gives=("angle", "deflection"),
         cost=3,
@@ -348,8 +360,10 @@ DEFINITIONS = (
                 f" = along(velocity(X, 0), {axis}) (time(1) - time(0))"
                 for axis in "ij"
             ),
-            "(along(position(X, 1), j) - along(position(X, 0), j)) along(velocity(X, 0), i)"
-            " = (along(position(X, 1), i) - along(position(X, 0), i)) along(velocity(X, 0), j)",
+            (
+                "(along(position(X, 1), j) - along(position(X, 0), j)) along(velocity(X, 0), i)"
+                " = (along(position(X, 1), i) - along(position(X, 0), i)) along(velocity(X, 0), j)"
+            ),
         ),
         gives=("position", "time"),
         marks=("M",),
@@ -357,8 +371,8 @@ DEFINITIONS = (
 )
 
 IDENTITIES = tuple(
-    Record(id, "identity")
-    for id in ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
+    Record(name, "identity")
+    for name in ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
 )
 
 RECORDS: Mapping[str, Record] = {each.id: each for each in (*PRINCIPLES, *DEFINITIONS, *IDENTITIES)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -186,9 +186,9 @@ class Step:
         for link in self.links:
             if link.sign != "=" or link.left in self.opaque:
                 continue
-            if isinstance(link.left, Letter | Quantity) and world.is_angle(link.left):
-                if link.left not in set(walk(link.right)):
-                    yield link.left, link.right
+            subject = isinstance(link.left, Letter | Quantity) and world.is_angle(link.left)
+            if subject and link.left not in set(walk(link.right)):
+                yield link.left, link.right
 
     # --- values put in --------------------------------------------------------------------------
 
@@ -357,7 +357,8 @@ class Step:
         if isinstance(left, Plane) and isinstance(right, Plane):
             value: Value = Plane(left.x - right.x, left.y - right.y)
         else:
-            assert isinstance(left, Quotient) and isinstance(right, Quotient)
+            assert isinstance(left, Quotient)
+            assert isinstance(right, Quotient)
             value = left - right
         return value if rules is None else rules.put_into(value)
 

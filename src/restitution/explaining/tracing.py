@@ -12,7 +12,7 @@ import math
 import random
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, permutations, product
+from itertools import combinations, pairwise, permutations, product
 from typing import Any, Literal
 
 from restitution.explaining.algebra import (
@@ -173,9 +173,7 @@ class Tracer:
     def _chain(self, relation: Relation) -> Trace | None:
         """A chain is what its first link is, if the others are moves of their own."""
         links = relation.only
-        if len(links) < 2 or any(
-            a.right != b.left or b.sign != "=" for a, b in zip(links, links[1:], strict=False)
-        ):
+        if len(links) < 2 or any(a.right != b.left or b.sign != "=" for a, b in pairwise(links)):
             return None
         first = self.trace(Relation(((links[0],),)))
         whole = Relation(((Link(links[0].left, "=", links[-1].right),),))
@@ -549,7 +547,7 @@ def _is_right_angle(link: Link) -> bool:
     return isinstance(link.left, Quantity) and link.left.kind == "deflection"
 
 
-# --- numbers ---------------------------------------------------------------------------------------
+# --- numbers -------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -680,7 +678,8 @@ class _Numbers:
                 line, other = (rules.put_into(each) for each in (own[level], second.value))
             except NotComparableError:
                 continue
-            assert isinstance(line, Quotient) and isinstance(other, Quotient)
+            assert isinstance(line, Quotient)
+            assert isinstance(other, Quotient)
             if line.vanishes:
                 return True
             if other.vanishes:
@@ -759,9 +758,7 @@ def _solved_for(x: Quotient, number: int) -> Quotient:
 
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
     yield links[0]
-    if len(links) > 1 and all(
-        a.right == b.left and b.sign == "=" for a, b in zip(links, links[1:], strict=False)
-    ):
+    if len(links) > 1 and all(a.right == b.left and b.sign == "=" for a, b in pairwise(links)):
         yield Link(links[0].left, links[0].sign, links[-1].right)
     else:
         yield from links[1:]

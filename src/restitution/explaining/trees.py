@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, replace
+from typing import Any
 
 from restitution.explaining.derivation import Event, Link, Meaning, Relation
 from restitution.expression.tree import AtTime, Expression, Letter, Name, Quantity, walk
@@ -14,7 +15,7 @@ _LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
 
 def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
     """A tree with each node changed, innermost first."""
-    put = {}
+    put: dict[str, Any] = {}
     for each in fields(tree):
         if each.name == "place":
             continue
@@ -65,7 +66,9 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
 
     None where it speaks of a body for which there is no name.
     """
-    wanted = {each.name for tree in trees_of(relation) for each in walk(tree) if _named(each)}
+    wanted = {
+        each.name for tree in trees_of(relation) for each in walk(tree) if isinstance(each, Name)
+    }
     if not wanted <= names.keys():
         return None
 
@@ -77,10 +80,6 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
         return tree
 
     return of_relation(relation, change)
-
-
-def _named(tree: Expression) -> bool:
-    return isinstance(tree, Name)
 
 
 def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from math import gcd
 from typing import Any, Literal
 
@@ -233,11 +232,11 @@ class _Span:
                 row = tuple(
                     a * other[column] - b * row[column] for a, b in zip(row, other, strict=True)
                 )
-        column = next((n for n, value in enumerate(row) if value), None)
-        if column is None:
+        pivot = next((n for n, value in enumerate(row) if value), None)
+        if pivot is None:
             return False
         divisor = gcd(*row)
-        self._basis.append((column, tuple(value // divisor for value in row)))
+        self._basis.append((pivot, tuple(value // divisor for value in row)))
         return True
 
 

@@ -154,7 +154,8 @@ class Oracle:
 
     def proves(self, claim: Formula) -> bool:
         """Whether a claim is proved, for who needs no counter-example: finding a plain one takes
-        longer than the rest."""
+        longer than the rest.
+        """
         if claim in self._verdicts:
             return bool(self._verdicts[claim])
         try:
