@@ -11,11 +11,13 @@ import contextlib
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any, Literal
 
 import sympy as sp
 
 from restitution.exact import is_zero, tidy, tidy_angle
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Symbolic
 from restitution.expression.tree import (
     Letter,
@@ -39,7 +41,7 @@ from restitution.oracle import (
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, number_of
+from restitution.solve.numbers import FIELD, at, number_of
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -76,7 +78,7 @@ def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
 def _may_not_vanish(gap: sp.Expr, numbers: Mapping[str, Any]) -> bool:
     """Whether it is worth asking, in intervals, for the sign of an expression at a point."""
     try:
-        return bool(abs(at(gap, numbers)) > TINY)
+        return bool(at(gap, numbers).sign)
     except (UndefinedError, KeyError, ArithmeticError):
         return False
 
@@ -212,7 +214,7 @@ class _Named:
                 except (UndefinedError, KeyError, ArithmeticError):
                     known = None
         # What the answers do not depend on may be anything.
-        self.sample[name] = known if known is not None else FIELD.context.mpf("1.37")
+        self.sample[name] = known if known is not None else FIELD.number(Fraction(137, 100))
         return symbol
 
     def seeks_contact(self, number: int, values: Iterable[sp.Expr]) -> bool:
@@ -237,10 +239,9 @@ class _Named:
         if x.is_zero:
             return 0
         try:
-            value = at(x, self.sample)
+            return at(x, self.sample).sign
         except (UndefinedError, KeyError, ArithmeticError):
             return None
-        return 0 if abs(value) < TINY else 1 if value > 0 else -1
 
 
 @dataclass
@@ -356,7 +357,7 @@ class Model:
     def _is_not_zero(self, constant: sp.Expr) -> bool:
         """Whether a constant is seen not to vanish, in numbers of many digits."""
         try:
-            return bool(abs(self.number(constant)) > TINY)
+            return bool(self.number(constant).sign)
         except (UndefinedError, ArithmeticError):
             return False
 
@@ -505,12 +506,9 @@ class Model:
     def sign(self, x: Any) -> int:
         """The sign of an expression at the sample (0 where it has no value)."""
         try:
-            value = self.number(x)
+            return int(self.number(x).sign)
         except (UndefinedError, KeyError, ArithmeticError):
             return 0
-        if abs(value) < TINY and self.decide(x, "=", 0).answer != "refuted":
-            return 0
-        return 1 if value >= 0 else -1
 
     def presentable(self, x: sp.Expr) -> sp.Expr:
         """An expression of the solution with the names of hidden unknowns that people see."""
@@ -532,7 +530,7 @@ class Model:
                 name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names
             }
             try:
-                if abs(at(x, point)) > TINY:
+                if at(x, point).sign:
                     return False
             except (UndefinedError, KeyError, ArithmeticError):
                 return False

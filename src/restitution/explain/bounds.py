@@ -22,6 +22,7 @@ from restitution.explain.steps import REQUIRED, Row, Side, side
 from restitution.explain.working import TANGENT, by_tangent
 from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Marks
 from restitution.explaining.saying import Sentence, operand, say
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Degrees, Expression, Letter, Name, Quantity, has_quantity
 from restitution.oracle import BeyondError, Formula, compared
@@ -33,7 +34,7 @@ from restitution.render.layout import Layout
 from restitution.solve import algebra, forms
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.numbers import UndefinedError, at
+from restitution.solve.numbers import at
 from restitution.solve.solution import Answer, ItemResult
 
 if TYPE_CHECKING:

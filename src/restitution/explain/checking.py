@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -11,10 +12,10 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.explain.steps import Row
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import Relation, holds_at
-from restitution.solve.numbers import TINY, UndefinedError
 
-_TOLERANCE = 1e-18
+_TOLERANCE = Fraction(1, 10**18)
 _ORDERED = {"<": operator.lt, "≤": operator.le, ">": operator.gt, "≥": operator.ge}
 
 
@@ -61,7 +62,7 @@ def _related(left: Any, sign: str, right: Any, number: Callable[[Any], Any]) -> 
         return False
     for one, other in _parts(left, right):
         a, b = number(one), number(other)
-        close = abs(a - b) <= _TOLERANCE * (abs(a) + abs(b)) + TINY
+        close = abs(a - b) <= _TOLERANCE * (abs(a) + abs(b))
         if sign == "=" and not close:
             return False
         if sign == "≠" and close:

@@ -39,6 +39,7 @@ from restitution.explain.phrases import (
 from restitution.explain.steps import Origin, Row, Side, Step, StepKind, side
 from restitution.explaining.marks import A1, B1, DM1, M1, Marks
 from restitution.explaining.saying import Sentence, say
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Value
 from restitution.expression.tree import Expression
 from restitution.problem import Aligned, Arrival, Impact, Kick
@@ -46,7 +47,7 @@ from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import TINY, UndefinedError, at
+from restitution.solve.numbers import at
 from restitution.solve.polynomials import factors
 from restitution.solve.solution import RejectedBranch
 from restitution.vector import Vector
@@ -738,7 +739,7 @@ class Working:
             found = at(here, {**self.model.sample, x.name: number})
         except (UndefinedError, KeyError, ArithmeticError):
             return False
-        if abs(found) > TINY:
+        if found.sign:
             return False
         return self.model.decide(here.xreplace({x: value}), "=", 0).answer != "refuted"
 

@@ -12,13 +12,13 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any
 
-import mpmath
 import sympy as sp
 
 from restitution.errors import StatementError
+from restitution.expression.enclosed import PI, Enclosed
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -88,71 +88,35 @@ class Symbolic:
 
 
 class Numeric:
-    """Numbers of ``digits`` significant digits, in a context of their own."""
+    """Numbers with a bound of every rounding: `Enclosed`. Only the search rests on them."""
 
     exact = False
-
-    def __init__(self, digits: int = 40) -> None:
-        self.context = _context(digits)
-        self.pi = +self.context.pi
-        self.zero = self.context.mpf(0)
-        self._rounding = self.context.mpf(10) ** (8 - digits)
-        self._nothing = self.context.mpf(10) ** (-digits * 3 // 4)
+    pi = PI
+    zero = Enclosed.of(0)
 
     def number(self, value: Fraction) -> Scalar:
-        above = self.context.mpf(value.numerator)
-        return above if value.denominator == 1 else above / value.denominator
+        return Enclosed.of(value)
 
     def sqrt(self, x: Scalar) -> Scalar:
-        x = self.context.mpf(x) if not isinstance(x, self.context.mpc) else x
-        if x < 0 and x > -self._rounding:
-            return self.zero  # a square that rounding has made slightly negative
-        if x < 0:
-            raise ArithmeticError("square root of a negative number")
-        return self.context.sqrt(x)
+        return Enclosed.of(x).sqrt()
 
     def abs(self, x: Scalar) -> Scalar:
         return abs(x)
 
     def power(self, x: Scalar, y: Scalar) -> Scalar:
-        result = self.context.power(x, y)
-        if isinstance(result, self.context.mpc):
-            raise ArithmeticError("root of a negative number")
-        return result
+        return Enclosed.of(x) ** y
 
     def cos_sin(self, x: Scalar) -> tuple[Scalar, Scalar]:
-        return _cos_sin_of_number(self.context, x)
+        return Enclosed.of(x).cos_sin()
 
     def arctan2(self, y: Scalar, x: Scalar) -> Scalar:
-        return self.context.atan2(y, x)
+        return Enclosed.atan2(y, x)
 
     def arc(self, function: str, x: Scalar) -> Scalar:
-        if function != "arctan" and abs(x) > 1:
-            if abs(x) > 1 + self._rounding:
-                raise ArithmeticError(f"{function} of a number beyond 1")
-            x = self.context.sign(x)
-        return {
-            "arcsin": self.context.asin,
-            "arccos": self.context.acos,
-            "arctan": self.context.atan,
-        }[function](x)
+        return Enclosed.of(x).arc(function.replace("arc", "a"))
 
     def is_zero(self, x: Scalar) -> bool:
-        return bool(abs(x) < self._nothing)
-
-
-@cache
-def _context(digits: int) -> Any:
-    context = mpmath.mp.clone()
-    context.dps = digits
-    return context
-
-
-@lru_cache(maxsize=256)
-def _cos_sin_of_number(context: Any, x: Any) -> tuple[Any, Any]:
-    """Kept, as the angles that are given come again in every telling."""
-    c, s = context.cos_sin(x)
-    return c, s
+        return not Enclosed.of(x).sign
 
 
 @lru_cache(maxsize=4096)

@@ -19,34 +19,26 @@ import sympy as sp
 from mpmath.libmp import (
     ComplexResult,
     dps_to_prec,
-    fnone,
-    fone,
     from_float,
-    from_rational,
-    fzero,
-    mpf_lt,
-    mpf_neg,
     mpf_sign,
-    mpi_abs,
     mpi_add,
-    mpi_atan,
-    mpi_atan2,
-    mpi_cos_sin,
-    mpi_div,
-    mpi_exp,
-    mpi_log,
     mpi_mid,
     mpi_mul,
-    mpi_pow_int,
-    mpi_sqrt,
-    mpi_sub,
     prec_to_dps,
-    round_ceiling,
-    round_floor,
     to_float,
     to_rational,
 )
 from mpmath.libmp.libmpi import mpi_pi
+
+from restitution.expression.enclosed import (
+    Enclosed,
+    Interval,
+    fraction_in,
+    function_in,
+    power_in,
+    sign_of,
+    whole_power_in,
+)
 
 Value = Fraction | float | Any  # Any: a SymPy number
 Point = Mapping[str, Value]
@@ -60,12 +52,14 @@ _TINY = 1e-300
 _WHOLE = 2.0**26
 _EXACT = 2.0**53
 DIGITS = (60, 240)
-_NOTHING_SEEN = from_rational(1, 10**95, 53, round_floor)
-_SEARCHED = 300  # digits: even the root of what ought to vanish is seen to vanish
+_SEARCHED = 300
 
 
 class BeyondError(Exception):
     """A value cannot be had in this arithmetic: it is undefined, or too wide to tell."""
+
+
+_NO_VALUE = (BeyondError, ArithmeticError, ValueError, ComplexResult)
 
 
 @dataclass(frozen=True)
@@ -120,32 +114,27 @@ class Program:
                 continue
             for n, interval in enumerate(intervals):
                 if signs[n] is None and interval is not None:
-                    signs[n] = _sign_of(interval)
+                    signs[n] = sign_of(interval)
             if None not in signs:
                 break
         return signs
 
     def near_signs(self, point: Point) -> list[int | None]:
-        """The signs, with 0 for what is within 10⁻⁹⁵ of zero, such as a root in figures.
+        """The signs, with 0 for what may be zero, as far as 300 digits show.
 
         None is for what has no real value. This is for a search; it decides nothing.
         """
         try:
             balls = self._balls(self._balls_at(point))
             middles = [balls[place] for place in self.results]
-            if all(abs(middle) > error and abs(middle) > 1e-12 for middle, error in middles):
+            if all(abs(middle) > error for middle, error in middles):
                 return [1 if middle > 0 else -1 for middle, _ in middles]
         except (BeyondError, ArithmeticError, ValueError):
             pass
-        signs: list[int | None] = []
-        for interval in self.enclosures(point, _SEARCHED):
-            if interval is None:
-                signs.append(None)
-                continue
-            low, high = interval
-            above = mpf_lt(_NOTHING_SEEN, low)
-            signs.append(1 if above else -1 if mpf_lt(high, mpf_neg(_NOTHING_SEEN)) else 0)
-        return signs
+        return [
+            None if interval is None else sign_of(interval) or 0
+            for interval in self.enclosures(point, _SEARCHED)
+        ]
 
     def _balls_at(self, point: Point) -> dict[str, Ball]:
         return {name: ball(point[name]) for name in self.letters}
@@ -250,7 +239,7 @@ class Program:
         for operation, arguments in self.instructions:
             try:
                 values.append(_enclosed(precision, operation, arguments, values, point))
-            except (BeyondError, ZeroDivisionError, ValueError, OverflowError, ComplexResult):
+            except _NO_VALUE:
                 values.append(None)
         return [values[place] for place in self.results]
 
@@ -343,6 +332,10 @@ def ball(value: Value) -> Ball:
         interval = constant_interval(value, 30)
         middle = to_float(mpi_mid(interval, dps_to_prec(30)))
         return middle, abs(middle) * 2 * _EPSILON + _TINY
+    if isinstance(value, Enclosed):
+        low, high = (to_float(each) for each in value.ends)
+        middle = low + (high - low) / 2
+        return middle, (high - low) + abs(middle) * 2 * _EPSILON + _TINY
     middle = float(value)
     exact = isinstance(value, int) and middle == value
     return middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY
@@ -415,11 +408,6 @@ def _ball_function(operation: str, values: list[Ball]) -> Ball:
 
 # --- intervals of many digits ---------------------------------------------------------------------
 
-# Intervals are pairs of the numbers of ``mpmath.libmp``: its functions take the precision with
-# each operation, and are a few times faster than the objects of a context.
-Interval = tuple[Any, Any]
-_ONE: Interval = (fone, fone)
-
 
 def ends_of(interval: Interval) -> tuple[Fraction, Fraction]:
     """The two ends of an interval, exactly."""
@@ -436,16 +424,6 @@ def constant_interval(x: sp.Expr, digits: int) -> Interval:
     return interval
 
 
-def _sign_of(interval: Interval) -> int | None:
-    low, high = interval
-    return 1 if mpf_sign(low) > 0 else -1 if mpf_sign(high) < 0 else None
-
-
-def _holds_zero(interval: Interval) -> bool:
-    low, high = interval
-    return bool(mpf_sign(low) <= 0 <= mpf_sign(high))
-
-
 def _enclosed(
     precision: int,
     operation: str,
@@ -454,16 +432,16 @@ def _enclosed(
     point: Point,
 ) -> Interval:
     if operation == "number":
-        return _fraction_in(precision, arguments[0])
+        return fraction_in(precision, arguments[0])
     if operation == "letter":
         value = point[arguments[0]]
         if isinstance(value, sp.Expr) and not value.is_Rational:
             return constant_interval(value, prec_to_dps(precision))
-        if hasattr(value, "_mpf_"):
-            return value._mpf_, value._mpf_
+        if isinstance(value, Enclosed):
+            return value.ends
         if isinstance(value, sp.Expr):
             value = Fraction(int(value.p), int(value.q))
-        return _fraction_in(precision, Fraction(value))
+        return fraction_in(precision, Fraction(value))
     if operation == "pi":
         return mpi_pi(precision)  # type: ignore[no-any-return]
     if operation == "constant":
@@ -471,12 +449,9 @@ def _enclosed(
     if operation == "nothing":
         raise BeyondError
     if operation == "power":
-        base, n = values[arguments[0]], arguments[1]
-        if base is None or (n < 0 and _holds_zero(base)):
-            raise BeyondError
-        return mpi_pow_int(base, n, precision)  # type: ignore[no-any-return]
+        return whole_power_in(precision, values[arguments[0]], arguments[1])
     if operation == "root":
-        return _power_in(precision, values[arguments[0]], arguments[1], arguments[2])
+        return power_in(precision, values[arguments[0]], arguments[1], arguments[2])
     inner: list[Interval] = []
     for each in arguments:
         own = values[each]
@@ -493,30 +468,7 @@ def _enclosed(
         for own in inner[1:]:
             product = mpi_mul(product, own, precision)
         return product
-    return _function_in(precision, operation, inner)
-
-
-def _power_in(precision: int, base: Interval | None, p: int, q: int) -> Interval:
-    if base is None or mpf_sign(base[1]) < 0 or (p < 0 and mpf_sign(base[0]) <= 0):
-        raise BeyondError
-    if mpf_sign(base[0]) < 0:  # what is not known to be negative may be nothing
-        base = fzero, base[1]
-    if q == 2:
-        return mpi_pow_int(mpi_sqrt(base, precision), p, precision)  # type: ignore[no-any-return]
-    if mpf_sign(base[0]) <= 0:
-        raise BeyondError
-    exponent = _fraction_in(precision, Fraction(p, q))
-    logarithm = mpi_mul(mpi_log(base, precision), exponent, precision)
-    return mpi_exp(logarithm, precision)  # type: ignore[no-any-return]
-
-
-@lru_cache(maxsize=4096)
-def _fraction_in(precision: int, value: Fraction) -> Interval:
-    above, below = value.numerator, value.denominator
-    return (
-        from_rational(above, below, precision, round_floor),
-        from_rational(above, below, precision, round_ceiling),
-    )
+    return function_in(precision, operation, inner)
 
 
 @lru_cache(maxsize=512)
@@ -525,56 +477,7 @@ def _root_in(precision: int, x: Any) -> Interval:
     width = sp.Rational(1, 10 ** (prec_to_dps(precision) + 5))
     middle = x.eval_rational(width)
     low, high = (Fraction(int(y.p), int(y.q)) for y in (middle - width, middle + width))
-    return _fraction_in(precision, low)[0], _fraction_in(precision, high)[1]
-
-
-def _function_in(precision: int, operation: str, inner: list[Interval]) -> Interval:
-    x = inner[0]
-    if operation in ("sin", "cos", "tan", "sec", "cot", "csc"):
-        cosine, sine = mpi_cos_sin(x, precision)
-        if operation in ("sin", "cos"):
-            return sine if operation == "sin" else cosine  # type: ignore[no-any-return]
-        below = cosine if operation in ("tan", "sec") else sine
-        if _holds_zero(below):
-            raise BeyondError
-        above = {"tan": sine, "cot": cosine}.get(operation, _ONE)
-        return mpi_div(above, below, precision)  # type: ignore[no-any-return]
-    if operation == "atan":
-        return mpi_atan(x, precision)  # type: ignore[no-any-return]
-    if operation == "acot":
-        if _holds_zero(x):
-            raise BeyondError
-        return mpi_atan(mpi_div(_ONE, x, precision), precision)  # type: ignore[no-any-return]
-    if operation in ("acos", "asin"):
-        if mpf_lt(x[1], fnone) or mpf_lt(fone, x[0]):
-            raise BeyondError
-        other = mpi_sub(_ONE, mpi_mul(x, x, precision), precision)
-        if mpf_sign(other[1]) < 0:
-            raise BeyondError
-        if mpf_sign(other[0]) < 0:
-            other = fzero, other[1]
-        other = mpi_sqrt(other, precision)
-        pair = (other, x) if operation == "acos" else (x, other)
-        return mpi_atan2(*pair, precision)  # type: ignore[no-any-return]
-    if operation == "atan2":
-        y, x = inner
-        if mpf_sign(x[0]) <= 0 and _holds_zero(y):
-            raise BeyondError
-        return mpi_atan2(y, x, precision)  # type: ignore[no-any-return]
-    if operation == "abs":
-        return mpi_abs(x, precision)  # type: ignore[no-any-return]
-    if operation == "sign":
-        sign = _sign_of(x)
-        if sign is None:
-            raise BeyondError
-        return (fone, fone) if sign > 0 else (fnone, fnone)
-    low, high = x
-    for a, b in inner[1:]:
-        if operation == "max":
-            low, high = (a if mpf_lt(low, a) else low), (b if mpf_lt(high, b) else high)
-        else:
-            low, high = (a if mpf_lt(a, low) else low), (b if mpf_lt(b, high) else high)
-    return low, high
+    return fraction_in(precision, low)[0], fraction_in(precision, high)[1]
 
 
 def box_signs(program: Program, box: Mapping[str, tuple[float, float]]) -> list[frozenset[int]]:
@@ -588,7 +491,7 @@ def box_signs(program: Program, box: Mapping[str, tuple[float, float]]) -> list[
                 values.append(point[arguments[0]])
             else:
                 values.append(_enclosed(precision, operation, arguments, values, {}))
-        except (BeyondError, ZeroDivisionError, ValueError, OverflowError, ComplexResult):
+        except _NO_VALUE:
             values.append(None)
     signs = []
     for place in program.results:

@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import (
     Formula,
     Oracle,
@@ -27,7 +28,6 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.solve.conditions import AnyOf, Condition, Equation
-from restitution.solve.numbers import UndefinedError
 
 COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
 

@@ -15,10 +15,11 @@ from typing import Any, Protocol
 import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.solve import forms
-from restitution.solve.numbers import TINY, Sample, UndefinedError, at, bound, sample
+from restitution.solve.numbers import Sample, at, bound, sample
 from restitution.solve.regions import End, Piece, deciding, inside_of, to_set, zeros
 
 KINDS = ("positive", "real", "angle", "restitution")
@@ -157,7 +158,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
                 value = at(border, drawn)
             except UndefinedError:
                 continue
-            if _within(value, role) and all(abs(value - n) > TINY for n, _ in numbers):
+            if _within(value, role) and all((value - n).sign for n, _ in numbers):
                 numbers.append((value, border))
         seen.append((drawn, [border for _, border in sorted(numbers, key=lambda pair: pair[0])]))
     if any(order != seen[0][1] for _, order in seen):
@@ -167,7 +168,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
 
 def _within(value: Any, role: Role) -> bool:
     low, high = bound(role.low), bound(role.high)
-    return (low is None or value > low + TINY) and (high is None or value < high - TINY)
+    return (low is None or value > low) and (high is None or value < high)
 
 
 Cell = tuple[Piece, list[Piece]]
@@ -232,4 +233,4 @@ def _same(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool
 def _near(a: sp.Expr, b: sp.Expr, drawn: Sample) -> bool:
     if a.is_infinite or b.is_infinite:
         return False
-    return bool(abs(at(a, drawn) - at(b, drawn)) < TINY * 10**3)
+    return not (at(a, drawn) - at(b, drawn)).sign

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -23,14 +24,15 @@ from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solve.bodies import coefficient_outside
 from restitution.solve.conditions import Equation
-from restitution.solve.numbers import FIELD, TINY, Sample
+from restitution.solve.numbers import Sample
 from restitution.solve.part import Numbers, Setting
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening
 
 COEFFICIENTS = "a coefficient of restitution lies in [0, 1]"
 OWN = "coefficient {}"  # no name that a letter can have
-STEP = TINY**2
+STEP = Fraction(1, 10**190)
+SMALL = Fraction(1, 10**47)
 Numeric = tuple[Any, ...]
 
 
@@ -64,7 +66,7 @@ def impossible_coefficients(branch: Branch) -> list[Impossible]:
 def outside(told: Happening) -> bool:
     """Whether an event, told in numbers, has an impossible coefficient."""
     given = isinstance(told.step, Impact) and coefficient_outside(told.step)
-    return told.e is not None and (given or not -TINY <= told.e <= 1 + TINY)
+    return told.e is not None and (given or not 0 <= told.e <= 1)
 
 
 def made_of(step: Event) -> frozenset[str]:
@@ -151,21 +153,28 @@ def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
 def _gradients(
     function: Callable[[Sample], Numeric], values: Sample, names: Sequence[str]
 ) -> list[list[Any]]:
-    """For every component of a function its derivatives by each name."""
+    """For every component of a function its changes with each name, the largest as 1.
+
+    Every name is changed in the same proportion, so that nothing hangs on the units.
+    """
     here = function(values)
-    moved = [function({**values, name: values[name] + STEP}) for name in names]
-    return [[(each[n] - here[n]) / STEP for each in moved] for n in range(len(here))]
+    moved = [
+        function({**values, name: values[name] * (1 + STEP) if values[name].sign else STEP})
+        for name in names
+    ]
+    rows = [[(each[n] - here[n]).fraction for each in moved] for n in range(len(here))]
+    sizes = [max(map(abs, row), default=Fraction(0)) for row in rows]
+    return [[x / size if size else x for x in row] for row, size in zip(rows, sizes, strict=True)]
 
 
 def _made_up(row: Sequence[Any], of: Sequence[Sequence[Any]]) -> bool:
     """Whether a row is a linear combination of others: by elimination."""
     rest = [list(each) for each in of]
     row = list(row)
-    small = FIELD.context.sqrt(TINY)
     for column in range(len(row)):
         sizes = [abs(each[column]) for each in rest]
-        if not sizes or max(sizes) < small:
-            if abs(row[column]) > small:
+        if not sizes or max(sizes) < SMALL:
+            if abs(row[column]) > SMALL:
                 return False
             continue
         pivot = rest[sizes.index(max(sizes))]

@@ -10,6 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Oracle, Proof, Relation
 from restitution.problem import Extremum
@@ -24,7 +25,7 @@ from restitution.render.layout import (
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.letters import is_angle
-from restitution.solve.numbers import TINY, Sample, UndefinedError, at, sample
+from restitution.solve.numbers import Sample, at, sample
 from restitution.solve.part import Desk, Outcome, Trial
 from restitution.solve.ranges import (
     Candidate,
@@ -161,11 +162,10 @@ def _winner(
         if number is None or not _near(region, candidate, drawn):
             continue
         reached = _is_reached(region, candidate, drawn)
-        slack = TINY * 10**5 * (1 + abs(number))
         if (
             best is None
-            or sign * number > sign * best[2] + slack
-            or (abs(number - best[2]) <= slack and reached and not best[1])
+            or sign * number > sign * best[2]
+            or (not (number - best[2]).sign and reached and not best[1])
         ):
             best = (candidate, reached, number, drawn)
     if best is None:
@@ -182,6 +182,6 @@ def _winner(
             seen = at(value, values)
         except (UndefinedError, KeyError):
             continue
-        if sign * seen > sign * best[2] + TINY * 10**6 * (1 + abs(seen)):
+        if sign * seen > sign * best[2]:
             raise UnsupportedError("the extremum has no exact form that is found here")
     return best

@@ -10,10 +10,11 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
 from restitution.solve.neat import neat
-from restitution.solve.numbers import FIELD, TINY, UndefinedError, at, sign_at
+from restitution.solve.numbers import FIELD, at, sign_at
 from restitution.vector import Vector
 
 Samples = Iterable[Mapping[str, Any]]
@@ -245,7 +246,7 @@ def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
     twelfths = 0
     for values in samples:
         try:
-            whole = FIELD.context.atan2(at(y, values), at(x, values))
+            whole = FIELD.arctan2(at(y, values), at(x, values))
         except UndefinedError:
             continue
         own = [values[each.name] for each in angles]
@@ -255,7 +256,7 @@ def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
                 return None
             chosen, twelfths = found
         rest = whole - sum(n * each for n, each in zip(chosen, own, strict=True))
-        if abs(rest - twelfths * FIELD.context.pi / 12) > TINY:
+        if (rest - twelfths * FIELD.pi / 12).sign:
             return None
     if chosen is None:
         return None
@@ -265,12 +266,12 @@ def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
 
 def _whole_numbers(whole: Any, parts: list[Any]) -> tuple[tuple[int, ...], int] | None:
     """Small whole numbers n with whole = n₁a₁ + n₂a₂ + … + m π/12, and m."""
-    step = FIELD.context.pi / 12
+    step = FIELD.pi / 12
     for numbers in itertools.product((0, 1, -1, 2, -2), repeat=len(parts)):
         ratio = (whole - sum(n * each for n, each in zip(numbers, parts, strict=True))) / step
-        nearest = FIELD.context.nint(ratio)
-        if abs(nearest) <= 24 and abs(ratio - nearest) < TINY:
-            return numbers, int(nearest)
+        nearest = round(float(ratio))
+        if abs(nearest) <= 24 and not (ratio - nearest).sign:
+            return numbers, nearest
     return None
 
 

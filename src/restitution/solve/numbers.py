@@ -1,8 +1,8 @@
 """Numbers of high precision for letters: to decide signs and zeros, and to verify.
 
 Symbols are compared by their values at random admissible points: two different expressions of the
-size met here do not agree there by chance. There are four hundred digits, so that even the root of
-something that ought to vanish is seen to vanish.
+size met here do not agree there by chance. There are four hundred digits, and a bound of what was
+rounded, so that a number is as good as any multiple of it: no unit is the wrong one.
 """
 
 from __future__ import annotations
@@ -14,82 +14,55 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-import mpmath
 import sympy as sp
 
+from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
 from restitution.expression.evaluate import Numeric
+from restitution.oracle.points import BeyondError, Program
 from restitution.oracle.roles import REAL, Role
 
-DIGITS = 400
-TINY = mpmath.mpf(10) ** -95
-FIELD = Numeric(DIGITS)
-_CTX = FIELD.context
-ROUNDING = _CTX.mpf(10) ** (12 - DIGITS)
+FIELD = Numeric()
 
 Sample = dict[str, Any]
 
 
-class UndefinedError(ArithmeticError):
-    """An expression has no real value at a point."""
-
-
-def at(x: Any, values: Mapping[str, Any]) -> Any:
-    """The value of a SymPy expression with letters put in, by name, as an mpmath number.
+def at(x: Any, values: Mapping[str, Any]) -> Enclosed:
+    """The value of a SymPy expression with letters put in, by name.
 
     Raises UndefinedError where it is not real, and KeyError for a letter without a value.
     """
+    expression = x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True)
+    if expression.is_Symbol:
+        return Enclosed.of(values[expression.name])
     try:
-        return _at(x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True), values)
-    except (ZeroDivisionError, OverflowError) as error:
-        raise UndefinedError(str(error)) from error
+        program = Program.of((expression,))
+    except BeyondError:
+        return _otherwise(expression, values)
+    (interval,) = program.enclosures(values, DIGITS)
+    if interval is None:
+        raise UndefinedError(str(expression))
+    return Enclosed(interval)
 
 
-def _at(x: sp.Basic, values: Mapping[str, Any]) -> Any:
-    if x.is_Symbol:
-        return values[x.name]
-    if x.is_Integer:
-        return _CTX.mpf(int(x))
-    if x.is_Rational:
-        return _CTX.mpf(x.p) / x.q
-    if x.is_Add:
-        return _CTX.fsum([_at(arg, values) for arg in x.args])
-    if x.is_Mul:
-        return _CTX.fprod([_at(arg, values) for arg in x.args])
-    if x.is_Pow:
-        base = _at(x.base, values)
-        if x.exp.is_Integer:
-            n = int(x.exp)
-            if n < 0 and abs(base) < ROUNDING:
-                raise UndefinedError("division by zero")
-            return base**n
-        if base < 0:
-            if base > -ROUNDING:
-                return _CTX.mpf(0)
-            raise UndefinedError("root of a negative number")
-        if x.exp == sp.S.Half:
-            return _CTX.sqrt(base)
-        exponent = _at(x.exp, values)
-        if base == 0 and exponent < 0:
-            raise UndefinedError("division by zero")
-        return _CTX.power(base, exponent)
-    function = _FUNCTIONS.get(type(x))
-    if function is not None:
-        return function(*[_at(arg, values) for arg in x.args])
-    if x is sp.pi:
-        return +_CTX.pi
-    if x.is_Float:
-        return _CTX.mpf(str(x))
-    if x in (sp.oo, sp.zoo, sp.nan, -sp.oo):
-        raise UndefinedError(str(x))
+def _otherwise(x: sp.Basic, values: Mapping[str, Any]) -> Enclosed:
+    """The value of an unusual form, as SymPy works it out: a power with a letter as exponent."""
     if isinstance(x, sp.Piecewise):
         for value, condition in x.args:
             if _holds(condition, values):
-                return _at(value, values)
+                return at(value, values)
         raise UndefinedError("no case holds")
-    value = sp.N(x.xreplace(_floats(x, values)), DIGITS)
+    if x.is_Add:
+        return sum((at(each, values) for each in x.args), FIELD.zero)
+    if x.is_Mul:
+        return math.prod((at(each, values) for each in x.args), start=Enclosed.of(1))
+    if x.is_Pow:
+        return at(x.base, values) ** at(x.exp, values)
+    value = sp.N(
+        x.xreplace({s: sp.Float(str(values[s.name]), DIGITS) for s in x.free_symbols}), DIGITS
+    )
     if not value.is_real or not value.is_Float:
         raise UndefinedError(str(x))
-    return _CTX.mpf(str(value))
+    return Enclosed.of(Fraction(str(value)))
 
 
 def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
@@ -97,57 +70,22 @@ def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
         return True
     if condition in (False, sp.false):
         return False
-    left, right = _at(condition.lhs, values), _at(condition.rhs, values)
+    left, right = at(condition.lhs, values), at(condition.rhs, values)
     truths: dict[type, bool] = {
         sp.StrictLessThan: left < right,
         sp.LessThan: left <= right,
         sp.StrictGreaterThan: left > right,
         sp.GreaterThan: left >= right,
-        sp.Equality: left == right,
+        sp.Equality: not (left - right).sign,
     }
     return truths[type(condition)]
 
 
-def _floats(x: sp.Basic, values: Mapping[str, Any]) -> dict[sp.Symbol, sp.Float]:
-    return {s: sp.Float(str(values[s.name]), DIGITS) for s in x.free_symbols}
-
-
-def _arc(name: str) -> Any:
-    def function(x: Any) -> Any:
-        if abs(x) > 1:
-            if abs(x) > 1 + ROUNDING:
-                raise UndefinedError(f"{name} beyond 1")
-            x = _CTX.sign(x)
-        return getattr(_CTX, name)(x)
-
-    return function
-
-
-_FUNCTIONS: dict[type, Any] = {
-    sp.sin: _CTX.sin,
-    sp.cos: _CTX.cos,
-    sp.tan: _CTX.tan,
-    sp.cot: _CTX.cot,
-    sp.sec: _CTX.sec,
-    sp.csc: _CTX.csc,
-    sp.atan: _CTX.atan,
-    sp.acot: _CTX.acot,
-    sp.atan2: _CTX.atan2,
-    sp.acos: _arc("acos"),
-    sp.asin: _arc("asin"),
-    sp.Abs: abs,
-    sp.sign: _CTX.sign,
-    sp.Max: max,
-    sp.Min: min,
-}
-
-
-def number_of(value: Any) -> Any:
-    """The value of a letter at a point as an mpmath number."""
+def number_of(value: Any) -> Enclosed:
+    """The value of a letter at a point."""
     if isinstance(value, sp.Expr):
         return at(value, {})
-    fraction = Fraction(value)
-    return _CTX.mpf(fraction.numerator) / fraction.denominator
+    return Enclosed.of(value if isinstance(value, Enclosed) else Fraction(value))
 
 
 @lru_cache(maxsize=256)
@@ -170,7 +108,7 @@ def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Any:
         return low + spread * (1 + share / 1024)
     if high is not None:
         return high - spread * (1 + share / 1024)
-    return _CTX.mpf(rng.gauss(0, 1) * (1 + share / 1024))
+    return Enclosed.of(rng.gauss(0, 1) * (1 + share / 1024))
 
 
 def sample(
@@ -186,10 +124,9 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
     found: int | None = None
     for values in samples:
         try:
-            value = at(x, values)
+            sign = at(x, values).sign
         except UndefinedError:
             continue
-        sign = 0 if abs(value) < TINY else 1 if value > 0 else -1
         if found is None:
             found = sign
         elif found != sign:
@@ -209,11 +146,10 @@ def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:
     for _ in range(12):
         values = sample(names, roles, rng)
         try:
-            value = at(x, values)
+            if at(x, values).sign:
+                return False
         except UndefinedError:
             continue
-        if abs(value) > TINY:
-            return False
         agreed += 1
         if agreed == 2 or not names:
             return True

@@ -19,6 +19,7 @@ from restitution.errors import (
     StatementError,
     UnsupportedError,
 )
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Symbolic, Value
 from restitution.expression.tree import Expression, Letter, Place, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, Oracle, Point, Relation
@@ -54,17 +55,7 @@ from restitution.solve.letters import (
     parts_until,
     roles,
 )
-from restitution.solve.numbers import (
-    FIELD,
-    TINY,
-    Sample,
-    UndefinedError,
-    at,
-    bound,
-    number_of,
-    sample,
-    sign_at,
-)
+from restitution.solve.numbers import FIELD, Sample, at, bound, number_of, sample, sign_at
 from restitution.solve.stages import by_nested_roots, fixed_besides, solve_in_stages
 from restitution.solve.story import Sign, Story, lets_of
 
@@ -179,7 +170,7 @@ class Numbers:
         return self.values[name]
 
     def sign(self, x: Any, given: Sequence[Condition | AnyOf] = ()) -> int:
-        return 0 if abs(x) < TINY else 1 if x > 0 else -1
+        return Enclosed.of(x).sign
 
 
 @dataclass(frozen=True)
@@ -299,7 +290,7 @@ class Setting:
             if isinstance(need, AnyOf) and not any(holds(option) for option in need.options):
                 return need.reason, need.kind
         for need in (*story.equations, *wanted):
-            if isinstance(need, Equation) and abs(need.value) > TINY * 10**5:
+            if isinstance(need, Equation) and Enclosed.of(need.value).sign:
                 return need.reason, "equation"
         if stories is not None:
             stories.append(story)
@@ -503,7 +494,7 @@ class Setting:
                     (
                         (f"{letters_.phrases.get(name, name)} would be negative", "sign")
                         for name in hidden
-                        if known[name].low is not None and values[name] <= 0
+                        if known[name].low is not None and not values[name] > 0
                     ),
                     None,
                 )
@@ -543,12 +534,8 @@ def _is_empty(role: Role) -> bool:
 
 def holds(condition: Condition) -> bool:
     """Whether a condition holds, in numbers."""
-    value = condition.value
-    if condition.relation == ">":
-        return bool(value > TINY)
-    if condition.relation == ">=":
-        return bool(value > -TINY)
-    return bool(abs(value) > TINY)
+    sign = Enclosed.of(condition.value).sign
+    return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]
 
 
 def out_of_range(name: str, value: Any, role: Role | None) -> tuple[str, str] | None:
@@ -556,14 +543,13 @@ def out_of_range(name: str, value: Any, role: Role | None) -> tuple[str, str] | 
     if role is None:
         return None
     low, high = bound(role.low), bound(role.high)
-    below = low is not None and (value < low - TINY or (not role.closed[0] and value < low + TINY))
-    above = high is not None and (
-        value > high + TINY or (not role.closed[1] and value > high - TINY)
-    )
+    value = Enclosed.of(value)
+    below = low is not None and (value < low if role.closed[0] else not value > low)
+    above = high is not None and (value > high if role.closed[1] else not value < high)
     if not below and not above:
         return None
     if role.kind == "restitution":
-        if -TINY <= value <= 1 + TINY:
+        if 0 <= value <= 1:
             return "a given inequality does not hold", "fact"
         return COEFFICIENT_RULE, "coefficient"
     if role.kind == "angle":

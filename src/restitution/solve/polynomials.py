@@ -27,7 +27,8 @@ from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
-from restitution.solve.numbers import ROUNDING, UndefinedError, at
+from restitution.expression.enclosed import UndefinedError
+from restitution.solve.numbers import at
 from restitution.work import remembered, spend
 
 Element = Any
@@ -686,12 +687,9 @@ def sign(x: sp.Expr) -> int | None:
     if vanishing(x):
         return 0
     try:
-        value = at(x, {})
+        return at(x, {}).sign
     except (UndefinedError, KeyError, ArithmeticError):
         return None
-    if abs(value) < ROUNDING * 10**8:
-        return 0
-    return 1 if value > 0 else -1
 
 
 @remembered(2048)

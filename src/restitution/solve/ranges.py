@@ -18,6 +18,7 @@ from restitution.errors import (
     RestitutionError,
     UnsupportedError,
 )
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
 from restitution.oracle import (
@@ -39,17 +40,7 @@ from restitution.render.text import to_text
 from restitution.solve import forms, missing
 from restitution.solve.cases import Case, cases
 from restitution.solve.letters import is_angle, roles
-from restitution.solve.numbers import (
-    FIELD,
-    TINY,
-    Sample,
-    UndefinedError,
-    at,
-    draw,
-    number_of,
-    sample,
-    sign_at,
-)
+from restitution.solve.numbers import Sample, at, draw, number_of, sample, sign_at
 from restitution.solve.part import Desk, Letters, Outcome, Setting, Trial, declared
 from restitution.solve.regions import (
     DRAWS,
@@ -451,13 +442,12 @@ def _bounding(
         number = _limit_at(candidate.value, drawn)
         if number is None:
             continue
-        slack = TINY * 10**5 * (1 + abs(number))
-        if sign * number < sign * bound - slack or not _near(region, candidate, drawn):
+        if sign * number < sign * bound or not _near(region, candidate, drawn):
             continue
-        nearer = best is None or sign * number < sign * best[0] - slack
+        nearer = best is None or sign * number < sign * best[0]
         if nearer or (
             best is not None
-            and abs(number - best[0]) <= slack
+            and not (number - best[0]).sign
             and _is_reached(region, candidate, drawn)
         ):
             best = (number, candidate)
@@ -614,14 +604,14 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     near = bottom.xreplace({symbol: point + step})
     rng = random.Random(47)
     names = sorted(s.name for s in (value * near).free_symbols)
-    points = [{name: FIELD.context.mpf(rng.uniform(0.1, 0.9)) for name in names} for _ in range(4)]
+    points = [{name: rng.uniform(0.1, 0.9) for name in names} for _ in range(4)]
     sign = sign_at(value * near, points)
     return None if sign in (None, 0) else sign * sp.oo
 
 
 def _limit_at(value: sp.Expr, drawn: Sample) -> Any | None:
     if value in (sp.oo, -sp.oo):
-        return INFINITE if value == sp.oo else -INFINITE
+        return Enclosed.of(INFINITE if value == sp.oo else -INFINITE)
     try:
         return at(value, drawn)
     except (UndefinedError, KeyError):

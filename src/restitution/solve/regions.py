@@ -12,6 +12,7 @@ import random
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
@@ -21,6 +22,7 @@ from mpmath.libmp import NoConvergence
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
 from restitution.oracle import (
     All,
     BeyondError,
@@ -40,24 +42,16 @@ from restitution.solve import forms
 from restitution.solve.admission import Admission, Demand
 from restitution.solve.algebra import solve_system
 from restitution.solve.conditions import AnyOf, Condition
-from restitution.solve.numbers import (
-    DIGITS,
-    TINY,
-    Sample,
-    UndefinedError,
-    at,
-    number_of,
-    sample,
-)
+from restitution.solve.numbers import Sample, at, number_of, sample
 from restitution.solve.part import Letters, Outcome, Setting, Trial, out_of_range
 
 DRAWS = 4
 DRAWS_TRIED = 60
 ROUNDS = 4
 NEAR = (1, 3, 7, 13)
-INFINITE = 10**30
-# So near that even a root of it is not seen, and far above rounding.
-ASIDE = TINY**2 / 10**6
+INFINITE = 10**1000
+# Far above rounding, and as nothing beside what is known with so many digits.
+ASIDE = Fraction(1, 10**196)
 
 
 @dataclass(frozen=True)
@@ -266,16 +260,22 @@ class Region:
         Where a formula has none (0/0 where a quadratic equation becomes a linear one), what it
         comes near to is taken; whether that is a solution is for the facts to say.
         """
+        solved = trial.found.values
         try:
             return with_solved(trial, values)
         except UndefinedError as error:
             for name in (self.letter, *self.free):
                 for step in (ASIDE, -ASIDE):
                     try:
-                        aside = with_solved(trial, {**values, name: values[name] + step})
+                        aside, nearer = (
+                            with_solved(trial, {**values, name: values[name] + each})
+                            for each in (step, step / 4)
+                        )
                     except UndefinedError:
                         continue
-                    return {**aside, **values}
+                    # The limit lies between, whether it is come to straight or like a root.
+                    between = {n: aside[n].hull(4 * nearer[n] - 3 * aside[n]) for n in solved}
+                    return {**between, **values}
             raise error
 
     def _possible(self, values: Sample) -> bool:
@@ -303,7 +303,7 @@ class Region:
                 solved = [n for n in trial.found.values if not n.startswith("_")]
                 known = self.outcome.letters.hidden_roles
                 if any(
-                    numbers[n] <= 0
+                    not numbers[n] > 0
                     for n in trial.found.values
                     if n in known and known[n].low is not None
                 ):
@@ -424,7 +424,7 @@ class Region:
                 value = at(point, drawn)
             except (UndefinedError, KeyError):
                 continue
-            if not any(abs(value - other) < TINY * 10**3 for other, _ in numbered):
+            if not any(not (value - other).sign for other, _ in numbered):
                 numbered.append((value, point))
         low = None if self.role.low is None else at(self.role.low, {})
         high = None if self.role.high is None else at(self.role.high, {})
@@ -432,8 +432,7 @@ class Region:
             (
                 pair
                 for pair in numbered
-                if (low is None or pair[0] >= low - TINY)
-                and (high is None or pair[0] <= high + TINY)
+                if (low is None or pair[0] >= low) and (high is None or pair[0] <= high)
             ),
             key=lambda pair: pair[0],
         )
@@ -605,9 +604,7 @@ def _representatives(numbers: list[Any], role: Role) -> list[Any]:
     found.append(numbers[-1])
     low = None if role.low is None else at(role.low, {})
     high = None if role.high is None else at(role.high, {})
-    return [
-        x for x in found if (low is None or x >= low - TINY) and (high is None or x <= high + TINY)
-    ]
+    return [x for x in found if (low is None or x >= low) and (high is None or x <= high)]
 
 
 def _joined(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
@@ -655,14 +652,14 @@ def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: An
         return next(iter(ends))
     for end, drawn in seen:
         values = [_end_at(each, drawn) for each in ends]
-        if abs(_end_at(end, drawn) - pick(values)) > TINY:
+        if (_end_at(end, drawn) - pick(values)).sign:
             raise UnsupportedError("the form of the range depends on the values of the data")
     return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
 
 
 def _end_at(end: End, drawn: Sample) -> Any:
     if end.value in (sp.oo, -sp.oo):
-        return INFINITE if end.value == sp.oo else -INFINITE
+        return Enclosed.of(INFINITE if end.value == sp.oo else -INFINITE)
     try:
         return at(end.value, drawn)
     except UndefinedError:

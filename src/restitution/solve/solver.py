@@ -21,6 +21,7 @@ from restitution.errors import (
     TimeLimitError,
     UnsupportedError,
 )
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
     Binary,
@@ -67,7 +68,7 @@ from restitution.solve.coefficients import (
     without_impossible,
 )
 from restitution.solve.letters import is_angle
-from restitution.solve.numbers import UndefinedError, at, sample
+from restitution.solve.numbers import at, sample
 from restitution.solve.part import (
     SYMBOLIC,
     Desk,

@@ -14,19 +14,18 @@ from itertools import combinations
 
 import sympy as sp
 
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
 from restitution.solve.algebra import Found, solve_system
 from restitution.solve.conditions import AnyOf, Condition
 from restitution.solve.neat import neat
-from restitution.solve.numbers import TINY
+from restitution.solve.numbers import at
 from restitution.solve.polynomials import numerator
 
 # Equations that are solved together in one stage, at most.
 _LARGEST = 4
 # The sign of an expression in letters with more operations than these is hardly plain.
 _PLAIN = 60
-# What is nearer to zero than this has no sign here.
-_SMALL = sp.Float(str(TINY), 30)
 
 
 @dataclass(frozen=True)
@@ -216,8 +215,10 @@ def _possible(one: Found, block: Sequence[sp.Symbol], system: _System) -> bool:
 def _is_negative(value: sp.Expr) -> bool:
     if value.free_symbols:
         return bool(sp.count_ops(value) < _PLAIN and neat(value).is_negative)
-    number = sp.N(value, 30)
-    return bool(number.is_real and number < -_SMALL)
+    try:
+        return at(value, {}).sign < 0
+    except UndefinedError:
+        return False
 
 
 def fixed_besides(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> frozenset[str]:

@@ -6,19 +6,18 @@ use, must hold for them, and each printed value must be what the motion itself g
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from restitution import law
 from restitution.errors import UnsupportedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle
 from restitution.problem import Impact, Value
-from restitution.solve.numbers import FIELD, UndefinedError, at
+from restitution.solve.numbers import FIELD, at
 from restitution.solve.solution import Branch
 from restitution.solve.story import Story
 from restitution.vector import Vector
-
-# Thirty digits, with room for what is lost on the way from a hundred, under a root too.
-CLOSE = FIELD.context.mpf(10) ** -30
 
 
 def verify_principles(story: Story) -> None:
@@ -27,7 +26,7 @@ def verify_principles(story: Story) -> None:
     Raises UnsupportedError where one does not hold: a defect here, never the user's mistake.
     """
     zero = Vector(FIELD.zero, FIELD.zero)
-    one = FIELD.context.mpf(1)
+    one = FIELD.number(Fraction(1))
     for event in story.happenings:
         step = event.step
         if not isinstance(step, Impact) or event.centres is None:
@@ -38,15 +37,13 @@ def verify_principles(story: Story) -> None:
         w1 = one if wall else one / story.mass(step.first)
         w2 = FIELD.zero if wall else one / story.mass(step.second)
         c = event.centres
-        size = 1 + sum(abs(x) for v in (u1, u2, v1, v2) for x in v)
-        scale = size * (1 + abs(c.x) + abs(c.y)) * (1 + w1 + w2)
         residuals = (
             law.momentum_along_line_of_centres(u1, u2, v1, v2, w1, w2, c),
             law.newtons_experimental_law(u1, u2, v1, v2, c, event.e),
             law.change_across_line_of_centres(u1, v1, c),
             law.change_across_line_of_centres(u2, v2, c),
         )
-        if any(abs(each) > CLOSE * scale for each in residuals):
+        if any(each.sign for each in residuals):
             raise UnsupportedError(
                 f"the solution of event {event.number} failed its check against the principles; "
                 "please report this question"
@@ -68,9 +65,7 @@ def verify_value(value: Any, item: Value, branch: Branch, now: int) -> None:
             strict=True,
         )
         wrong = [
-            (number, each)
-            for number, each in pairs
-            if abs(number - at(each, branch.sample)) > CLOSE * (1 + abs(number))
+            (number, each) for number, each in pairs if (number - at(each, branch.sample)).sign
         ]
     except (UndefinedError, KeyError):
         return  # nothing to compare at this point

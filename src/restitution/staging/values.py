@@ -16,9 +16,10 @@ from typing import Any, Literal
 
 from restitution.components import Model, model, protected_letters
 from restitution.errors import RestitutionError
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
 from restitution.problem import Impact, Kick
-from restitution.solve.numbers import FIELD, UndefinedError, at
+from restitution.solve.numbers import FIELD, at
 from restitution.solve.part import Numbers
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story, lets_of
