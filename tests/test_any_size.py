@@ -102,3 +102,70 @@ def test_no_line_is_lost(name):
     one, other = (explain(each) for each in (plain, scaled))
     assert "left out" not in str(other)
     assert one.marks == other.marks
+
+
+# Decided by hand, in units of which all products are far below what floats can hold.
+WALL = "wall W: along i\nsphere P: mass 10^-60, velocity 10^-60 at 30° to W\nP hits W\n"
+
+
+SMALL = """sphere A: mass 10^-60, velocity 10^-60 i
+sphere B: mass 10^-60, at rest
+A hits B: along i
+"""
+ENERGY = "3/16*10^-60*10^-60*10^-60"
+THREE_QUARTERS = SMALL + "given speed(B) = 3/4*10^-60\n"
+STRAIGHT = "wall W: along i\nsphere P: mass 1, velocity -2j\nP hits W\n"
+
+
+def _only(text):
+    ((_, result),) = restitution.solve(restitution.parse(text)).items()
+    return result
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        # v_B = (1 + e)u/2 and v_A = (1 − e)u/2: with v_B = 3u/4, e = 1/2; lost ¼mu²(1 − e²).
+        (THREE_QUARTERS + "show speed(A) = 1/4*10^-60", True),
+        (THREE_QUARTERS + f"show energy_lost = {ENERGY}", True),
+        (THREE_QUARTERS + f"show energy_lost < {ENERGY}", False),
+        (SMALL + "given speed(B) > 3/4*10^-60\nshow e > 1/2", True),
+        (SMALL + "given speed(B) >= 3/4*10^-60\nshow e > 1/2", False),
+        # The impulse of a wall is (1 + e)mu sin 30°, so that e = 1/2 for 3mu/4.
+        (WALL + "given impulse = 3/4*10^-60*10^-60\nshow e = 1/2", True),
+        (WALL + "given impulse = 3/4*10^-60*10^-60\nshow e > 1/2 - 10^-60*10^-60", True),
+        (WALL + "given impulse = 3/4*10^-60*10^-60\nshow e > 1/2 + 10^-60*10^-60", False),
+    ],
+)
+def test_verdicts_in_the_smallest_units(text, verdict):
+    result = _only(text)
+    assert result.holds is verdict
+    assert result.proof in ("algebra", "decision", "witness")
+
+
+@pytest.mark.parametrize(("power", "count"), [("10^-60", 1), ("10^-64", 7)])
+def test_a_coefficient_is_above_one_however_little(power, count):
+    above = "*".join([power] * count)
+    text = STRAIGHT + "given impulse = 4 + {}\nfind e"
+    allowed = _only(text.format(f"0*{above}"))
+    result = _only(text.format(above))
+    assert [each.value for each in allowed.answers] == [1]
+    assert result.answers == () and "rejected" in str(result.error)
+
+
+def test_a_coefficient_is_below_one_however_little():
+    below = "*".join(["10^-64"] * 7)
+    text = STRAIGHT + f"given impulse = 4 - {below}"
+    result = _only(text + "\nfind e\n")
+    (answer,) = result.answers
+    assert answer.value == 1 - sympy.Rational(1, 2 * 10**448)
+
+
+def test_an_angle_too_small_for_its_digits_has_its_side():
+    """A sphere that is turned by a hair's breadth: which side of 90° is told by exact signs."""
+    tiny = sympy.Rational(1, 10**120)
+    sides = [(1, tiny), (1, -tiny), (-1, tiny), (-1, -tiny), (tiny, 1), (-tiny, 1), (-tiny, -1)]
+    for x, y in ((sympy.sympify(a), sympy.sympify(b)) for a, b in sides):
+        angle = restitution.exact.tidy_angle(sympy.atan2(y, x))
+        gap = (angle - sympy.atan2(y, x)).evalf(200, maxn=1000)
+        assert abs(gap) < sympy.Float(10) ** -190

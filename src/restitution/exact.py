@@ -106,8 +106,8 @@ def is_zero(expression: Any) -> bool:
     It is refuted by a value to 30 digits at up to four random admissible points that is not
     zero. What survives is proved zero by rational normal form, with sines and cosines reduced
     and surds rationalised. Else a number made with roots is calculated to as many digits as any
-    such number needs to be told from zero (`_apart`). An expression in letters, or a number of
-    another kind, is taken to be zero if it vanishes to 100 digits at fresh points: claims about
+    such number needs to be told from zero (`digits_apart`). An expression in letters, or a number
+    of another kind, is taken to be zero if it vanishes to 100 digits at fresh points: claims about
     letters are for the oracle to decide.
     """
     value = sympy.sympify(expression, strict=True)
@@ -135,7 +135,7 @@ def is_zero(expression: Any) -> bool:
         return True
     if not value.free_symbols:
         number = _zero_direction(value)
-        digits = None if number is None else _apart(number)
+        digits = None if number is None else digits_apart(number)
         if number is not None and digits is not None:
             return bool(abs((number + 1).evalf(digits + 10) - 1) < Float(10) ** -digits)
     return bool(seen) and all(
@@ -156,7 +156,7 @@ def _zero_direction(value: Expr) -> Expr | None:
 MOST_DIGITS = 20_000
 
 
-def _apart(value: Expr) -> int | None:
+def digits_apart(value: Expr) -> int | None:
     """So many digits tell a number made with roots from zero; None if there is no such bound.
 
     This is the bound of Burnikel, Fleischer, Mehlhorn and Schirra (A strong and easily computable
@@ -1434,29 +1434,30 @@ def _tidy_angle(value: Expr) -> Expr:
         return turns * sympy.pi
     pi = sympy.pi
     candidates: list[tuple[float, Expr]] = []
-    whole = Integer(sympy.floor(size / (2 * pi) + _HALF))
-    inner = size - 2 * pi.evalf(40) * whole
+    # The quadrant is that of the direction: the angle itself may be too near to its end.
+    ahead, left = bool(cosine > 0), bool(sine > 0)
     if cosine != 0 and sine != 0:
         tangent = _tidy_number(sine / cosine)
         if tangent.is_negative:
             tangent = -tangent
-        if inner > 0:
-            form = sympy.atan(tangent) if inner < pi / 2 else pi - sympy.atan(tangent)
+        if left:
+            form = sympy.atan(tangent) if ahead else pi - sympy.atan(tangent)
         else:
-            form = -sympy.atan(tangent) if inner > -pi / 2 else sympy.atan(tangent) - pi
+            form = -sympy.atan(tangent) if ahead else sympy.atan(tangent) - pi
         candidates.append((cost(form) - (3 if tangent.is_Rational else 1), form))
         if not tangent.is_Rational:
-            form = sympy.acos(cosine) if inner > 0 else -sympy.acos(cosine)
+            form = sympy.acos(cosine) if left else -sympy.acos(cosine)
             # 180° − arctan(…), −arctan(…) are what is written then
-            obtuse = 4 if cosine.is_negative else 3 if inner < 0 else 0
+            obtuse = 4 if cosine.is_negative else 3 if not left else 0
             candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
             form = sympy.asin(abs(sine))
-            form = form if abs(inner) < pi / 2 else pi - form
-            form = form if inner > 0 else -form
+            form = form if ahead else pi - form
+            form = form if left else -form
             candidates.append((cost(form) - (1 if sine.is_Rational else 0), form))
     best = min(candidates, key=lambda each: each[0])
+    whole = Integer(sympy.floor((size - best[1].evalf(40)) / (2 * pi) + _HALF))
     form = best[1] + 2 * pi * whole
-    if abs((form - value).evalf(30)) > Float("1e-25"):
+    if abs((form - value).evalf(30)) > 1:  # of one direction, they are whole turns apart
         return _tidy_parts(value)
     plain = _tidy_parts(value)
     return form if cost(form) <= cost(plain) + 3 else plain
@@ -1587,9 +1588,13 @@ def _half_direction(number: Rational, rest: Expr) -> tuple[Expr, Expr] | None:
     half = (number * rest).evalf(30)
     cosine = sympy.sqrt(_tidy_number((1 + part[0]) / 2))
     sine = sympy.sqrt(_tidy_number((1 - part[0]) / 2))
-    cosine = -cosine if sympy.cos(half) < 0 else cosine
-    sine = -sine if sympy.sin(half) < 0 else sine
-    return cosine, sine
+    # Of two numbers whose product has a known sign, the larger tells that of the smaller.
+    across, up = (bool(f(half).evalf(30) < 0) for f in (sympy.cos, sympy.sin))
+    if abs(sympy.cos(half).evalf(30)) < _HALF:
+        across = up != bool(part[1] < 0)
+    elif abs(sympy.sin(half).evalf(30)) < _HALF:
+        up = across != bool(part[1] < 0)
+    return -cosine if across else cosine, -sine if up else sine
 
 
 def _tidy_angle_letters(value: Expr) -> Expr:
@@ -1679,12 +1684,12 @@ def _evaluate(
 
     None if there is no value there or, with ``real_only``, no real one.
 
-    The scale is the size of the largest term, so that units do not matter.
+    The scale is that of the terms, so that units do not matter.
     """
     spend()
     try:
         number = value.evalf(digits, subs=point, maxn=4 * digits)
-        terms = [abs(term.evalf(15, subs=point)) for term in Add.make_args(value)]
+        scale = _scale(value, point)
     except (
         TypeError,
         ValueError,
@@ -1703,9 +1708,19 @@ def _evaluate(
             number = abs(number)
         else:
             number = real
-    sizes = [x for x in terms if x.is_real]
-    scale = max([*sizes, Float("1e-60")]) if len(sizes) > 1 else Float("1e-10")
     return number, scale
+
+
+def _scale(value: Expr, point: dict[Symbol, Float]) -> Any:
+    """How large an expression is where no sum in it cancels."""
+    if value.is_Add:
+        sizes = [_scale(each, point) for each in value.args]
+        return max(each for each in sizes if each.is_real)
+    if value.is_Mul and value.has(Add):
+        return math.prod(_scale(each, point) for each in value.args)
+    if value.is_Pow and value.exp.is_Rational and value.exp > 0 and value.base.has(Add):
+        return _scale(value.base, point) ** value.exp
+    return abs(value.evalf(15, subs=point))
 
 
 def _proved_zero(value: Expr) -> bool:

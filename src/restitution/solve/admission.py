@@ -28,6 +28,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.solve.conditions import AnyOf, Condition, Equation
+from restitution.solve.polynomials import sign as sign_of
 
 COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
 
@@ -80,6 +81,15 @@ class Admission:
         every = tuple(values)
         return every, Program.of((*every, *self.equations))
 
+    @cached_property
+    def _constants(self) -> dict[int, int]:
+        """The exact signs, by their places, of what is a number and looks like zero."""
+        every = (*self._program[0], *self.equations)
+        numbers = [x if not x.free_symbols else sp.Integer(1) for x in every]
+        seen = Program.of(numbers).near_signs({})
+        exactly = ((n, sign_of(x)) for n, x in enumerate(numbers) if seen[n] == 0)
+        return {n: own for n, own in exactly if own is not None}
+
     def objection(self, point: Mapping[str, Any]) -> tuple[str, str] | None:
         """Why the letters may not have these values, as (reason, kind); None if they may.
 
@@ -88,6 +98,8 @@ class Admission:
         """
         every, program = self._program
         found = program.near_signs(point)
+        for n, own in self._constants.items():
+            found[n] = own
         signs = dict(zip(every, found, strict=False))
         if not all(holds_with(each, signs) for each in self.assumed):
             raise LookupError("another telling")

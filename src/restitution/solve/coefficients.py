@@ -26,6 +26,7 @@ from restitution.solve.bodies import coefficient_outside
 from restitution.solve.conditions import Equation
 from restitution.solve.numbers import Sample
 from restitution.solve.part import Numbers, Setting
+from restitution.solve.polynomials import sign
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening
 
@@ -50,7 +51,8 @@ def impossible_coefficients(branch: Branch) -> list[Impossible]:
     """The coefficients outside [0, 1], in the order of the impacts."""
     found = []
     for told, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
-        if outside(told) and isinstance(told.step, Impact):
+        beyond = outside(told) or _outside_by_little(told, exactly)
+        if beyond and isinstance(told.step, Impact):
             e = told.step.e
             if e is not None and coefficient_outside(told.step):
                 shown = write_expression(e)  # as typed: rounded, it may be 1.00
@@ -67,6 +69,14 @@ def outside(told: Happening) -> bool:
     """Whether an event, told in numbers, has an impossible coefficient."""
     given = isinstance(told.step, Impact) and coefficient_outside(told.step)
     return told.e is not None and (given or not 0 <= told.e <= 1)
+
+
+def _outside_by_little(told: Happening, exactly: Happening) -> bool:
+    """Whether a coefficient is outside [0, 1] by less than its digits in numbers show."""
+    if told.e is None or (told.e > 0 and told.e < 1):
+        return False
+    e = sp.sympify(exactly.e, strict=True)
+    return not e.free_symbols and -1 in (sign(e), sign(1 - e))
 
 
 def made_of(step: Event) -> frozenset[str]:

@@ -27,7 +27,9 @@ from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
-from restitution.expression.enclosed import UndefinedError
+from restitution.exact import digits_apart
+from restitution.expression.enclosed import UndefinedError, sign_of
+from restitution.oracle.points import BeyondError, Program
 from restitution.solve.numbers import at
 from restitution.work import remembered, spend
 
@@ -681,15 +683,24 @@ def plain_number(x: sp.Expr) -> sp.Expr | None:
 
 
 def sign(x: sp.Expr) -> int | None:
-    """The sign of a number, zero by normal form; None for what is not real."""
+    """The sign of a number; None for what is not real.
+
+    Zero is proved by normal form, or else by as many digits as tell a number made with roots from
+    zero. A number of another kind is zero if four hundred digits show no sign.
+    """
     if x.is_Rational:
         return int(x.p > 0) - int(x.p < 0)
     if vanishing(x):
         return 0
     try:
-        return at(x, {}).sign
-    except (UndefinedError, KeyError, ArithmeticError):
+        seen = at(x, {}).sign
+        digits = None if seen else digits_apart(x)
+        if seen or digits is None:
+            return seen
+        (interval,) = Program.of([x]).enclosures({}, 2 * digits + 20)
+    except (UndefinedError, BeyondError, KeyError, ArithmeticError):
         return None
+    return None if interval is None else sign_of(interval) or 0
 
 
 @remembered(2048)
