@@ -728,8 +728,8 @@ def _beside(work: Working, end: sp.Expr) -> Any:
     """A number inside an interval, beside its end."""
     if end == sp.oo:
         return work.model.number(sp.Integer(10) ** 12)
-    step = _STEP if end == 0 or work.model.sign(end) < 0 else -_STEP
-    return work.model.number(end) + step
+    place = work.model.number(end)
+    return _STEP if end == 0 else place * (1 - _STEP)
 
 
 def _near(
@@ -762,12 +762,13 @@ def _is_limit(
     try:
         there = _beside(work, place)
         near = at(value, {**work.model.sample, symbol.name: there})
+        usual = abs(work.model.number(value))
         if limit == sp.oo:
-            return bool(near > 1e3)
+            return bool(near > 1000 * usual)
         far = at(limit, {**work.model.sample, symbol.name: there})
     except (UndefinedError, KeyError, ArithmeticError, TypeError):
         return False
-    return bool(abs(near - far) < 1e-6)
+    return bool(abs(near - far) <= (abs(far) + usual) * 1e-6)
 
 
 def _turns_back(work: Working, tree: Expression, value: sp.Expr, symbol: sp.Symbol) -> bool:

@@ -19,9 +19,10 @@ import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.exact import denested
+from restitution.expression.enclosed import Enclosed
 from restitution.oracle.roles import Role
 from restitution.solve.neat import neat
-from restitution.solve.numbers import vanishes
+from restitution.solve.numbers import at, vanishes
 from restitution.solve.polynomials import (
     TOO_HARD,
     TooLargeError,
@@ -753,11 +754,10 @@ def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:
 
 def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
     """Whether a root of the norm is one of a polynomial, and not of a conjugate of it."""
-    at, total, size = sp.N(value, 60), sp.Integer(0), sp.Integer(0)
+    x, total = at(value, {}), Enclosed.of(0)
     for each in parts:
-        coefficient = sp.N(each, 60)
-        total, size = total * at + coefficient, size * abs(at) + abs(coefficient)
-    return bool(abs(total) < size * sp.Float("1e-25"))
+        total = total * x + at(each, {})
+    return not total.sign
 
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
