@@ -388,3 +388,9 @@ def test_an_angle_of_plain_angles_is_plain(angle, degrees):
 def test_an_angle_near_a_plain_one_is_not_it():
     angle = atan((1 - cos(50 * DEGREE)) / sin(50 * DEGREE) + Q(1, 10**25))
     assert tidy_angle(angle) != 25 * DEGREE
+
+
+def test_bars_inside_bars_are_one():
+    u, v = sympy.symbols("u v", real=True)
+    assert tidy(abs(v * abs(u))) == abs(u * v)
+    assert tidy(u**2 / abs(u)) == abs(u)

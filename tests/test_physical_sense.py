@@ -6,6 +6,7 @@ Roots and times were worked out by hand from the two equations of an impact.
 from __future__ import annotations
 
 import pytest
+import sympy
 
 import restitution
 from restitution.errors import ContradictionError, ImpossibleError, MissingError
@@ -221,3 +222,36 @@ given velocity(A) = i + j, time(1) = 2
 find p, q"""
     (part,) = restitution.solve(restitution.parse(text)).parts.values()
     assert [item.answers[0].exact for item in part.items] == ["sqrt(2) + 4", "-sqrt(2)"]
+
+
+def test_a_claim_that_holds_for_positive_components_is_said_to():
+    """tan of the angle to the wall is ev/|u|: v/(2u) for e = 1/2 where u and v are positive."""
+    text = "wall W: along i\nsphere P: velocity u i - v j\nP hits W: e = 1/2\nshow {}\n"
+    claim = "tan(angle(velocity(P), W)) = v/(2u)"
+    solution = restitution.solve(restitution.parse(text.format(claim)))
+    ((_, result),) = solution.items()
+    assert result.holds is False
+    (note,) = [each for each in solution.warnings if "holds for" in each]
+    assert "u > 0, v > 0" in note
+    given = text.format(claim).replace("show", "given u > 0, v > 0\nshow")
+    ((_, result),) = restitution.solve(restitution.parse(given)).items()
+    assert result.holds is True
+    # False for all signs: nothing is said of them.
+    solution = restitution.solve(restitution.parse(text.format("speed(P) > 2v")))
+    assert not any("holds for" in each for each in solution.warnings)
+
+
+def test_a_speed_is_never_zero_in_what_refutes():
+    """The letters of speeds, masses and lengths have values of their kind in a counter-example."""
+    text = """sphere A: mass m, velocity u at 30°
+sphere B: mass M, velocity -v i
+A hits B: along i
+show speed(A) < u
+show energy_lost > 0
+show speed(B) > v
+"""
+    for step, result in restitution.solve(restitution.parse(text)).items():
+        assert result.holds is False, step
+        values = {name: sympy.sympify(each) for name, each in result.counterexample.items()}
+        assert all(values[name] > 0 for name in values.keys() & set("muvM"))
+        assert all(0 <= values[name] <= 1 for name in values.keys() & {"e"})

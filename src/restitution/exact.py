@@ -512,6 +512,8 @@ def _tidy(expression: Expr) -> Expr:
     spend()
     if not expression.free_symbols:
         return _tidy_number(expression)
+    if expression.has(sympy.Abs):
+        expression = _fewer_bars(expression)
     starts = [expression]
     if any(
         not each.args[0].is_Symbol
@@ -562,6 +564,29 @@ def _of_two_angles(total: Add) -> Expr:
             if factor == -other:
                 return factor * function(a - b)
     return total
+
+
+def _fewer_bars(value: Expr) -> Expr:
+    """|uv| for |u |v||, and |u| for u²/|u|."""
+
+    def outer(inside: Expr) -> Expr:
+        factors = [
+            x.args[0] if isinstance(x, sympy.Abs) and x.args[0].is_real else x
+            for x in Mul.make_args(inside)
+        ]
+        return sympy.Abs(Mul(*factors))
+
+    value = value.replace(sympy.Abs, outer)
+    for product in value.atoms(Mul):
+        powers = product.as_powers_dict()
+        for bar in [x for x in powers if isinstance(x, sympy.Abs) and x.args[0].is_real]:
+            inside = bar.args[0]
+            total = powers[bar] + powers.get(inside, 0)
+            if inside in powers and powers[inside].is_even and total.is_Integer:
+                old = bar ** powers[bar] * inside ** powers[inside]
+                own = inside if total % 2 == 0 else bar
+                value = value.xreplace({product: product / old * own**total})
+    return value
 
 
 def _with_bars(value: Mul) -> Expr:

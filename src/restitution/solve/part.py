@@ -366,8 +366,10 @@ class Setting:
         accepted: list[Sample] = []
         stories: list[Story] = []
         rng = random.Random(11)
-        for _ in range(POINTS_TRIED if free else 1):
+        for attempt in range(POINTS_TRIED if free else 1):
             values = sample(free, known, rng)
+            if not attempt:  # a working is written at the first: where signs are as they look
+                values = {n: x if x.sign >= 0 else -x for n, x in values.items()}
             numbers = stories[0] if stories else None
             trial = Trial(found, (), None, None, admission, story, None, numbers)
             reason = self._objection(trial, values, stories)

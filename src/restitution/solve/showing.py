@@ -24,6 +24,7 @@ from restitution.oracle import (
     joined,
     relations,
 )
+from restitution.oracle.roles import REAL
 from restitution.problem import (
     Compare,
     Extremum,
@@ -34,6 +35,8 @@ from restitution.problem import (
     trees_of_relation,
 )
 from restitution.solve import missing
+from restitution.render.layout import display
+from restitution.render.text import to_text
 from restitution.solve.admission import formula_of
 from restitution.solve.coefficients import without_impossible
 from restitution.solve.conditions import Equation
@@ -64,6 +67,9 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
         verdict, claim = _verdict(outcome, branch, step, now)
         if verdict.answer == "refuted":
             values = _counterexample(worker, outcome, branch, verdict.witness or {}, claim, step)
+            signed = _if_positive(outcome, branch, verdict.witness or {}, claim)
+            if signed:
+                worker._warn(_of_any_sign(step, signed))
             return ItemResult(
                 step,
                 line,
@@ -111,6 +117,35 @@ def _oracle(outcome: Outcome, branch: Branch) -> Oracle:
         if admission is not None:
             return admission.oracle
     return Oracle({**outcome.letters.all_roles(), **_hidden_roles(branch)})
+
+
+def _if_positive(outcome: Outcome, branch: Branch, witness: Point, claim: Formula) -> list[str]:
+    """The letters of either sign for whose positive values alone a claim is proved."""
+    roles = outcome.setting.roles
+    every = [name for name in sorted(witness) if name in roles and roles[name] == REAL]
+    signed = [name for name in every if not _number(witness[name]).is_positive]
+    for names in (signed, every) if signed else ():
+        positive = [Relation(REAL.symbol(name), ">") for name in names]
+        try:
+            if claim not in positive and _oracle(outcome, branch).with_facts(positive).decide(
+                claim
+            ):
+                return names
+        except BeyondError:
+            return []
+    return []
+
+
+def _of_any_sign(step: Show, names: list[str]) -> str:
+    shown = [to_text(display(sp.Symbol(name))) for name in names]
+    facts = ", ".join(f"{name} > 0" for name in shown)
+    which = "it stands for a component with its sign"
+    if len(shown) > 1:
+        which = "they stand for components with their signs"
+    return (
+        f"{step.text}: it holds for {facts}, but {' and '.join(shown)} need not be, "
+        f"as {which}: write 'given {facts}' if that is meant"
+    )
 
 
 def _formula(step: Show, branch: Branch, now: int) -> Formula:
