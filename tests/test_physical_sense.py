@@ -255,3 +255,15 @@ show speed(B) > v
         values = {name: sympy.sympify(each) for name, each in result.counterexample.items()}
         assert all(values[name] > 0 for name in values.keys() & set("muvM"))
         assert all(0 <= values[name] <= 1 for name in values.keys() & {"e"})
+
+
+def test_what_stands_in_the_way_is_blamed():
+    """To T it takes u > 0, and then W is met first: no demand alone is impossible, two are."""
+    text = """wall W: along j, through (10, 0)
+wall T: from (1000, -1) to (1000, 1)
+sphere P: velocity (u, v), at (0, 0)
+P hits T
+find time(1)
+"""
+    ((_, result),) = restitution.solve(restitution.parse(text)).items()
+    assert "P strikes W first" in str(result.error)

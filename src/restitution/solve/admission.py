@@ -32,6 +32,9 @@ from restitution.solve.polynomials import sign as sign_of
 
 COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
 
+# Of more than these it takes long to find the few that clash.
+MOST_DEMANDS = 12
+
 Requirement = Equation | Condition | AnyOf
 
 
@@ -117,13 +120,26 @@ class Admission:
         return None
 
     def refusal(self) -> Demand | None:
-        """The first demand that no values of the letters satisfy; None if there is no such.
+        """The first demand that no values of the letters satisfy; None if none is known.
 
-        An impossible coefficient is blamed only where nothing else is wrong.
+        Of several that cannot be satisfied together, it is the last of a few of which none can be
+        left out. An impossible coefficient is blamed only where nothing else is wrong.
         """
         alone = Oracle(self.roles, self.assumed)
         by_blame = sorted(self.demands, key=lambda each: each.kind == "coefficient")
-        return next((each for each in by_blame if alone.decide(negation(each.formula))), None)
+        refused = next((each for each in by_blame if alone.decide(negation(each.formula))), None)
+        if refused is not None or len(by_blame) > MOST_DEMANDS or not self._clash(by_blame):
+            return refused
+        core = by_blame
+        for each in reversed(by_blame):
+            rest = [other for other in core if other is not each]
+            core = rest if self._clash(rest) else core
+        return core[-1]
+
+    def _clash(self, demands: Sequence[Demand]) -> bool:
+        """Whether it is proved that no values of the letters satisfy these demands together."""
+        facts = (*dict.fromkeys(each.formula for each in demands), *self.assumed)
+        return Oracle(self.roles, facts).possible.answer == "refuted"
 
 
 def demands_of(
