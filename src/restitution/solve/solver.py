@@ -510,7 +510,8 @@ class _Worker:
         if not limits:
             return answer
         plain = value_layout(answer.value, kind, answer.angle, item.percentage)
-        return with_condition(answer, plain, limits)
+        own = item.expression.name if isinstance(item.expression, Letter) else None
+        return with_condition(answer, plain, limits, own)
 
     def _evaluate(self, item: Value, branch: Branch, now: int, samples: Any, kind: ItemKind) -> Any:
         tree = item.expression

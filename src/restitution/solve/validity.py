@@ -23,7 +23,7 @@ from restitution.oracle import (
     relations,
 )
 from restitution.oracle.roles import Role
-from restitution.render.layout import Layout, Phrase, Words, from_set, from_sympy, relation
+from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
 from restitution.solve import forms
 from restitution.solve.admission import Demand, demands_for
@@ -33,16 +33,21 @@ from restitution.solve.polynomials import factors
 from restitution.solve.regions import Region, inside_of, to_set
 from restitution.solve.solution import Answer
 
-MOST_LETTERS = 4
+MOST_LETTERS = 6
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
 
 
 @dataclass(frozen=True)
 class Limitation:
-    """A condition on the letters: ``text`` as a relation to be read again, and as mathematics."""
+    """A condition on the letters: ``text`` as a relation to be read again, and as mathematics.
+
+    Where it bounds what was found for a ``letter``, ``own`` says so by the letter itself.
+    """
 
     text: str
     layout: Layout
+    letter: str | None = None
+    own: Layout | None = None
 
 
 def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
@@ -84,11 +89,18 @@ def _gap(values: sp.Interval) -> Demand | None:
     return Demand(Relation(width, ">" if open_ else ">="), "", "fact")
 
 
-def with_condition(answer: Answer, plain: Layout, limits: Sequence[Limitation]) -> Answer:
-    """An answer with the condition under which it holds."""
+def with_condition(
+    answer: Answer, plain: Layout, limits: Sequence[Limitation], letter: str | None = None
+) -> Answer:
+    """An answer, perhaps for a letter, with the condition under which it holds."""
     if not limits:
         return answer
-    condition = _listed([each.layout for each in limits])
+    condition = _listed(
+        [
+            each.own if each.own is not None and each.letter == letter else each.layout
+            for each in limits
+        ]
+    )
     layout = Phrase((plain, Phrase((Words("for"), condition))), ", ")
     return replace(
         answer,
@@ -159,15 +171,68 @@ def _limits(
         region = _region(outcome, trial, base, demands, name)
         if region is None:
             continue
-        yield bounds_of(name, region, base.roles)
+        bounds = bounds_of(name, region, base.roles)
+        if _has_roots(region):
+            plain = list(_plainly(base, trial, demands))
+            if sum(len(each.text) for each in plain) < len(bounds.text):
+                yield from plain
+                return
+        yield bounds
         # For which of the other letters there are such values at all.
         gap = _gap(region) if isinstance(region, sp.Interval) else None
         if gap is not None and not base.decide(gap.formula):
             yield from _limits(outcome, trial, base, [gap])
         return
-    for demand in demands:
-        for each in relations(demand.formula):
-            yield _inequality(base, each)
+    yield from _plainly(base, trial, demands)
+
+
+def _has_roots(values: sp.Set) -> bool:
+    """Whether letters stand under roots in the ends of some intervals."""
+    parts = values.args if isinstance(values, sp.Union) else (values,)
+    ends = [end for each in parts if isinstance(each, sp.Interval) for end in each.args[:2]]
+    return any(
+        x.base.free_symbols for end in ends for x in end.atoms(sp.Pow) if not x.exp.is_Integer
+    )
+
+
+def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[Limitation]:
+    """The inequalities themselves, without those that follow from the others."""
+    facts = list(dict.fromkeys(each for d in demands for each in relations(d.formula)))
+    for each in facts:
+        others = [other for other in facts if other != each]
+        if base.decide(each) or base.with_facts(others).decide(each):
+            facts = others
+    yield from _inequalities(base, trial, facts)
+
+
+def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iterator[Limitation]:
+    """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
+    left = list(facts)
+    for name, found in trial.found.values.items():
+        for low in [each for each in left if each.value == found]:
+            high = next((each for each in left if (each.value + found).is_number), None)
+            if high is None or not {low.operator, high.operator} <= {">", ">="}:
+                continue
+            plain = _inequality(base, low), _inequality(base, high)
+            chain = _chain(name, low, high)
+            if len(chain.text) < sum(len(each.text) for each in plain):
+                left = [each for each in left if each not in (low, high)]
+                yield chain
+    for each in left:
+        yield _inequality(base, each)
+
+
+def _chain(name: str, low: Relation, high: Relation) -> Limitation:
+    """0 ≤ e ≤ 1 of what e was found to be."""
+    value, top = forms.tidy(low.value), high.value + low.value
+    (before, shown_before), (after, shown_after) = (
+        ("<", "<") if each.operator == ">" else ("<=", "≤") for each in (low, high)
+    )
+    layout, own = (
+        relation(sp.Integer(0), shown_before, x, shown_after, top) for x in (value, sp.Symbol(name))
+    )
+    text = f"0 {before} {exact.sympy_text(value)} {after} {exact.sympy_text(top)}"
+    return Limitation(text, layout, name, own)
 
 
 def _role(base: Oracle, name: str) -> Role:
@@ -235,22 +300,42 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
 
 def _inequality(base: Oracle, each: Relation) -> Limitation:
     """An inequality itself, without the factors whose sign is known."""
-    above, below = sp.together(each.value).as_numer_denom()
-    product = sp.Integer(1)
-    for side in (above, below):
-        try:
-            parts = factors(sp.expand(side))
-        except sp.PolynomialError:
-            parts = (side,)
-        content = sp.cancel(sp.expand(side) / sp.Mul(*parts)) if parts else side
-        if content.is_number:
-            product *= sp.sign(content)
-            own = parts
-        else:
-            own = (side,)
-        for factor in own:
-            sign = base.sign(factor)
-            product *= factor if sign is None else sign
-    value = forms.tidy(product)
-    text = f"{exact.sympy_text(value)} {each.operator} 0"
-    return Limitation(text, relation(from_sympy(value), _SIGNS[each.operator], sp.Integer(0)))
+    above, below = (_of_open_sign(base, x) for x in sp.together(each.value).as_numer_denom())
+    operator = each.operator
+    if operator == ">=" and above.is_number:
+        operator = ">"  # what divides is not zero
+    quotient = above / below if operator == ">=" else above * below
+    bars = {
+        node: sign * node.args[0]
+        for node in quotient.atoms(sp.Abs)
+        if (sign := base.sign(node.args[0])) is not None
+    }
+    value = sp.Integer(1)
+    for factor in sp.Mul.make_args(forms.tidy(quotient.xreplace(bars))):
+        sign = base.sign(factor)
+        value *= factor if sign is None else sign
+    if operator == ">" and value.is_Pow and value.exp == sp.S.Half:
+        value = value.base
+    left, right = value, sp.Integer(0)
+    if value.is_Add and len(value.args) == 2:
+        minus = [x for x in value.args if x.could_extract_minus_sign()]
+        if len(minus) == 1:
+            left, right = value - minus[0], -minus[0]
+    text = f"{exact.sympy_text(left)} {operator} {exact.sympy_text(right)}"
+    return Limitation(text, relation(left, _SIGNS[operator], right))
+
+
+def _of_open_sign(base: Oracle, side: sp.Expr) -> sp.Expr:
+    """An expression without the factors whose sign is known, but for the sign itself."""
+    try:
+        parts = factors(sp.expand(side))
+    except sp.PolynomialError:
+        parts = (side,)
+    content = sp.cancel(sp.expand(side) / sp.Mul(*parts)) if parts else side
+    if not content.is_number:
+        content, parts = sp.Integer(1), (side,)
+    product = sp.sign(content)
+    for factor in parts:
+        sign = base.sign(factor)
+        product *= factor if sign is None else sign
+    return product
