@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from restitution.errors import StatementError
+from restitution.expression import units
 from restitution.language import parse, to_statement
 from restitution.mending import mended
 
@@ -194,3 +195,78 @@ def test_a_unit_before_a_closing_bracket(unit, blank):
     text = "wall W: along i\nsphere P: velocity {}\nP hits W: e = 1\nfind speed(P)"
     measured = text.format(f"(3 {unit}){blank}i - (4 {unit}){blank}j")
     assert parse(measured).spheres == parse(text.format("3i - 4j")).spheres
+
+
+WORDS = [
+    "kg",
+    "g",
+    "cm",
+    "mm",
+    "m",
+    "s",
+    "J",
+    "rad",
+    "N",
+    "newton",
+    "newtons",
+    "Newton",
+    "kilometres",
+    "km",
+    "metre",
+    "meters",
+    "grams",
+    "kilogram",
+    "kilos",
+    "centimeter",
+    "millimetres",
+    "sec",
+    "seconds",
+    "joules",
+    "Joule",
+    "radians",
+    "lbs",
+    "pound",
+    "oz",
+    "ounces",
+    "stones",
+    "tonne",
+    "tons",
+    "mg",
+    "ft",
+    "feet",
+    "foot",
+    "inch",
+    "inches",
+    "yards",
+    "yd",
+    "miles",
+    "mi/h",
+    "mph",
+    "kph",
+    "kmh",
+    "knots",
+    "minutes",
+    "min",
+    "hours",
+    "hr",
+    "ms",
+    "kJ",
+    "MJ",
+    "mJ",
+    "eV",
+    "kcal",
+    "kN",
+    "Nm",
+    "m/s",
+    "cm/s",
+    "km/h",
+]
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_every_unit_is_seen_at_the_end_of_a_value(word):
+    """No unit is missed for its first letter, which is looked at before anything else."""
+    found = units.at_the_end(f"{word}, 3", 0)
+    assert found is not None
+    assert found.group() == word
+    assert units.like_a_unit(word, 0) is (word not in ("g", "m", "s", "J", "N"))

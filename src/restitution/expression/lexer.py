@@ -361,7 +361,7 @@ def _unit(
     """
     if not before or before[-1].type not in _ENDS_OPERAND or before[-1].type == "MEASURE":
         return None
-    match = at_the_end().match(source.plain, at)
+    match = at_the_end(source.plain, at)
     if match is None or match.group() in names:
         return None
     unit, end = match.group(), match.end()
@@ -489,7 +489,7 @@ def _letters(
         phrase = pattern.match(text, at)
         if phrase:
             return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
-    unit = at_the_end().match(text, at + 1) if text[at] in "ij" else None
+    unit = at_the_end(text, at + 1) if text[at] in "ij" else None
     if unit and len(unit.group()) > 1:
         return [_token(source, "UNIT", text[at], at, at + 1)]  # ``4jms^-1``
     axis = _AXIS.match(text, at)

@@ -66,20 +66,6 @@ _OTHERS = (
 _END = r"(?!\w)(?=\s*(?:$|[,)<>=≤≥⩽⩾+\-−–:]|(?:at|from|to|through|radius|over|in|as|[ij])(?!\w)))"
 
 
-# What a product must not look like where it ends a value; a single letter is no more than a letter.
-LIKE_A_UNIT = (
-    "(?:"
-    + "|".join(
-        rf"(?:{each}){_END}"
-        for each in (
-            *(re.sub(r"^[gmsJ]\|", "", text) for text, _, _ in _KNOWN),
-            _OTHERS.replace("|N|", "|"),
-        )
-    )
-    + ")"
-)
-
-
 @dataclass(frozen=True, slots=True)
 class Measure:
     """A unit: what it measures, and how many of the SI unit it is.
@@ -91,11 +77,25 @@ class Measure:
     factor: Fraction = Fraction(1)
 
 
+def at_the_end(text: str, at: int) -> re.Match[str] | None:
+    """A unit that ends a value: as long a one as stands there."""
+    # The pattern is a long one, and not compiled for a letter with which no unit begins.
+    return _at_the_end().match(text, at) if text[at : at + 1] in _FIRST else None
+
+
 @cache
-def at_the_end() -> re.Pattern[str]:
-    """What matches a unit that ends a value: as long a one as stands there."""
+def _at_the_end() -> re.Pattern[str]:
     every = [pattern for pattern, _, _ in _KNOWN] + [_OTHERS]
-    return re.compile("|".join(rf"(?:{each}){_END}" for each in every))
+    return re.compile("(?:" + "|".join(every) + ")" + _END)
+
+
+_FIRST = frozenset("cefghijklmnoprstyJKMN")
+
+
+def like_a_unit(text: str, at: int) -> bool:
+    """Whether a product at the end of a value looks like a unit; a letter is no more than that."""
+    unit = at_the_end(text, at)
+    return unit is not None and unit.group() not in ("g", "m", "s", "J", "N")
 
 
 @cache

@@ -22,17 +22,17 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.expression.units import LIKE_A_UNIT
+from restitution.expression.units import like_a_unit
 
 # How tightly a text binds: what it may stand in without brackets.
 _POLAR, _SUM, _PRODUCT, _POWER, _PRIMARY = range(5)
 
 _SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
 
-# What would be taken for a unit after a value (``2m/s``) is written as a product.
-_UNIT = re.compile(
-    rf"(?<=\d)\s*(?={LIKE_A_UNIT})"
-    rf"|(?<=[\w°)])(?<!\bat)(?<!\bfrom)\s+(?={LIKE_A_UNIT})"
+# Where letters follow a value: what would be taken for a unit there (``2m/s``) is written as a
+# product.
+_AFTER_A_VALUE = re.compile(
+    r"(?<=\d)\s*(?=[^\W\d_])|(?<=[\w°)])(?<!\bat)(?<!\bfrom)\s+(?=[^\W\d_])"
 )
 
 
@@ -43,12 +43,18 @@ def write_expression(tree: Expression) -> str:
     >>> write_expression(Binary("*", Binary("/", Number(1), Number(2)), Letter("u")))
     '1/2 u'
     """
-    return _UNIT.sub("*", _write(tree)[0])
+    return _without_units(_write(tree)[0])
 
 
 def write_sum(tree: Expression) -> str:
     """The text of an expression where ``at`` cannot stand without brackets."""
-    return _UNIT.sub("*", _at_least(tree, _SUM))
+    return _without_units(_at_least(tree, _SUM))
+
+
+def _without_units(text: str) -> str:
+    return _AFTER_A_VALUE.sub(
+        lambda gap: "*" if like_a_unit(text, gap.end()) else gap.group(), text
+    )
 
 
 def _at_least(tree: Expression, level: int) -> str:
