@@ -41,7 +41,7 @@ from restitution.oracle import (
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
-from restitution.solve.numbers import FIELD, at, number_of
+from restitution.solve.numbers import FIELD, at, number_of, plain_sign
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Story, lets_of
 from restitution.vector import Vector
@@ -63,12 +63,9 @@ _PLAIN_SIGNS = {"≤": "<=", "≥": ">=", "≠": "!="}
 
 def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
     """The sign of an expression wherever some facts hold; None if that is open."""
-    if x.is_positive:
-        return 1
-    if x.is_negative:
-        return -1
-    if x.is_zero:
-        return 0
+    plain = plain_sign(x)
+    if plain is not None:
+        return plain
     try:
         return oracle.sign(x)
     except BeyondError:
@@ -232,12 +229,9 @@ class _Named:
 
     def sign(self, x: sp.Expr, given: Sequence[object] = ()) -> int | None:
         x = sp.sympify(x, strict=True)
-        if x.is_positive:
-            return 1
-        if x.is_negative:
-            return -1
-        if x.is_zero:
-            return 0
+        plain = plain_sign(x)
+        if plain is not None:
+            return plain
         try:
             return at(x, self.sample).sign
         except (UndefinedError, KeyError, ArithmeticError):

@@ -40,7 +40,6 @@ from restitution.problem import (
 )
 
 _TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
-_ALONE = re.compile(r"\d+(?:\.\d+)?(?![\w.°^*/])")
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
 _ANGLES = frozenset(("direction", "angle", "deflection"))
 

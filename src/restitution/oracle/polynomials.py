@@ -45,14 +45,6 @@ class Bound:
     strict: bool
 
 
-@dataclass(frozen=True)
-class _Atom:
-    """An angle of which sines are taken, and the whole number q that divides it."""
-
-    angle: sp.Expr
-    divisor: int
-
-
 class Polynomials:
     """The polynomial world of some expressions.
 

@@ -605,15 +605,6 @@ def _class(symbol: Symbol) -> Literal["coefficient", "ratio", "mass", "other"]:
 # Products: which factor comes first, what stands above and below the line.
 
 
-@dataclass(frozen=True)
-class _Factors:
-    """One side of a fraction: powers with whole exponents, and what stands under one root."""
-
-    powers: tuple[tuple[Expr, Expr], ...]
-    rooted: tuple[Expr, ...]
-    other: tuple[Layout, ...]
-
-
 def _from_product(value: Expr) -> Layout:
     sign = 1
     rational = S.One

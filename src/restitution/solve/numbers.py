@@ -81,6 +81,13 @@ def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
     return truths[type(condition)]
 
 
+def plain_sign(x: sp.Expr) -> int | None:
+    """The sign that is plain from what is assumed of the letters; None where it is not."""
+    if x.is_positive or x.is_negative:
+        return 1 if x.is_positive else -1
+    return 0 if x.is_zero else None
+
+
 def number_of(value: Any) -> Enclosed:
     """The value of a letter at a point."""
     if isinstance(value, sp.Expr):

@@ -55,7 +55,16 @@ from restitution.solve.letters import (
     parts_until,
     roles,
 )
-from restitution.solve.numbers import FIELD, Sample, at, bound, number_of, sample, sign_at
+from restitution.solve.numbers import (
+    FIELD,
+    Sample,
+    at,
+    bound,
+    number_of,
+    plain_sign,
+    sample,
+    sign_at,
+)
 from restitution.solve.stages import by_nested_roots, fixed_besides, solve_in_stages
 from restitution.solve.story import Sign, Story, lets_of
 
@@ -124,12 +133,9 @@ class Letters:
         has different signs is among ``undecided``.
         """
         x = sp.sympify(x, strict=True)
-        if x.is_positive:
-            return 1
-        if x.is_negative:
-            return -1
-        if x.is_zero:
-            return 0
+        plain = plain_sign(x)
+        if plain is not None:
+            return plain
         if self.ground is None:
             self.ground = Oracle(ChainMap(dict(self.roles), self.hidden_roles))
         proved = self.ground.sign(x)
