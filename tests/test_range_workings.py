@@ -248,3 +248,16 @@ def test_an_angle_beside_a_counterexample_is_that_of_its_letters(setting: str, c
     put = "".join(f"\ngiven {name} = {text}" for name, text in item.counterexample.items())
     exact = restitution.solve(parse(f"{setting}{put}\nfind {asked}"))[asked]
     assert math.degrees(exact.decimal) == pytest.approx(degrees, rel=5e-3)
+
+
+def test_what_is_bounded_as_a_whole_is_said_once():
+    text = """sphere A: mass m, velocity u i
+sphere B: mass k m, velocity -v i
+A hits B: along i
+given speed(A) = speed(B)
+find e, velocity(B)
+"""
+    working = " ".join(str(explain(restitution.solve(restitution.parse(text)))).split())
+    assert "This holds for 0 ≤ e ≤ 1 only." in working
+    assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ 2(u − kv)/((k − 1)(u + v)) ≤ 1 only." in working
+    assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ e ≤ 1" not in working

@@ -149,7 +149,7 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
         reasons = _coefficients_that_bind(work)
         sentence = (
             say("answer.only-as", reasons=reasons, condition=condition)
-            if reasons
+            if reasons and condition not in reasons
             else say("answer.only", condition=condition)
         )
         work.write("note", sentences=(sentence,))
