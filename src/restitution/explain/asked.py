@@ -12,7 +12,7 @@ from restitution.components import Model
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
 from restitution.explain.marks import without_method
-from restitution.explain.phrases import answer, chain, look, sum_of_products
+from restitution.explain.phrases import answer, chain
 from restitution.explain.quantities import (
     WHOLE,
     Asked,
@@ -27,6 +27,7 @@ from restitution.explain.quantities import (
 )
 from restitution.explain.steps import REQUIRED, Origin, Row, Side, shown, side
 from restitution.explaining.marks import A1, A1_STAR, M1
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -637,7 +638,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
             total = sum((x * y for x, y in products), sp.Integer(0))
             row = chain(
                 side(total, lay.product(_in_brackets(first), _in_brackets(last), sign="·")),
-                side(total, sum_of_products(products)),
+                side(total, printed("a*c + b*d", a=a.x, c=b.x, b=a.y, d=b.y)),
                 side(sp.Integer(0)),
                 points=(M1, A1),
             )
@@ -649,21 +650,12 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
             row = chain(
                 side((a.x, a.y), first),
                 side((a.x, a.y)),
-                side((a.x, a.y), _times(ratio, look((b.x, b.y)))),
+                side((a.x, a.y), printed("k*v", k=ratio, v=(b.x, b.y))),
                 points=(M1,),
             )
             work.write("result", [row])
     sentence = say("shown.claim", claim=work.aligned(relation))
     work.write("result", sentences=(sentence,), points=(A1_STAR,))
-
-
-def _times(ratio: sp.Expr, laid: Layout) -> Layout:
-    if ratio == 1:
-        return laid
-    inner = lay.Brackets(laid) if isinstance(laid, lay.Sum) else laid
-    if ratio == -1:
-        return lay.negative(inner)
-    return lay.product(look(ratio), inner)
 
 
 def _in_brackets(laid: Layout) -> Layout:

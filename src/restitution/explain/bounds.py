@@ -16,11 +16,12 @@ from restitution.exact import tidy, tidy_angle
 from restitution.explain.asked import found_before, prepare, sub_result
 from restitution.explain.checking import related
 from restitution.explain.kept import above, factored, simplified
-from restitution.explain.phrases import answer, chain, look
+from restitution.explain.phrases import answer, chain
 from restitution.explain.quantities import derive, evaluated, put_in, quantities_in
 from restitution.explain.steps import REQUIRED, Row, Side, side
 from restitution.explain.working import TANGENT, by_tangent
 from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Marks
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle
@@ -1082,7 +1083,7 @@ def explain_meets(work: Working, relation: Meets, now: int) -> None:
         gap = tidy(sp.sympify(left.value, strict=True) - sp.sympify(right.value, strict=True))
         rows.append(
             Row(
-                (_difference(left, right), look(gap), lay.Number("0")),
+                (printed("a - b", a=left.layout, b=right.layout), look(gap), lay.Number("0")),
                 ("=", bound.sign),
                 (gap, gap, sp.Integer(0)),
                 (M1, A1),
@@ -1161,12 +1162,6 @@ def _write_meeting(work: Working, relation: Meets) -> None:
             again=again,
         )
     work.write("result", sentences=(say("shown.claim", claim=claim),), points=(A1_STAR,))
-
-
-def _difference(left: Side, right: Side) -> Layout:
-    from restitution.explain.phrases import difference
-
-    return difference(left.layout, right.layout)
 
 
 __all__ = ["explain_extremum", "explain_meets", "explain_range", "explain_shown_bound"]

@@ -11,7 +11,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.geometry import angle_letter
-from restitution.explain.phrases import chain, look, minus, square, sum_of_products
+from restitution.explain.phrases import chain
 from restitution.explain.quantities import (
     components,
     name_of,
@@ -23,6 +23,7 @@ from restitution.explain.quantities import (
 from restitution.explain.steps import Row, Side, Step, side
 from restitution.explain.working import Equation
 from restitution.explaining.marks import A1, B1, M1, Marks
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Binary, Expression, Letter, Quantity, has_quantity, letters
@@ -196,13 +197,9 @@ def _sum_of_angles(work: Working, left: Expression, right: Expression, now: int)
         tangents = [tidy(sp.tan(plain(work, evaluator.value(each)))) for each in (first, second)]
         p, q = tangents
         sign = 1 if left.op == "+" else -1
-        one = lay.Number("1")
-        first_, second_, both = look(p), lay.bracketed(look(q)), look(tidy(p * q))
-        if sign > 0:
-            above, below = lay.total([first_, second_]), minus(one, both)
-        else:
-            above, below = minus(first_, second_), lay.total([one, both])
-        made = side((p + sign * q) / (1 - sign * p * q), lay.fraction(above, below))
+        template = "(a + b)/(1 - p)" if sign > 0 else "(a - b)/(1 + p)"
+        laid = printed(template, a=p, b=q, p=tidy(p * q))
+        made = side((p + sign * q) / (1 - sign * p * q), laid)
         row = _tangent_row(plain(work, b), made)
         return Step("fact", (row,), sentences=(_given(work, left, right),))
 
@@ -270,15 +267,16 @@ def _speed(work: Working, tree: Quantity, other: Expression, value: Any, now: in
             return _speed_along(work, tree, other, along, value, now)
 
     def step() -> Step:
-        parts = [x for x in components(work, body, stage) if x != 0]
-        total = sum((x**2 for x in parts), sp.Integer(0))
+        a, b = components(work, body, stage)
         right = put_in(work, other, now)
         result = sp.sympify(right.value, strict=True) ** 2
         row = chain(
-            side(total, lay.total([square(x) for x in parts])),
+            side(a**2 + b**2, printed("a^2 + b^2", a=a, b=b)),
             side(
                 result,
-                square(right.value) if not has_quantity(other) else _squared(right.layout),
+                printed("v^2", v=right.value)
+                if not has_quantity(other)
+                else _squared(right.layout),
             ),
             points=(M1, A1),
         )
@@ -479,9 +477,9 @@ def _component_in(work: Working, body: str, stage: int, name: str) -> tuple[sp.E
         return value, look(value)
     a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
     pairs = [(a, work.put(getattr(frame.n, name))), (b, work.put(getattr(frame.t, name)))]
-    kept = [(p, q) for p, q in pairs if p != 0 and q != 0]
     total = sum((p * q for p, q in pairs), sp.Integer(0))
-    return total, sum_of_products(kept) if kept else lay.Number("0")
+    (p, q), (r, s) = pairs
+    return total, printed("p*q + r*s", p=p, q=q, r=r, s=s)
 
 
 def _moves_off(work: Working, event: Happening, body: str) -> tuple[Sentence, ...]:
@@ -536,7 +534,7 @@ def _zero_dot(work: Working, a: Vector, b: Vector, points: Marks = (M1, A1)) -> 
         # One of the two is zero.
         total = next((x for x in products[0] if work.model.sign(x) == 0), total)
         return chain(side(total), side(sp.Integer(0)), points=points)
-    laid = sum_of_products(products) if products else None
+    laid = printed("a*c + b*d", a=a.x, c=b.x, b=a.y, d=b.y)
     return chain(side(total, laid), side(sp.Integer(0)), points=points)
 
 
@@ -586,8 +584,8 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
             return Step("fact", (row,), sentences=(say("given.fact", fact=fact),))
         a, b = work.put(a), work.put(b)
         row = chain(
-            side(tidy(a.x * b.y), sum_of_products([(a.x, b.y)])),
-            side(tidy(a.y * b.x), sum_of_products([(a.y, b.x)])),
+            side(tidy(a.x * b.y), printed("a*b", a=a.x, b=b.y)),
+            side(tidy(a.y * b.x), printed("a*b", a=a.y, b=b.x)),
             points=(M1, A1),
         )
         return Step("fact", (row,), sentences=(say("given.proportion", fact=fact),))

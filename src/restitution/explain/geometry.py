@@ -11,13 +11,11 @@ from restitution.components import Frame
 from restitution.exact import tidy
 from restitution.explain.phrases import (
     chain,
-    difference,
     direction_words,
-    look,
-    vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, B1, M1
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
 from restitution.problem import Aligned, AtRest, Compare, Impact, Relation, trees_of_relation
@@ -213,11 +211,11 @@ def line_of_centres(work: Working, frame: Frame) -> None:
                 chain(
                     side(
                         (tidy(other.x - one.x), tidy(other.y - one.y)),
-                        difference(Bold("r", step.second), Bold("r", step.first)),
+                        printed("s - r", s=Bold("r", step.second), r=Bold("r", step.first)),
                     ),
                     side(
                         (other.x - one.x, other.y - one.y),
-                        vector_difference(other, one),
+                        printed("s - r", s=tuple(other), r=tuple(one)),
                     ),
                     side((tidy(other.x - one.x), tidy(other.y - one.y))),
                 )
@@ -425,7 +423,7 @@ def _by_change(
         ),
         side(
             (change.x, change.y),
-            vector_difference(v, u),
+            printed("v - u", v=tuple(v), u=tuple(u)),
         ),
         side((change.x, change.y)),
         points=(M1,),

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explain.phrases import answer, chain, difference, look, minus, product_of
+from restitution.explain.phrases import answer, chain
 from restitution.explain.steps import Row, Side, Step, side
 from restitution.explaining.marks import A1, M1
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import AtTime, Expression, Name, Quantity
 from restitution.problem import Arrival, Impact
 from restitution.render import layout as lay
-from restitution.render.layout import Bold, Brackets, Layout, Letter
+from restitution.render.layout import Bold, Layout, Letter
 from restitution.solve.conditions import Equation as StoryEquation
 from restitution.solve.quantities import point_of
 from restitution.solve.story import Happening
@@ -96,12 +97,13 @@ def _flight(work: Working, event: Happening, value: sp.Expr) -> tuple[Sentence, 
         sentence = say("flight.axis", body=body, axis=Bold(axis), **sizes)
     else:
         sentence = say("flight.straight", body=body, **sizes)
-    ratio = Side(_quotient(distance, speed), tidy(distance / speed))
+    ratio = Side(printed("d/v", d=distance, v=speed), tidy(distance / speed))
     rows: list[Row]
     if when == 0:
         rows = [chain(name, ratio, side(flight), points=(M1, A1))]
     else:
-        total = lay.total([time_letter(_since(work, body, number)), ratio.layout])
+        begun = time_letter(_since(work, body, number))
+        total = printed("t + d/v", t=begun, d=distance, v=speed)
         rows = [
             chain(name, side(value, total), *answer(value), points=(M1, A1)),
         ]
@@ -123,11 +125,12 @@ def _to_circle(
     reach = tidy(work.resolved(sp.sqrt(tidy((end - centre).dot(end - centre)))))
     flight = tidy(value - when)
     gap = Vector(tidy(where.x - centre.x), tidy(where.y - centre.y))
-    squares = [_squared(g, -w) for g, w in ((gap.x, v.x), (gap.y, v.y)) if (g, w) != (0, 0)]
+    t = lay.Letter("t")
+    squares = printed("(x + a*t)^2 + (y + b*t)^2", x=gap.x, a=v.x, y=gap.y, b=v.y, t=t)
     total = (gap.x + v.x * flight) ** 2 + (gap.y + v.y * flight) ** 2
     rows = [
         Row(
-            (lay.total(squares), lay.power(lay.bracketed(look(reach)), lay.Number("2"))),
+            (squares, printed("r^2", r=reach)),
             ("=",),
             (total, reach**2),
             (M1, A1),
@@ -136,7 +139,8 @@ def _to_circle(
     ]
     name = side(value, time_letter(event.number))
     if when != 0:
-        made = lay.total([time_letter(_since(work, step.first, event.number)), lay.Letter("t")])
+        begun = time_letter(_since(work, step.first, event.number))
+        made = printed("s + t", s=begun, t=lay.Letter("t"))
         rows.append(chain(name, side(value, made), *answer(value)))
     else:
         rows[-1] = chain(name, side(flight, lay.Letter("t")), *answer(flight), points=(A1,))
@@ -148,11 +152,6 @@ def _to_circle(
         letter=lay.Letter("t"),
     )
     return sentence, rows
-
-
-def _quotient(a: sp.Expr, b: sp.Expr) -> Layout:
-    first, second = look(a), look(b)
-    return lay.fraction(first, second)
 
 
 def _since(work: Working, body: str, number: int) -> int:
@@ -216,8 +215,15 @@ def _meeting(
         rows = [
             Row(
                 (
-                    lay.total([_squared(gap.x, w.x), _squared(gap.y, w.y)]),
-                    lay.power(lay.bracketed(look(reach)), lay.Number("2")),
+                    printed(
+                        "(x - a*t)^2 + (y - b*t)^2",
+                        x=gap.x,
+                        a=w.x,
+                        y=gap.y,
+                        b=w.y,
+                        t=lay.Letter("t"),
+                    ),
+                    printed("r^2", r=reach),
                 ),
                 ("=",),
                 (left.xreplace({t: flight}), reach**2),
@@ -234,26 +240,14 @@ def _meeting(
     d, s = (tidy(work.resolved(sp.Abs(x))) for x in (d, s))
     if s == 0 or d == 0:
         return None
-    ratio = Side(_quotient(d, s), tidy(d / s))
+    ratio = Side(printed("d/v", d=d, v=s), tidy(d / s))
     sentence = say("gap.closes", one=step.first, other=step.second, gap=look(d), speed=look(s))
     begun = work.put(start)
     if begun == 0:
         return sentence, [chain(name, ratio, *answer(value), points=(M1, A1))]
     since = max(_since(work, step.first, number), _since(work, step.second, number))
-    total = lay.total([time_letter(since), ratio.layout])
+    total = printed("t + d/v", t=time_letter(since), d=d, v=s)
     return sentence, [chain(name, side(value, total), *answer(value), points=(M1, A1))]
-
-
-def _squared(gap: sp.Expr, w: sp.Expr) -> Layout:
-    t = sp.Symbol("t", positive=True)
-    del t
-    t_ = lay.Letter("t")
-    sign, size = lay.split_sign(look(w))
-    moved = lay.product(lay.bracketed(size), t_) if w != 0 else lay.Number("0")
-    if gap == 0:
-        return lay.power(lay.bracketed(moved), lay.Number("2"))
-    whole = lay.total([look(gap), moved]) if sign == "-" else difference(gap, moved)
-    return lay.power(lay.bracketed(whole), lay.Number("2"))
 
 
 def _later(work: Working, a: Any, b: Any) -> Any:
@@ -309,9 +303,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
     gap = Vector(tidy(points[0].x - points[1].x), tidy(points[0].y - points[1].y))
     made_ = None
     if gap.x != 0 and gap.y != 0:
-        from restitution.explain.phrases import square
-
-        made_ = Side(lay.Root(lay.total([square(gap.x), square(gap.y)])), value)
+        made_ = Side(printed("sqrt(a^2 + b^2)", a=gap.x, b=gap.y), value)
     final = [Side(name, value), *([made_] if made_ else []), *answer(value)]
     rows.append(chain(*final, points=(M1, A1)))
     return Derived(tuple(rows), value)
@@ -342,14 +334,7 @@ def _place_layout(work: Working, tree: Quantity, now: int) -> Layout | None:
         return None
     flight = tidy(work.put(event.time) - work.put(known[1]))
     start = work.put(known[0])
-    velocity = look((v.x, v.y))
-    if isinstance(velocity, lay.Sum):
-        velocity = Brackets(velocity)
-    moved = product_of(flight, velocity) if flight != 1 else velocity
-    first = look((start.x, start.y))
-    if (start.x, start.y) == (0, 0):
-        return moved
-    return lay.total([first, moved])
+    return printed("r + t*v", r=tuple(start), t=flight, v=tuple(v))
 
 
 def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
@@ -383,8 +368,8 @@ def meeting_step(work: Working, equation: StoryEquation) -> Step | None:
         way = work.put(Vector(*(point - known[0])))
         v = work.put(v)
         row = chain(
-            Side(_product(v.y, way.x), tidy(v.y * way.x)),
-            Side(_product(v.x, way.y), tidy(v.x * way.y)),
+            Side(printed("a*b", a=v.y, b=way.x), tidy(v.y * way.x)),
+            Side(printed("a*b", a=v.x, b=way.y), tidy(v.x * way.y)),
             points=(M1, A1),
         )
         target = work.layout(event.step.target)
@@ -418,7 +403,7 @@ def _triangle_of_chords(work: Working, event: Happening, body: str, point: Vecto
     a, b, c = tangents
     row = chain(
         Side(
-            lay.fraction(lay.total([look(a), look(b)]), minus(lay.Number("1"), look(tidy(a * b)))),
+            printed("(a + b)/(1 - p)", a=a, b=b, p=tidy(a * b)),
             (a + b) / (1 - a * b),
         ),
         Side(look(tidy(1 / c)), 1 / c),
@@ -432,10 +417,6 @@ def _coordinates(v: Vector) -> Layout:
     return lay.Coordinates((look(v.x), look(v.y)))
 
 
-def _product(a: sp.Expr, b: sp.Expr) -> Layout:
-    return product_of(a, b) if 0 not in (a, b) else lay.Number("0")
-
-
 def travel_known(work: Working, number: int) -> None:
     """The journey up to an event, if what it rests on is known."""
     event = work.model.happening(number)
@@ -443,4 +424,4 @@ def travel_known(work: Working, number: int) -> None:
         travel(work, number)
 
 
-__all__ = ["derive_place", "difference", "meeting_step", "minus", "travel", "travel_known"]
+__all__ = ["derive_place", "meeting_step", "travel", "travel_known"]

@@ -13,16 +13,10 @@ from restitution.explain.marks import without_method
 from restitution.explain.phrases import (
     answer,
     chain,
-    difference,
-    half_m,
-    look,
-    minus,
-    product_of,
-    square,
-    vector_difference,
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, M1, Mark, Marks
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -159,9 +153,9 @@ def _combined(op: str, a: Layout, b: Layout) -> Layout:
     if op == "+":
         return lay.total([a, b])
     if op == "-":
-        return minus(a, b)
+        return printed("a - b", a=a, b=b)
     if op == "*":
-        return product_of(a, b)
+        return printed("a*b", a=a, b=b)
     if op == "/":
         return lay.fraction(a, b)
     return lay.power(lay.bracketed(a), b)
@@ -179,7 +173,7 @@ def formula(work: Working, tree: Quantity, now: int) -> Side:
         stage = stage_of(work, tree, now, body)
         names = [body] if body is not None else list(work.model.story.spheres)
         parts = [_energy(work, name, stage) for name in names]
-        made = lay.total([each for each in parts if each != Number("0")])
+        made = _sum(parts)
     elif kind == "energy_lost":
         made = energy_lost(work, event_of(work.model.story, tree, now).number)
     elif kind == "total_energy_lost":
@@ -199,12 +193,13 @@ def _speed(work: Working, a: sp.Expr, b: sp.Expr) -> Layout:
             return Brackets(laid, "||")
         sign, size = lay.split_sign(laid)
         return size if sign == "-" else laid
-    return lay.Root(lay.total([square(a), square(b)]))
+    return printed("sqrt(a^2 + b^2)", a=a, b=b)
 
 
 def _energy(work: Working, name: str, stage: int) -> Layout:
     mass = work.put(work.model.story.mass(name))
-    return half_m(mass, *components(work, name, stage))
+    a, b = components(work, name, stage)
+    return printed("1/2*m*(a^2 + b^2)", m=mass, a=a, b=b)
 
 
 def energy_lost(work: Working, number: int) -> Layout:
@@ -213,7 +208,8 @@ def energy_lost(work: Working, number: int) -> Layout:
     if number not in work.model.frames:
         total: Layout = Number("0")
         for name in event.bodies:
-            total = minus(_energy(work, name, number - 1), _energy(work, name, number))
+            lost = _energy(work, name, number - 1), _energy(work, name, number)
+            total = printed("a - b", a=lost[0], b=lost[1])
         return total
     before: list[Layout] = []
     after: list[Layout] = []
@@ -221,13 +217,14 @@ def energy_lost(work: Working, number: int) -> Layout:
         mass = work.put(work.model.story.mass(name))
         u = work.put(work.model.before(number, name)[0])
         v = work.put(work.model.after(number, name))
-        before.append(half_m(mass, u))
-        after.append(half_m(mass, v))
-    first = lay.total([each for each in before if each != Number("0")])
-    kept = [each for each in after if each != Number("0")]
-    if not kept:
-        return first
-    return minus(first, lay.total(kept))
+        before.append(printed("1/2*m*u^2", m=mass, u=u))
+        after.append(printed("1/2*m*v^2", m=mass, v=v))
+    return printed("a - b", a=_sum(before), b=_sum(after))
+
+
+def _sum(parts: Sequence[Layout]) -> Layout:
+    """A sum without what is zero."""
+    return lay.total([each for each in parts if each != Number("0")])
 
 
 def impulse(work: Working, number: int) -> Layout | None:
@@ -242,10 +239,7 @@ def impulse(work: Working, number: int) -> Layout | None:
     if work.sign(v - u) < 0:
         u, v = v, u
     del event
-    gap = difference(v, u)
-    if mass == 1:
-        return gap
-    return product_of(mass, Brackets(gap) if isinstance(gap, lay.Sum) else gap)
+    return printed("m*(v - u)", m=mass, v=v, u=u)
 
 
 def _impulse_body(work: Working, number: int) -> str:
@@ -321,7 +315,7 @@ def derive(
         return _derive_momentum(work, tree, body, now, value)
     if kind == "dot":
         a, b = (evaluated(work, each, now) for each in tree.arguments)
-        made = Side(lay.total([product_of(x, y) for x, y in zip(a, b, strict=True)]), value)
+        made = Side(printed("a*c + b*d", a=a[0], b=a[1], c=b[0], d=b[1]), value)
         return Derived((_result(name, made, value, points=(last,)),), value)
     if kind == "total_energy_lost":
         return _derive_total_loss(work, tree, now, value)
@@ -393,17 +387,8 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: M
     if frame is not None and frame.axis is None and value != (0, 0):
         v = work.model.story.velocity(body, stage)
         a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
-        terms = []
-        for part, way in ((a, frame.n), (b, frame.t)):
-            if part == 0:
-                continue
-            x, y = work.put(way)
-            unit = lay.vector(x, y)
-            if isinstance(unit, lay.Sum):
-                unit = Brackets(unit)
-            terms.append(product_of(part, unit) if part != 1 else unit)
-        if terms:
-            made = Side(lay.total(terms), value)
+        n, t = (tuple(work.put(way)) for way in (frame.n, frame.t))
+        made = Side(printed("a*n + b*t", a=a, n=n, b=b, t=t), value)
     rows.append(_result(work.layout(tree), made, value, points=(last,)))
     return Derived(tuple(rows), value)
 
@@ -526,12 +511,11 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
     cosine = tidy(sp.cos(value))
     if cosine.has(sp.atan, sp.atan2) or sp.count_ops(cosine) > 12:
         cosine = tidy(dot / (sp.sqrt(tidy(a.dot(a))) * sp.sqrt(tidy(b.dot(b)))))
-    products = [product_of(x, y) for x, y in zip(a, b, strict=True) if x != 0 and y != 0]
-    above = lay.total([_opened(each) for each in products])
+    above = printed("a*c + b*d", a=a.x, b=a.y, c=b.x, d=b.y)
     sizes = [
         look(tidy(work.resolved(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))))) for each in (a, b)
     ]
-    below = product_of(*[each for each in sizes if each != Number("1")] or [Number("1")])
+    below = printed("a*b", a=sizes[0], b=sizes[1])
     if sharp and work.sign(dot) < 0:
         above = Brackets(above, "||")
     return [
@@ -542,10 +526,6 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
             points=(M1,),
         )
     ]
-
-
-def _opened(laid: Layout) -> Layout:
-    return laid
 
 
 def _theta(work: Working) -> Layout:
@@ -680,14 +660,12 @@ def _spread(work: Working, number: int, body: str, tangent: sp.Expr) -> tuple[Se
     if frame.wall is not None:
         a, b = tidy(-un / ut), tidy(v / ut)
         sentence = say("turned-wall.sum", body=body, wall=frame.wall)
-        top, bottom = lay.total([look(a), look(b)]), minus(Number("1"), _times(a, b))
-        return sentence, lay.fraction(top, bottom)
+        return sentence, printed("(a + b)/(1 - p)", a=a, b=b, p=_times(a, b))
     a, b = tidy(ut / un), tidy(ut / v)
     first = work.sign((b - a) / (1 + a * b)) * work.sign(tangent) > 0
     big, small = (b, a) if first else (a, b)
-    return say("turned.difference", body=body), lay.fraction(
-        difference(big, small), lay.total([Number("1"), _times(a, b)])
-    )
+    laid = printed("(a - b)/(1 + p)", a=big, b=small, p=_times(a, b))
+    return say("turned.difference", body=body), laid
 
 
 def tangent_of_difference(
@@ -710,7 +688,7 @@ def tangent_of_difference(
 
 def _times(a: sp.Expr, b: sp.Expr) -> Layout:
     """A product with the values put in; one with letters worked out."""
-    return product_of(a, b) if a.is_number and b.is_number else look(tidy(a * b))
+    return printed("a*b", a=a, b=b) if a.is_number and b.is_number else look(tidy(a * b))
 
 
 def _derive_impulse(
@@ -724,8 +702,8 @@ def _derive_impulse(
         if isinstance(event.step, Impact) and event.number in work.model.frames:
             v, u = work.put(event.after[body]), work.put(event.before[body])
             mass = work.put(story.mass(body))
-            gap = vector_difference(v, u)
-            made = Side(product_of(mass, Brackets(gap)) if mass != 1 else gap, value)
+            change = printed("m*(v - u)", m=mass, v=tuple(v), u=tuple(u))
+            made = Side(change, value)
             return Derived(
                 (_result(name, made, value, points=(M1, last), principle=True),),
                 value,
@@ -760,10 +738,7 @@ def _derive_momentum(
         v = work.put(story.velocity(each, stage))
         if v == (0, 0):
             continue
-        laid = look((v.x, v.y))
-        if isinstance(laid, lay.Sum):
-            laid = Brackets(laid)
-        terms.append(product_of(work.put(story.mass(each)), laid))
+        terms.append(printed("m*v", m=work.put(story.mass(each)), v=(v.x, v.y)))
     made = Side(lay.total(terms), value) if terms else None
     return Derived((_result(work.layout(tree), made, value, points=(M1, A1)),), value)
 
@@ -780,15 +755,8 @@ def _total_loss(work: Working, tree: Quantity, now: int) -> Layout | None:
     story = work.model.story
     if any(isinstance(h.step, Kick) for h in story.happenings[:upto]):
         return None
-    before = lay.total(
-        [e for e in (_energy(work, n, 0) for n in story.spheres) if e != Number("0")]
-        or [Number("0")]
-    )
-    after = lay.total(
-        [e for e in (_energy(work, n, upto) for n in story.spheres) if e != Number("0")]
-        or [Number("0")]
-    )
-    return minus(before, after)
+    before, after = (_sum([_energy(work, n, at) for n in story.spheres]) for at in (0, upto))
+    return printed("a - b", a=before, b=after)
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,9 @@ import sympy as sp
 
 from restitution.exact import same, tidy, tidy_angle
 from restitution.explain.kept import simplified
-from restitution.explain.phrases import answer, look
+from restitution.explain.phrases import answer
 from restitution.explain.quantities import _is_angle, evaluated, plain, quantities_in
+from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Name, Quantity

@@ -15,10 +15,10 @@ from restitution.explain.backwards import is_told_backwards, steps_backwards
 from restitution.explain.facts import fact_equations
 from restitution.explain.geometry import to_be_found
 from restitution.explain.marks import again, settled
-from restitution.explain.phrases import look
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
+from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Quantity, has_quantity, letters

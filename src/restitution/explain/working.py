@@ -27,17 +27,14 @@ from restitution.explain.phrases import (
     OR,
     answer,
     chain,
-    difference,
     direction_words,
-    look,
     ordinal,
-    product_of,
     relation,
     same_term,
-    sum_of_products,
 )
 from restitution.explain.steps import Origin, Row, Side, Step, StepKind, side
 from restitution.explaining.marks import A1, B1, DM1, M1, Marks
+from restitution.explaining.printing import look, printed
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Value
@@ -1081,32 +1078,25 @@ class Working:
         masses = [self.put(story.mass(name)) for name in (first, second)]
         before = [self.put(self.model.before(number, name)[0]) for name in (first, second)]
         after = [self.put(self.model.after(number, name)) for name in (first, second)]
-        left_terms = [(m, u) for m, u in zip(masses, before, strict=True) if u != 0]
-        right_terms = [(m, v) for m, v in zip(masses, after, strict=True) if v != 0]
-        left_value = tidy(sum(m * u for m, u in left_terms)) if left_terms else sp.Integer(0)
-        right_value = sum((m * v for m, v in right_terms), sp.Integer(0))
-        left = side(left_value, sum_of_products(left_terms) if left_terms else None)
-        right = side(right_value, sum_of_products(right_terms) if right_terms else None)
+        left = side(tidy(_total(masses, before)), _momenta(masses, before))
+        right = side(_total(masses, after), _momenta(masses, after))
         rows = [chain(left, right, points=(M1, A1))]
-        rows += self._simpler(masses, left_terms, right_terms, rows[0])
+        rows += self._simpler(masses, before, after, rows[0])
         return Step("principle", tuple(rows), say("momentum.title"))
 
     def _simpler(
         self,
         masses: Sequence[sp.Expr],
-        left: Sequence[tuple[sp.Expr, sp.Expr]],
-        right: Sequence[tuple[sp.Expr, sp.Expr]],
+        before: Sequence[sp.Expr],
+        after: Sequence[sp.Expr],
         first: Row,
     ) -> list[Row]:
         common = _common(masses)
-        if common == 1 and not any(self.open(v) for _, v in right):
+        if common == 1 and not any(self.open(v) for v in after):
             return []
-        total = tidy(sum((m / common * u for m, u in left), sp.Integer(0)))
-        ratios = [(tidy(m / common), v) for m, v in right]
-        value = sum((m * v for m, v in ratios), sp.Integer(0))
-        row = chain(
-            side(total), side(value, sum_of_products(ratios) if ratios else lay.Number("0"))
-        )
+        ratios = [tidy(m / common) for m in masses]
+        total = tidy(_total([m / common for m in masses], before))
+        row = chain(side(total), side(_total(ratios, after), _momenta(ratios, after)))
         return [] if row.operands == first.operands else [row]
 
     def _restitution(self, number: int) -> Step:
@@ -1118,7 +1108,7 @@ class Working:
             w = self.put(self.model.after(number, body))
             approach = self.put(-self.model.before(number, body)[0])
             value = tidy(e * approach)
-            made = product_of(e, approach)
+            made = printed("e*u", e=e, u=approach)
             sides = [side(w), side(value, made)]
             if not same_term(made, look(value)):
                 sides.append(side(value))
@@ -1127,22 +1117,12 @@ class Working:
         u1, u2 = (self.put(self.model.before(number, name)[0]) for name in (first, second))
         v, w = (self.put(self.model.after(number, name)) for name in (first, second))
         approach = tidy(u1 - u2)
-        separation = side(w - v, difference(w, v))
+        separation = side(w - v, printed("w - v", w=w, v=v))
         sides = [separation]
-        sign = 1
         if self.model.sign(approach) < 0 and not approach.free_symbols:
-            sign = -1
-            sides = [side(v - w, difference(v, w))]
+            sides = [side(v - w, printed("v - w", v=v, w=w))]
             u1, u2, approach = u2, u1, -approach
-        del sign
-        gap = difference(u1, u2)
-        bracket = lay.Brackets(gap) if isinstance(gap, lay.Sum) else gap
-        if e == 1:
-            sides.append(side(approach, gap))
-        elif e == 0:
-            sides.append(side(sp.Integer(0)))
-        else:
-            sides.append(side(e * approach, product_of(e, bracket)))
+        sides.append(side(e * approach, printed("e*(u - v)", e=e, u=u1, v=u2)))
         if not same_term(sides[-1].layout, look(tidy(e * approach))):
             sides.append(side(tidy(e * approach)))
         return Step("principle", (chain(*sides, points=(M1, A1)),), say("restitution.title"))
@@ -1167,6 +1147,16 @@ def _says(earlier: Step, step: Step) -> bool:
         step.sentences,
     )
     return same and bool(step.sentences) and set(step.rows) <= set(earlier.rows)
+
+
+def _momenta(masses: Sequence[sp.Expr], components: Sequence[sp.Expr]) -> Layout:
+    """The momentum of two spheres, with the values put in."""
+    (m, n), (u, v) = masses, components
+    return printed("m*u + n*v", m=m, u=u, n=n, v=v)
+
+
+def _total(masses: Sequence[sp.Expr], components: Sequence[sp.Expr]) -> sp.Expr:
+    return sum((m * u for m, u in zip(masses, components, strict=True)), sp.Integer(0))
 
 
 def _common(masses: Sequence[sp.Expr]) -> sp.Expr:
