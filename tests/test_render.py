@@ -29,6 +29,7 @@ from sympy import (
 )
 
 from restitution.exact import tidy
+from restitution.explaining.printing import printed
 from restitution.expression import tree as t
 from restitution.language import parse
 from restitution.render.latex import to_latex
@@ -47,7 +48,6 @@ from restitution.render.layout import (
     from_sympy,
     from_tree,
     relation,
-    sum_of,
     vector,
 )
 from restitution.render.mathml import to_mathml
@@ -206,24 +206,9 @@ def test_ranges(values: sympy.Set, letter: Symbol, text: str) -> None:
     assert to_text(from_set(values, letter)) == text
 
 
-PUT_IN = [
-    ([(2, 3), (3, -2)], "2 × 3 + 3 × (−2)"),
-    ([(2, -4), (-3, 3)], "2 × (−4) − 3 × 3"),
-    ([(3 * m, u), (2 * m, -2 * u)], "3m × u − 2m × 2u"),
-    ([(m, u), (2 * m, v)], "mu + 2mv"),
-    ([(2, v), (3, -w)], "2v − 3w"),
-    ([(m, u * Z), (2 * m, v)], "mu sin α + 2mv"),
-    ([(2, v + w)], "2(v + w)"),
-]
-
-
-@pytest.mark.parametrize(("pairs", "text"), PUT_IN, ids=[each[1] for each in PUT_IN])
-def test_values_put_in(pairs: list[tuple[object, object]], text: str) -> None:
-    assert to_text(sum_of(pairs)) == text
-
-
 def test_equations() -> None:
-    line = equation(sum_of([(2, 3), (3, -2)]), sum_of([(2, v), (3, w)]))
+    before, after = (printed("m*u + n*v", m=2, u=a, n=3, v=b) for a, b in ((3, -2), (v, w)))
+    line = equation(before, after)
     assert to_text(line) == "2 × 3 + 3 × (−2) = 2v + 3w"
     assert to_text(relation(0, "<", e, "<=", 1)) == "0 < e ≤ 1"
 
@@ -339,7 +324,7 @@ def everything() -> list[Layout]:
     found += [from_sympy(value, degrees=True) for value, _ in ANGLES]
     found += [vector(a, b) for a, b, _ in VECTORS]
     found += [from_set(values, letter) for values, letter, _ in RANGES]
-    found += [sum_of(pairs) for pairs, _ in PUT_IN]
+    found.append(printed("m*u + n*v", m=2, u=3, n=3, v=-2))
     found += [answer for answer, _ in ANSWERS]
     found += [from_tree(node) for node, _ in WRITTEN]
     return found

@@ -650,12 +650,19 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
             row = chain(
                 side((a.x, a.y), first),
                 side((a.x, a.y)),
-                side((a.x, a.y), printed("k*v", k=ratio, v=(b.x, b.y))),
+                side((a.x, a.y), _multiple(ratio, (b.x, b.y))),
                 points=(M1,),
             )
             work.write("result", [row])
     sentence = say("shown.claim", claim=work.aligned(relation))
     work.write("result", sentences=(sentence,), points=(A1_STAR,))
+
+
+def _multiple(ratio: sp.Expr, vector: tuple[sp.Expr, sp.Expr]) -> Layout:
+    """A vector times a number; that of −1 has only its sign."""
+    if abs(ratio) == 1:
+        return printed("v", v=vector) if ratio == 1 else printed("-v", v=vector)
+    return printed("k*v", k=ratio, v=vector)
 
 
 def _in_brackets(laid: Layout) -> Layout:

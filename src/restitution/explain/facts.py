@@ -584,8 +584,8 @@ def _directions_step(work: Working, relation: Relation, now: int, need: StoryEqu
             return Step("fact", (row,), sentences=(say("given.fact", fact=fact),))
         a, b = work.put(a), work.put(b)
         row = chain(
-            side(tidy(a.x * b.y), printed("a*b", a=a.x, b=b.y)),
-            side(tidy(a.y * b.x), printed("a*b", a=a.y, b=b.x)),
+            side(tidy(a.x * b.y), printed("a*b", a=a.x, b=b.y, front=True)),
+            side(tidy(a.y * b.x), printed("a*b", a=a.y, b=b.x, front=True)),
             points=(M1, A1),
         )
         return Step("fact", (row,), sentences=(say("given.proportion", fact=fact),))

@@ -315,7 +315,7 @@ def derive(
         return _derive_momentum(work, tree, body, now, value)
     if kind == "dot":
         a, b = (evaluated(work, each, now) for each in tree.arguments)
-        made = Side(printed("a*c + b*d", a=a[0], b=a[1], c=b[0], d=b[1]), value)
+        made = Side(printed("dot(a, b)", zeros=True, a=a, b=b), value)
         return Derived((_result(name, made, value, points=(last,)),), value)
     if kind == "total_energy_lost":
         return _derive_total_loss(work, tree, now, value)
@@ -511,11 +511,13 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
     cosine = tidy(sp.cos(value))
     if cosine.has(sp.atan, sp.atan2) or sp.count_ops(cosine) > 12:
         cosine = tidy(dot / (sp.sqrt(tidy(a.dot(a))) * sp.sqrt(tidy(b.dot(b)))))
-    above = printed("a*c + b*d", a=a.x, b=a.y, c=b.x, d=b.y)
+    above = printed("dot(a, b)", a=tuple(a), b=tuple(b))
     sizes = [
         look(tidy(work.resolved(tidy(sp.sqrt(tidy(sp.expand(each.dot(each)))))))) for each in (a, b)
     ]
-    below = printed("a*b", a=sizes[0], b=sizes[1])
+    below = sizes[0]
+    if sizes[1] != Number("1"):
+        below = printed("a*b", a=sizes[0], b=sizes[1])
     if sharp and work.sign(dot) < 0:
         above = Brackets(above, "||")
     return [

@@ -1108,7 +1108,7 @@ class Working:
             w = self.put(self.model.after(number, body))
             approach = self.put(-self.model.before(number, body)[0])
             value = tidy(e * approach)
-            made = printed("e*u", e=e, u=approach)
+            made = printed("e*u", e=e, u=approach, zeros=True)
             sides = [side(w), side(value, made)]
             if not same_term(made, look(value)):
                 sides.append(side(value))

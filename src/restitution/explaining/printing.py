@@ -8,7 +8,7 @@ several things stands in brackets, and a sign before letters is drawn to the fro
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any, Literal
 
@@ -22,13 +22,16 @@ from restitution.render.layout import Bold, Brackets, Layout, Number, Product, S
 _HALF = lay.fraction(Number("1"), Number("2"))
 
 
-def printed(template: str, **values: Any) -> Layout:
+def printed(template: str, /, *, front: bool = False, zeros: bool = False, **values: Any) -> Layout:
     """A template with values put in, not worked out.
 
     A value is an expression, a pair for a vector, or a layout; every letter of the template has
-    one. Raises KeyError for a letter without a value.
+    one. A product that stands alone shows its factors as they are, ``(−w)(−3)``; with ``front``
+    their signs are drawn to the front. ``dot(a, b)`` is a scalar product in components. With
+    ``zeros`` a product with a factor 0 is written too. Raises KeyError for a letter without a
+    value.
     """
-    return _put(_read(template), {name: look(value) for name, value in values.items()})
+    return _Printer(values, front, zeros).put(_read(template))
 
 
 @lru_cache(maxsize=256)
@@ -36,30 +39,110 @@ def _read(template: str) -> trees.Expression:
     return read_expression(template)
 
 
-def _put(tree: trees.Expression, values: Mapping[str, Layout]) -> Layout:
-    match tree:
-        case trees.Letter(name):
-            return values[name]
-        case trees.Number(value):
-            return look(sp.Rational(value.numerator, value.denominator))
-        case trees.Negate(operand):
-            return lay.negative(_put(operand, values))
-        case trees.Apply("sqrt", argument):
-            return lay.Root(_put(argument, values))
-        case trees.Binary("^", base, trees.Number(2)):
-            laid_base = _put(base, values)
-            return laid_base if _zero(laid_base) else square(laid_base)
-        case trees.Binary("/", above, below):
-            return lay.fraction(_put(above, values), _put(below, values))
-        case trees.Binary("*", _, _):
-            first, *others = _factors(tree)
-            laid = [_put(each, values) for each in others]
-            if first == _read("1/2"):
-                return _half(*laid)
-            return _product([_put(first, values), *laid])
-        case trees.Binary("+" | "-", _, _):
-            return _sum(list(_terms(tree)), values)
-    raise TypeError(tree)
+class _Printer:
+    """The values of a template, and how its nodes look with them."""
+
+    def __init__(self, values: Mapping[str, Any], front: bool, zeros: bool) -> None:
+        self.values = values
+        self.front = front
+        self.zeros = zeros
+
+    def put(self, tree: trees.Expression) -> Layout:
+        match tree:
+            case trees.Letter(name):
+                return look(self.values[name])
+            case trees.Number(value):
+                return look(sp.Rational(value.numerator, value.denominator))
+            case trees.Negate(operand):
+                return lay.negative(self.put(operand))
+            case trees.Apply("sqrt", argument):
+                return lay.Root(self.put(argument))
+            case trees.Binary("^", base, _):
+                return self._square(base)
+            case trees.Binary("/", above, below):
+                return lay.fraction(self.put(above), self.put(below))
+            case trees.Binary("*", _, _):
+                return self._product(tree)
+            case trees.Binary("+" | "-", _, _):
+                return self._sum(tree)
+            case trees.Quantity("dot", (trees.Letter(a), trees.Letter(b))):
+                return self._scalar_product(self.values[a], self.values[b])
+        raise TypeError(tree)  # pragma: no cover - no template has more
+
+    def _square(self, base: trees.Expression) -> Layout:
+        laid = self.put(base)
+        if _zero(laid):
+            return laid
+        if isinstance(base, trees.Letter):
+            return _square_of(laid)
+        return lay.power(lay.bracketed(laid), Number("2"))
+
+    def _product(self, tree: trees.Expression) -> Layout:
+        first, *others = _factors(tree)
+        pair = self._pair(tree) if self.front else None
+        if pair is not None and not any(map(_zero, pair)):
+            flip, term = _term(*pair, leads=True)
+            return _signed(term) if flip else term
+        if first == _read("1/2"):
+            return _half(*map(self.put, others))
+        factors = [self._factor(each) for each in (first, *others)]
+        if any(_zero(each) for each in factors):
+            written = Product(tuple(map(lay.bracketed, factors)), "×")
+            return written if self.zeros else Number("0")
+        if len(factors) == 2 and factors[0] == lay.ONE:
+            last = others[0]
+            return factors[1] if isinstance(last, trees.Letter) else self.put(last)
+        return _product_of(*factors)
+
+    def _factor(self, tree: trees.Expression) -> Layout:
+        """A factor in the brackets that it needs: what is several things, and a vector."""
+        laid = self.put(tree)
+        single = isinstance(tree, trees.Letter)
+        if single and not _vector(laid):
+            return laid
+        vector = not single and _vector(laid) and not isinstance(laid, Bold)
+        return Brackets(laid) if isinstance(laid, Sum) or vector else laid
+
+    def _sum(self, tree: trees.Expression) -> Layout:
+        terms = _terms(tree)
+        whole: Layout = Number("0")
+        for sign, term in terms:
+            laid = self.put(term)
+            if _zero(laid):
+                continue
+            pair = self._pair(term)
+            if pair is not None:
+                flip, laid = _term(*pair, leads=_zero(whole))
+                laid = _signed(laid) if flip != (sign == "-") else laid
+                sign = "+"
+            if sign == "-":
+                whole = self._less(whole, laid, terms[0][1])
+            else:
+                whole = laid if _zero(whole) else lay.total([whole, laid])
+        return whole
+
+    def _less(self, whole: Layout, laid: Layout, first: trees.Expression) -> Layout:
+        if not _vector(laid):
+            return _difference(whole, laid)
+        whole = lay.ZERO_VECTOR if _zero(whole) else whole
+        right = Brackets(laid) if isinstance(laid, Sum) else laid
+        put_in = isinstance(first, trees.Letter) and isinstance(self.values[first.name], tuple)
+        left = Brackets(whole) if put_in and _several(whole) else whole
+        return Sum((*(left.terms if isinstance(left, Sum) else (("+", left),)), ("-", right)))
+
+    def _pair(self, term: trees.Expression) -> tuple[Layout, Layout] | None:
+        """The factors of a product of two letters that stand for numbers; else None."""
+        match term:
+            case trees.Binary("*", trees.Letter() as a, trees.Letter() as b):
+                first, second = self.put(a), self.put(b)
+                return None if _vector(first) or _vector(second) else (first, second)
+        return None
+
+    def _scalar_product(self, a: tuple[Any, Any], b: tuple[Any, Any]) -> Layout:
+        """``3 × 3 + (−4) × 2``: every component as it is."""
+        pairs = [(look(x), look(y)) for x, y in zip(a, b, strict=True)]
+        kept = [(x, y) for x, y in pairs if self.zeros or not (_zero(x) or _zero(y))]
+        return lay.total([_product_of(x, y) for x, y in kept])
 
 
 def _factors(tree: trees.Expression) -> list[trees.Expression]:
@@ -74,18 +157,6 @@ def _terms(tree: trees.Expression) -> list[tuple[Literal["+", "-"], trees.Expres
     return [("+", tree)]
 
 
-def _product(factors: list[Layout]) -> Layout:
-    if any(_zero(each) for each in factors):
-        return Number("0")
-    sign, first = lay.split_sign(factors[0])
-    kept = [each for each in (first, *factors[1:]) if each != lay.ONE]
-    if len(kept) > 1:
-        size = product_of(*kept)
-    else:
-        size = kept[0] if kept else Number("1")
-    return lay.negative(size) if sign == "-" else size
-
-
 def _half(mass: Layout, inside: Layout) -> Layout:
     """½mv², with v² as a sum of squares of components."""
     if _zero(mass) or _zero(inside):
@@ -97,33 +168,6 @@ def _half(mass: Layout, inside: Layout) -> Layout:
     if not letters or _begins(inside):
         return Product((_HALF, lay.bracketed(mass), inside), "×")
     return lay.product(_HALF, lay.bracketed(mass), inside)
-
-
-def _sum(
-    terms: list[tuple[Literal["+", "-"], trees.Expression]], values: Mapping[str, Layout]
-) -> Layout:
-    pairs = [_pair(term, values) for sign, term in terms if sign == "+"]
-    if len(pairs) == len(terms) and all(pairs):
-        return _sum_of_products([each for each in pairs if each])
-    whole: Layout = Number("0")
-    for sign, term in terms:
-        laid = _put(term, values)
-        if _zero(laid):
-            continue
-        if sign == "+":
-            whole = laid if _zero(whole) else lay.total([whole, laid])
-        else:
-            whole = difference(whole, laid)
-    return whole
-
-
-def _pair(term: trees.Expression, values: Mapping[str, Layout]) -> tuple[Layout, Layout] | None:
-    """The factors of a product of two letters that stand for numbers; else None."""
-    match term:
-        case trees.Binary("*", trees.Letter(a), trees.Letter(b)):
-            first, second = values[a], values[b]
-            return None if _vector(first) or _vector(second) else (first, second)
-    return None
 
 
 def _vector(laid: Any) -> bool:
@@ -149,7 +193,7 @@ def look(value: Any, *, angle: bool = False) -> Layout:
     return lay.from_sympy(sp.sympify(value, strict=True), degrees=angle)
 
 
-def product_of(*factors: Any) -> Layout:
+def _product_of(*factors: Any) -> Layout:
     """A product with values put in: ``×`` between numbers, nothing between letters."""
     laid = [look(each) for each in factors]
     if (
@@ -200,16 +244,11 @@ def _is_negative(laid: Layout) -> bool:
     return isinstance(laid, Sum) and len(laid.terms) == 1
 
 
-def difference(first: Any, second: Any) -> Layout:
-    """``a − b`` with values put in: ``3 − (−4)``; a zero is left out.
-
-    Of vectors ``(3**i** − 9**j**) − (6**i** − 5**j**)``.
-    """
+def _difference(first: Any, second: Any) -> Layout:
+    """``a − b`` with values put in: ``3 − (−4)``; a zero is left out."""
     a, b = look(first), look(second)
     if _zero(b):
         return a
-    if _vector(a) or _vector(b):
-        return _vector_difference(a, b)
     minus: Layout
     if _is_negative(b):
         minus = Brackets(b)
@@ -221,15 +260,6 @@ def difference(first: Any, second: Any) -> Layout:
         return Sum((("-", minus),))
     terms = a.terms if isinstance(a, Sum) else (("+", a),)
     return Sum((*terms, ("-", minus)))
-
-
-def _vector_difference(a: Layout, b: Layout) -> Layout:
-    left = Brackets(a) if _several(a) else a
-    right = Brackets(b) if isinstance(b, Sum) else b
-    if _zero(a):
-        return Sum((("-", right),))
-    terms = left.terms if isinstance(left, Sum) else (("+", left),)
-    return Sum((*terms, ("-", right)))
 
 
 def _several(laid: Layout) -> bool:
@@ -260,7 +290,7 @@ def _has_letter(laid: Any) -> bool:
     return False
 
 
-def square(value: Any) -> Layout:
+def _square_of(value: Any) -> Layout:
     """A square with the value put in: ``(−4)²``, ``(u cos α)²``, ``v²``."""
     laid = look(value)
     sign, size = lay.split_sign(laid)
@@ -271,36 +301,25 @@ def square(value: Any) -> Layout:
     return lay.power(laid, Number("2"))
 
 
-def _sum_of_products(pairs: Iterable[tuple[Layout, Layout]]) -> Layout:
-    """Masses times velocities, or the terms of a scalar product, with the values put in.
+def _signed(term: Layout) -> Layout:
+    """A term with a minus sign before it."""
+    return Sum((("-", Brackets(term) if _several(term) else term),))
 
-    ``2 × (−4) + 3 × 3``, ``3mu + 2m × (−2u)``, ``(u cos α)(u cos α) − (u sin α)(eu sin α)``.
-    """
-    terms: list[Layout] = []
-    for first, second in pairs:
-        if _zero(first) or _zero(second):
-            continue
-        (sign, size), (other, rest) = lay.split_sign(first), lay.split_sign(second)
-        if _wordy(size) and _wordy(rest):
-            term: Layout = lay.product(Brackets(size), Brackets(rest))
-            flip = (sign == "-") != (other == "-")
-        elif second == Number("1") or first == Number("1"):
-            term = second if first == Number("1") else first
-            sign, term = lay.split_sign(term)
-            flip = sign == "-"
-        elif isinstance(rest, Number) and other == "+" and not _begins(size):
-            term = lay.product(rest, size)  # 4m
-            flip = sign == "-"
-        elif _begins(rest) and not (sign == "-" and not terms):
-            term = product_of(size, second)
-            flip = sign == "-"
-        else:
-            term = product_of(size, rest)
-            flip = (sign == "-") != (other == "-")
-        if isinstance(term, Sum) and len(term.terms) > 1 and flip:
-            term = Brackets(term)
-        terms.append(Sum((("-", term),)) if flip else term)
-    return lay.total(terms)
+
+def _term(first: Layout, second: Layout, *, leads: bool) -> tuple[bool, Layout]:
+    """Whether a product is subtracted in a sum, and how it looks there; one that leads it."""
+    (sign, size), (other, rest) = lay.split_sign(first), lay.split_sign(second)
+    one_sign, both_signs = sign == "-", (sign == "-") != (other == "-")
+    if _wordy(size) and _wordy(rest):
+        return both_signs, lay.product(Brackets(size), Brackets(rest))
+    if lay.ONE in (first, second):
+        sign, size = lay.split_sign(second if first == lay.ONE else first)
+        return sign == "-", size
+    if isinstance(rest, Number) and other == "+" and not _begins(size):
+        return one_sign, lay.product(rest, size)  # 4m
+    if _begins(rest) and not (one_sign and leads):
+        return one_sign, _product_of(size, second)
+    return both_signs, _product_of(size, rest)
 
 
 def _wordy(laid: Layout) -> bool:

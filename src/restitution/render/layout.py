@@ -291,43 +291,6 @@ def as_layout(value: Any) -> Layout:
     return from_sympy(value)
 
 
-def sum_of(pairs: Iterable[tuple[Any, Any]]) -> Layout:
-    """An unevaluated sum of products, with the values put in as in a mark scheme.
-
-    ``[(2, 3), (3, -2)]`` is ``2 × 3 + 3 × (−2)``, ``[(m, u), (2*m, v)]`` is ``mu + 2mv``, and
-    ``[(3*m, u), (2*m, -2*u)]`` is ``3m × u − 2m × 2u``. Signs are shown for a number that is put
-    in, and drawn to the front for letters.
-    """
-    made = [(as_layout(a), as_layout(b)) for a, b in pairs]
-    spread = any(_begins_with_number(b) and not _is_zero(b) for _, b in made)
-    terms: list[Layout] = []
-    for a, b in made:
-        sign, size = split_sign(b)
-        first_sign, first = split_sign(a)
-        if not spread:
-            term = product(first, size)
-            flip = (sign == "-") != (first_sign == "-")
-        elif isinstance(size, Number | Fraction) and sign == "-":
-            term = Product((bracketed(first), Brackets(b)), "×")
-            flip = first_sign == "-"
-        else:
-            term = Product((bracketed(first), bracketed(size)), "×")
-            flip = (sign == "-") != (first_sign == "-")
-        terms.append(Sum((("-", term),)) if flip else term)
-    return total(terms)
-
-
-def _begins_with_number(layout: Layout) -> bool:
-    _, size = split_sign(layout)
-    while isinstance(size, Product | Fraction):
-        size = size.factors[0] if isinstance(size, Product) else size.above
-    return isinstance(size, Number)
-
-
-def _is_zero(layout: Layout) -> bool:
-    return layout == Number("0")
-
-
 def _is_round(layout: Layout) -> bool:
     return isinstance(layout, Brackets) and layout.kind == "()"
 
