@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("words", nargs="*", help="only statements with one of these in their names")
     parser.add_argument("--forms", default="txt,json,md,tex,html,typ", help="which to compare")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     given.folder.mkdir(parents=True, exist_ok=True)
     start, count, differing = time.monotonic(), 0, 0
     for path in statements(given.words):

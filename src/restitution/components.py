@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import random
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Literal
@@ -43,7 +43,7 @@ from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem,
 from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, at, number_of, plain_sign
 from restitution.solve.solution import Branch
-from restitution.solve.story import Happening, Sign, Story, lets_of
+from restitution.solve.story import Happening, Sign, Standing, Story, lets_of
 from restitution.vector import Vector
 from restitution.work import remembered
 
@@ -249,13 +249,13 @@ class Model:
     problem: Problem
     part: Part
     branch: Branch
-    story: Story
     unknowns: _Named
     frames: dict[int, Frame]
     components: dict[tuple[int, str], Component]
     laws: list[Law]
     final: dict[sp.Symbol, sp.Expr]
     sample: dict[str, Any]
+    story: Story = field(init=False)
     _across: dict[tuple[int, str], sp.Expr] = field(default_factory=dict)
     _made: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(default_factory=dict, repr=False)
     _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
@@ -561,23 +561,28 @@ def model(
     final: dict[sp.Symbol, sp.Expr] = {}
     unknowns = _Named(roles, branch, sample, final, set(taken) | set(names.values()))
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
-    blank = Part(None, ())
-    story = Story(replace(problem, parts=(blank,)), blank, Symbolic(), unknowns, lets)
-    story.problem = problem
-    told = Model(problem, part, branch, story, unknowns, {}, {}, [], final, sample)
+    told = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
     _letter_values(told)
-    put = final
-    for number, step in enumerate(_events(problem, part), 1):
-        kept = _by_values(told, number, step)
-        story.tell(step)  # the same telling, with letters put in as it goes on
-        for body, velocity in kept.items():
-            tracks = story.tracks[body].velocities
-            tracks[tracks.index((velocity[0], story.happenings[-1].before[body]))] = velocity
-            before = {**story.happenings[-1].before, body: velocity[1]}
-            story.happenings[-1] = replace(story.happenings[-1], before=before)
-        if isinstance(step, Impact):
-            _in_letters(told, number, step, names, put, turned=number in turned)
+    frames = _Frames(told, names, turned)
+    told.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
     return told
+
+
+@dataclass(frozen=True)
+class _Frames:
+    """The frames of a model, by which its story is told."""
+
+    told: Model
+    names: Mapping[tuple[int, str], str]
+    turned: frozenset[int]
+
+    def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
+        self.told.story = story  # it is asked while it is being told
+        return _by_values(self.told, number, step)
+
+    def resolved(self, story: Story, happening: Happening) -> Happening:
+        self.told.story = story
+        return _in_letters(self.told, happening, self.names, self.turned)
 
 
 def protected_letters(part: Part) -> frozenset[str]:
@@ -589,23 +594,9 @@ def protected_letters(part: Part) -> frozenset[str]:
     return frozenset(names)
 
 
-def _events(problem: Problem, part: Part) -> Iterator[Impact | Kick | Arrival]:
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                yield step
-
-
-def _by_values(
-    told: Model, number: int, step: Impact | Kick | Arrival
-) -> dict[str, tuple[int, Vector]]:
-    """Puts values for letters where a place on a circle is to be found: roots of roots else.
-
-    Gives back the velocities in letters, to be put in again after the telling.
-    """
+def _by_values(told: Model, number: int, step: Impact) -> dict[str, Standing]:
+    """Values for letters where a place on a circle is to be found: roots of roots else."""
     story = told.story
-    if not isinstance(step, Impact):
-        return {}
     wall = story.walls.get(step.second)
     bodies = [b for b in (step.first, step.second) if b in story.spheres]
     if wall is not None:
@@ -614,21 +605,20 @@ def _by_values(
     elif step.along is not None or not all(story.tracks[b].places for b in bodies):
         return {}
     final = told.branch.story
-    kept = {}
     if all(_in_asked_letters(told, body) for body in bodies):
         return {}  # the place itself is sought
-    for body in bodies:
-        track = story.tracks[body]
-        kept[body] = track.velocities[-1]
-        stage, _ = kept[body]
-        v = final.velocity(body, number - 1)
-        track.velocities[-1] = (stage, Vector(tidy(v.x), tidy(v.y)))
-        known = final.place(body, number - 1)
-        if track.places and known is not None:
-            n, _, _ = track.places[-1]
-            where, when = known
-            track.places[-1] = (n, Vector(tidy(where.x), tidy(where.y)), tidy(when))
-    return kept
+    return {
+        body: Standing(
+            _tidied(final.velocity(body, number - 1)),
+            None if known is None else (_tidied(known[0]), tidy(known[1])),
+        )
+        for body in bodies
+        for known in (final.place(body, number - 1),)
+    }
+
+
+def _tidied(v: Vector) -> Vector:
+    return Vector(tidy(v.x), tidy(v.y))
 
 
 def _in_asked_letters(told: Model, body: str) -> bool:
@@ -651,25 +641,22 @@ def _letter_values(told: Model) -> None:
 
 def _in_letters(
     told: Model,
-    number: int,
-    step: Impact,
+    happening: Happening,
     names: Mapping[tuple[int, str], str],
-    put: dict[sp.Symbol, sp.Expr],
-    *,
-    turned: bool = False,
-) -> None:
-    """Replaces the velocities after an impact by letters."""
-    story = told.story
-    happening = story.happenings[-1]
+    turned: frozenset[int],
+) -> Happening:
+    """An impact with letters for the components after it that it changes."""
+    story, put = told.story, told.final
+    number, step = happening.number, happening.step
+    assert isinstance(step, Impact)
     frame = _frame(told, number, step, happening, put)
-    if turned and frame.axis is None:
+    if number in turned and frame.axis is None:
         frame = _at_an_angle(told, frame)
     told.frames[number] = frame
     after: dict[str, Vector] = {}
     for body in (step.first, step.second):
         if body not in story.spheres:
             continue
-        happening.before[body]
         symbol = sp.Symbol(names[number, body], real=True)
         final = told.branch.story.velocity(body, number)
         direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
@@ -704,7 +691,7 @@ def _in_letters(
         push = frame.n * (m2 * (w - u2))
         mass = None
         oriented = frame.n if told.sign(u1 - u2) >= 0 else -frame.n
-    story.happenings[-1] = replace(
+    return replace(
         happening,
         after=after,
         centres=oriented,
@@ -713,9 +700,6 @@ def _in_letters(
         impulse_mass=mass,
         unknown_line=True,  # energies and impulses are then those of the components
     )
-    for body, velocity in after.items():
-        track = story.tracks[body]
-        track.velocities[-1] = (number, velocity)
 
 
 def _frame(

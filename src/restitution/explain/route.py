@@ -163,7 +163,9 @@ def _without_bars(told: Model) -> Model:
         symbol: tidy(signed(value, told.witnesses(value))) if value.has(sp.Abs) else value
         for symbol, value in told.final.items()
     }
-    return replace(told, final=values)
+    plain = replace(told, final=values)
+    plain.story = told.story
+    return plain
 
 
 def _worked(

@@ -14,7 +14,7 @@ that says what it is. While telling, the story collects
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -70,6 +70,24 @@ class Unknowns(Protocol):
         """The sign of a scalar where some conditions hold; None where it depends on the letters."""
 
 
+class Frames(Protocol):
+    """In what the impacts of a story are told, where not in the velocities of the law alone."""
+
+    def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
+        """The velocities, and places if known, by which the line of centres is worked out."""
+
+    def resolved(self, story: Story, happening: Happening) -> Happening:
+        """An impact with the velocities after it in components of one's own."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """A sphere before an impact: its velocity, and where it is and since when, if that is known."""
+
+    velocity: Vector
+    place: tuple[Vector, Scalar] | None
+
+
 @dataclass(frozen=True)
 class Happening:
     """An event as it happened.
@@ -115,6 +133,7 @@ class _Track:
 class Story:
     """The events of ``problem`` up to and with ``part``, told in one arithmetic.
 
+    With ``frames`` the velocities after each impact are told in components of these.
     Raises StatementError for what makes no sense and UnsupportedError for what is beyond this
     package; what is not known is no error here.
     """
@@ -126,9 +145,11 @@ class Story:
         arithmetic: Symbolic | Numeric,
         unknowns: Unknowns,
         lets: Mapping[str, tuple[Let, int]],
+        frames: Frames | None = None,
     ) -> None:
         work.spend()
         self.problem = problem
+        self.frames = frames
         self.field = arithmetic
         self.unknowns = unknowns
         self.spheres: dict[str, Sphere] = {each.name: each for each in problem.spheres}
@@ -419,7 +440,7 @@ class Story:
         match step:
             case Impact():
                 try:
-                    happening = self._impact(number, step)
+                    happening = self._in_frames(number, step)
                 except ImpossibleError as error:
                     raise self.fault or error from None
             case Kick():
@@ -427,9 +448,29 @@ class Story:
             case Arrival():
                 happening = self._arrival(number, step)
         self.happenings.append(happening)
+        if self.frames is not None and isinstance(step, Impact):
+            happening = self.frames.resolved(self, happening)
+            self.happenings[-1] = happening
         for name, velocity in happening.after.items():
             if name in self.spheres:
                 self.tracks[name].velocities.append((number, velocity))
+
+    def _in_frames(self, number: int, step: Impact) -> Happening:
+        """An impact by the values in which it stands in its frame, with the velocities as told."""
+        if self.frames is None:
+            return self._impact(number, step)
+        standing = self.frames.standing(self, number, step)
+        told = {name: self.tracks[name].velocities[-1] for name in standing}
+        for name, each in standing.items():
+            track = self.tracks[name]
+            track.velocities[-1] = (told[name][0], each.velocity)
+            if track.places and each.place is not None:
+                track.places[-1] = (track.places[-1][0], *each.place)
+        happening = self._impact(number, step)
+        for name, velocity in told.items():
+            self.tracks[name].velocities[-1] = velocity
+        before = {name: velocity for name, (_, velocity) in told.items()}
+        return replace(happening, before={**happening.before, **before})
 
     def neat(self, v: Vector) -> Vector:
         return Vector(neat(v.x), neat(v.y)) if self.field.exact else v
