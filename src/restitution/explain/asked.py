@@ -27,7 +27,7 @@ from restitution.explain.quantities import (
 )
 from restitution.explain.steps import REQUIRED, Origin, Row, Side, shown, side
 from restitution.explaining.marks import A1, A1_STAR, M1
-from restitution.explaining.printing import look, printed
+from restitution.explaining.printing import look, printed, scalar_product
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -419,22 +419,12 @@ def _values_in(work: Working, tree: Expression, now: int) -> Layout:
 def _stated(work: Working, name: Layout, ending: list[Side]) -> bool:
     """Whether the last lines already say so."""
     looks = {each.layout for each in ending}
-    for step in work.steps:
-        for row in step.rows:
-            if (
-                row.operands
-                and row.operands[0] == name
-                and any(operand in looks for operand in row.operands[1:])
-            ):
-                return True
-            if (
-                row.operands
-                and row.operands[0] == name
-                and len(row.operands) > 1
-                and isinstance(row.operands[1], lay.Phrase)
-            ):
-                return True
-    return False
+    return any(
+        row.alternatives or any(operand in looks for operand in row.operands[1:])
+        for step in work.steps
+        for row in step.rows
+        if row.operands and row.operands[0] == name
+    )
 
 
 # --- shows ---------------------------------------------------------------------------------------
@@ -637,7 +627,7 @@ def _show_aligned(work: Working, relation: Aligned, now: int) -> None:
         if products:
             total = sum((x * y for x, y in products), sp.Integer(0))
             row = chain(
-                side(total, lay.product(_in_brackets(first), _in_brackets(last), sign="·")),
+                side(total, scalar_product(first, last)),
                 side(total, printed("a*c + b*d", a=a.x, c=b.x, b=a.y, d=b.y)),
                 side(sp.Integer(0)),
                 points=(M1, A1),
@@ -663,12 +653,6 @@ def _multiple(ratio: sp.Expr, vector: tuple[sp.Expr, sp.Expr]) -> Layout:
     if abs(ratio) == 1:
         return printed("v", v=vector) if ratio == 1 else printed("-v", v=vector)
     return printed("k*v", k=ratio, v=vector)
-
-
-def _in_brackets(laid: Layout) -> Layout:
-    if isinstance(laid, lay.Bold):
-        return laid
-    return lay.Brackets(laid)
 
 
 def _show_rest(work: Working, relation: AtRest, now: int) -> None:

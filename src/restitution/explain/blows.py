@@ -8,12 +8,13 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explain.geometry import given_after
-from restitution.explain.phrases import bold_velocity, chain
+from restitution.explain.phrases import chain
 from restitution.explain.steps import side
 from restitution.explaining.marks import A1, M1
 from restitution.explaining.printing import printed
 from restitution.explaining.saying import say
 from restitution.problem import Kick
+from restitution.render.layout import Bold
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def kick(work: Working, number: int) -> None:
     given = final.happenings[number - 1].impulse
     assert given is not None
     push = Vector(tidy(given.x), tidy(given.y))
-    name = bold_velocity(body)
+    name = Bold("v", body)
     kinds = given_after(work, body, number)
     turned = "speed" in kinds and bool(kinds & {"direction", "deflection"})
     if sought and turned:

@@ -421,7 +421,7 @@ def _angle_step(work: Working, left: Expression, right: Expression, now: int) ->
                 lay.Brackets(look(x), "||") if x.free_symbols & either else look(x)
                 for x in (above, below)
             ]
-            made = lay.fraction(*both)
+            made = printed("a/b", a=both[0], b=both[1])
         if quantity.kind == "deflection":
             spread = tangent_of_difference(work, quantity, now)
             if spread is not None:
@@ -490,7 +490,7 @@ def _moves_off(work: Working, event: Happening, body: str) -> tuple[Sentence, ..
         return ()
     theta = angle_letter(work)
     r = work.model.story.radius(body)
-    ratio = lay.fraction(work.layout(event.step.offset), look(tidy(2 * work.put(r))))
+    ratio = printed("d/s", d=work.layout(event.step.offset), s=tidy(2 * work.put(r)))
     sine = lay.equation(lay.function("sin", theta), ratio)
     return (say("line.offset", body=body, angle=theta, sine=sine),)
 
@@ -512,7 +512,7 @@ def _ratio(above: sp.Expr, below: sp.Expr) -> Layout:
     common = tidy(above / below)
     if look(common) != first and sp.count_ops(common) < sp.count_ops(above):
         return look(common)
-    return lay.fraction(first, second)
+    return printed("a/b", a=first, b=second)
 
 
 def _two_directions(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:

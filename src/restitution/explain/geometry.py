@@ -15,12 +15,12 @@ from restitution.explain.phrases import (
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, B1, M1
-from restitution.explaining.printing import look, printed
+from restitution.explaining.printing import look, printed, scalar_product
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import Expression, Name, Negate, Quantity, walk
 from restitution.problem import Aligned, AtRest, Compare, Impact, Relation, trees_of_relation
 from restitution.render import layout as lay
-from restitution.render.layout import Bold, Brackets, Layout, Letter, Number
+from restitution.render.layout import Bold, Layout, Letter, Number
 from restitution.solve.facts import givens
 from restitution.solve.quantities import event_of, stage_number
 from restitution.vector import Vector
@@ -139,16 +139,12 @@ def _scalar(u: Vector, n: Vector) -> Layout:
     """``(6**i** − 5**j**)·(3**i** + 4**j**)/5``."""
     x, y = sp.sympify(n.x, strict=True), sp.sympify(n.y, strict=True)
     ratio = tidy(sp.radsimp(y / x)) if x != 0 else None
-    first = look((u.x, u.y))
-    if isinstance(first, lay.Sum) and len(first.terms) > 1:
-        first = Brackets(first)
     if isinstance(ratio, sp.Rational):
         sign = 1 if sp.N(x) > 0 else -1
         way = (sign * ratio.q, sign * ratio.p)
         size = tidy(sp.sqrt(sp.Integer(way[0] ** 2 + way[1] ** 2)))
-        above = lay.product(first, Brackets(lay.vector(*way)), sign="·")
-        return lay.fraction(above, look(size))
-    return lay.product(first, Brackets(lay.vector(n.x, n.y)), sign="·")
+        return printed("a/s", a=scalar_product(tuple(u), way), s=size)
+    return scalar_product(tuple(u), tuple(n))
 
 
 def line_of_centres(work: Working, frame: Frame) -> None:
@@ -478,7 +474,7 @@ def _by_offset(work: Working, frame: Frame, step: Impact) -> None:
     rows = [
         chain(
             shown(lay.function("sin", theta)),
-            side(ratio, lay.fraction(_size_of(work, step.offset), look(tidy(2 * work.put(r))))),
+            side(ratio, printed("d/s", d=_size_of(work, step.offset), s=tidy(2 * work.put(r)))),
             side(ratio),
             points=(M1,),
         ),

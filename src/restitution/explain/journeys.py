@@ -254,13 +254,12 @@ def _later(work: Working, a: Any, b: Any) -> Any:
     return a if work.sign(a - b) >= 0 else b
 
 
-def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
+def derive_place(work: Working, name: Layout, tree: Quantity, now: int) -> Derived:
     """The lines for a time, a place or a distance."""
     from restitution.explain.quantities import Derived, evaluated
 
     story = work.model.story
     value = evaluated(work, tree, now)
-    name = work.layout(tree)
     if tree.kind == "time":
         assert isinstance(tree.stage, int)
         travel(work, tree.stage)
@@ -292,7 +291,7 @@ def derive_place(work: Working, tree: Quantity, now: int) -> Derived:
     one, other = tree.arguments
     for each in (one, other):
         if isinstance(each, Quantity) and each.kind == "position" and each.stage != 0:
-            derived = derive_place(work, each, now)
+            derived = derive_place(work, work.layout(each), each, now)
             work.write("result", derived.rows)
     points = [_point(work, each, tree, now) for each in (one, other)]
     for each, point in zip((one, other), points, strict=True):

@@ -14,7 +14,7 @@ from restitution.explaining.marks import Marks
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.sentences import SENTENCES
 from restitution.render import layout as lay
-from restitution.render.layout import Bold, Brackets, Layout, Number, Product, Relation, Sum
+from restitution.render.layout import Brackets, Layout, Number, Product, Relation, Sum
 
 OR = str(say("list.or"))
 """What stands between alternatives."""
@@ -127,8 +127,3 @@ def direction_words(x: Any, y: Any) -> Layout:
         sign = 1 if sp.sympify(a, strict=True).is_positive or sp.N(a) > 0 else -1
         return lay.vector(sign * ratio.q, sign * ratio.p)
     return lay.vector(tidy(a), tidy(b))
-
-
-def bold_velocity(name: str) -> Layout:
-    """**v** with the name of a sphere."""
-    return Bold("v", name)

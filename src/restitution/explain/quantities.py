@@ -16,7 +16,7 @@ from restitution.explain.phrases import (
 )
 from restitution.explain.steps import Row, Side, shown, side
 from restitution.explaining.marks import A1, M1, Mark, Marks
-from restitution.explaining.printing import look, printed
+from restitution.explaining.printing import look, printed, scalar_product
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -151,13 +151,13 @@ def _is_angle(work: Working, tree: Expression) -> bool:
 
 def _combined(op: str, a: Layout, b: Layout) -> Layout:
     if op == "+":
-        return lay.total([a, b])
+        return printed("a + b", a=a, b=b)
     if op == "-":
         return printed("a - b", a=a, b=b)
     if op == "*":
         return printed("a*b", a=a, b=b)
     if op == "/":
-        return lay.fraction(a, b)
+        return printed("a/b", a=a, b=b)
     return lay.power(lay.bracketed(a), b)
 
 
@@ -229,7 +229,6 @@ def _sum(parts: Sequence[Layout]) -> Layout:
 
 def impulse(work: Working, number: int) -> Layout | None:
     """m(v − u) along the line of centres, so that it is positive."""
-    event = work.model.happening(number)
     if number not in work.model.frames:
         return None
     name = _impulse_body(work, number)
@@ -238,7 +237,6 @@ def impulse(work: Working, number: int) -> Layout | None:
     v = work.put(work.model.after(number, name))
     if work.sign(v - u) < 0:
         u, v = v, u
-    del event
     return printed("m*(v - u)", m=mass, v=v, u=u)
 
 
@@ -268,24 +266,24 @@ def derive(
     last: Mark = A1,
     name: Layout | None = None,
 ) -> Derived:
-    """The lines by which a quantity is found once the components are known."""
+    """The lines by which a quantity is found once the components are known.
+
+    ``name`` is what they call it, where a letter stands for it.
+    """
     body = name_of(tree)
     value = evaluated(work, tree, now)
-    if name is not None:
-        own = derive(work, tree, now, percentage=percentage, last=last)
-        return _renamed(own, work.layout(tree), name)
-    name = work.layout(tree)
+    name = work.layout(tree) if name is None else name
     kind = tree.kind
     if kind == "velocity" and body is not None:
-        return _derive_velocity(work, tree, body, now, last)
+        return _derive_velocity(work, name, tree, body, now, last)
     if kind == "deflection" and body is not None:
-        return _derive_deflection(work, tree, body, now)
+        return _derive_deflection(work, name, tree, body, now)
     if kind == "angle":
-        return _derive_angle(work, tree, now)
+        return _derive_angle(work, name, tree, now)
     if kind == "direction" and not isinstance(value, tuple):
-        return _derive_direction(work, tree, body, now, value)
+        return _derive_direction(work, name, tree, body, now, value)
     if kind in ("along", "across"):
-        return _derive_component(work, tree, now)
+        return _derive_component(work, name, tree, now)
     if kind == "energy_lost":
         event = event_of(work.model.story, tree, now)
         sentences: tuple[Sentence, ...] = ()
@@ -304,21 +302,21 @@ def derive(
         row = _result(name, made, value, points=(M1, last), principle=bool(sentences))
         return Derived((row,), value, sentences)
     if kind == "impulse":
-        return _derive_impulse(work, tree, body, now, last)
+        return _derive_impulse(work, name, tree, body, now, last)
     if kind == "line_of_centres":
-        return _derive_line(work, tree, now, value)
+        return _derive_line(work, name, tree, now, value)
     if kind in ("position", "time", "distance"):
         from restitution.explain.journeys import derive_place
 
-        return derive_place(work, tree, now)
+        return derive_place(work, name, tree, now)
     if kind == "momentum":
-        return _derive_momentum(work, tree, body, now, value)
+        return _derive_momentum(work, name, tree, body, now, value)
     if kind == "dot":
         a, b = (evaluated(work, each, now) for each in tree.arguments)
         made = Side(printed("dot(a, b)", zeros=True, a=a, b=b), value)
         return Derived((_result(name, made, value, points=(last,)),), value)
     if kind == "total_energy_lost":
-        return _derive_total_loss(work, tree, now, value)
+        return _derive_total_loss(work, name, tree, now, value)
     made = formula(work, tree, now)
     return Derived(
         (
@@ -332,24 +330,6 @@ def derive(
         ),
         value,
     )
-
-
-def _renamed(derived: Derived, old: Layout, new: Layout) -> Derived:
-    """The same lines under a letter's name."""
-    table = {old: new}
-    for name in ("tan", "cos", "sin"):
-        table[lay.function(name, Brackets(old))] = lay.function(name, new)
-    rows = tuple(
-        Row(
-            tuple(table.get(o, o) if o is not None else o for o in row.operands),
-            row.signs,
-            row.values,
-            row.points,
-            row.asides,
-        )
-        for row in derived.rows
-    )
-    return Derived(rows, derived.value, derived.sentences, derived.title)
 
 
 def _result(
@@ -371,7 +351,9 @@ def _result(
     return chain(*sides, points=points)
 
 
-def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: Mark) -> Derived:
+def _derive_velocity(
+    work: Working, name: Layout, tree: Quantity, body: str, now: int, last: Mark
+) -> Derived:
     stage = stage_of(work, tree, now, body)
     value = evaluated(work, tree, now)
     frame = work.model.owner(body, stage)
@@ -382,14 +364,14 @@ def _derive_velocity(work: Working, tree: Quantity, body: str, now: int, last: M
         return (
             Derived((), value)
             if ("kick", event.number) in work.done and _told(work, body, stage)
-            else Derived((_result(work.layout(tree), None, value, points=(last,)),), value)
+            else Derived((_result(name, None, value, points=(last,)),), value)
         )
     if frame is not None and frame.axis is None and value != (0, 0):
         v = work.model.story.velocity(body, stage)
         a, b = work.put(v.dot(frame.n)), work.put(v.dot(frame.t))
         n, t = (tuple(work.put(way)) for way in (frame.n, frame.t))
         made = Side(printed("a*n + b*t", a=a, n=n, b=b, t=t), value)
-    rows.append(_result(work.layout(tree), made, value, points=(last,)))
+    rows.append(_result(name, made, value, points=(last,)))
     return Derived(tuple(rows), value)
 
 
@@ -397,9 +379,8 @@ def _told(work: Working, body: str, stage: int) -> bool:
     return ("velocity", body, stage) in work.done
 
 
-def _derive_component(work: Working, tree: Quantity, now: int) -> Derived:
+def _derive_component(work: Working, name: Layout, tree: Quantity, now: int) -> Derived:
     value = evaluated(work, tree, now)
-    name = work.layout(tree)
     v = evaluated(work, tree.arguments[0], now)
     d = work.model.story.direction(tree.arguments[1], now)
     d = Vector(work.put(d.x), work.put(d.y))
@@ -408,24 +389,23 @@ def _derive_component(work: Working, tree: Quantity, now: int) -> Derived:
     if d.x == 0 or d.y == 0:
         return Derived((_result(name, None, value),), value)
     size = tidy(sp.sqrt(tidy(d.dot(d))))
-    above = lay.product(Brackets(look(v)), Brackets(look((d.x, d.y))), sign="·")
-    made = Side(lay.fraction(above, look(size)), value)
+    above = scalar_product(v, (d.x, d.y))
+    made = Side(printed("a/b", a=above, b=size), value)
     return Derived((_result(name, made, value, points=(M1, A1)),), value)
 
 
 def _derive_direction(
-    work: Working, tree: Quantity, body: str | None, now: int, value: Any
+    work: Working, name: Layout, tree: Quantity, body: str | None, now: int, value: Any
 ) -> Derived:
     assert body is not None
     v = work.model.story.velocity(body, stage_of(work, tree, now, body))
     x, y = work.put(v.x), work.put(v.y)
-    name = work.layout(tree)
     row = _result(name, None, value, angle=True)
     if x == 0 or y == 0:
         return Derived((row,), value)
     tangent = tidy(y / x)
     plain_ratio = isinstance(look(y), lay.Fraction) or isinstance(look(x), lay.Fraction)
-    made = side(tangent) if plain_ratio else side(tangent, lay.fraction(look(y), look(x)))
+    made = side(tangent) if plain_ratio else side(tangent, printed("a/b", a=y, b=x))
     first = chain(side(tangent, lay.function("tan", name)), made, side(tangent), points=(M1,))
     return Derived((first, row), value)
 
@@ -435,9 +415,8 @@ def _lines(work: Working, tree: Quantity, now: int) -> tuple[Vector, Vector]:
     return tuple(Vector(work.put(d.x), work.put(d.y)) for d in made)  # type: ignore[return-value]
 
 
-def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
+def _derive_angle(work: Working, name: Layout, tree: Quantity, now: int) -> Derived:
     value = evaluated(work, tree, now)
-    name = work.layout(tree)
     story = work.model.story
     a, b = _lines(work, tree, now)
     sharp = any(is_line(story, each) for each in tree.arguments)
@@ -455,8 +434,8 @@ def _derive_angle(work: Working, tree: Quantity, now: int) -> Derived:
         tangent = tidy(v / u)
         rows = (
             chain(
-                side(tangent, lay.function("tan", _short_angle(name))),
-                side(tangent, lay.fraction(look(v), look(u))),
+                side(tangent, _tangent(name)),
+                side(tangent, printed("a/b", a=v, b=u)),
                 side(tangent),
                 points=(M1,),
             ),
@@ -478,15 +457,16 @@ def _tangent_to(work: Working, name: Layout, axis: Vector, v: Vector) -> Row:
     across = work.size(across)
     tangent = tidy(across / along)
     return chain(
-        side(tangent, lay.function("tan", Brackets(name))),
-        side(tangent, lay.fraction(look(across), look(along))),
+        side(tangent, _tangent(name)),
+        side(tangent, printed("a/b", a=across, b=along)),
         side(tangent),
         points=(M1,),
     )
 
 
-def _short_angle(name: Layout) -> Layout:
-    return Brackets(name)
+def _tangent(name: Layout) -> Layout:
+    """The tangent of an angle by its name."""
+    return lay.function("tan", name if isinstance(name, lay.Letter) else Brackets(name))
 
 
 def _frame_along(work: Working, tree: Quantity, now: int) -> tuple[sp.Expr, sp.Expr] | None:
@@ -523,7 +503,7 @@ def _cosine_rows(work: Working, a: Vector, b: Vector, value: Any, sharp: bool = 
     return [
         chain(
             side(cosine, lay.function("cos", theta)),
-            side(cosine, lay.fraction(above, below)),
+            side(cosine, printed("a/b", a=above, b=below)),
             side(cosine),
             points=(M1,),
         )
@@ -535,10 +515,9 @@ def _theta(work: Working) -> Layout:
     return lay.Letter(next(n for n in ("theta", "phi", "psi", "delta") if n not in used))
 
 
-def _derive_deflection(work: Working, tree: Quantity, body: str, now: int) -> Derived:
+def _derive_deflection(work: Working, name: Layout, tree: Quantity, body: str, now: int) -> Derived:
     event = event_of(work.model.story, tree, now, body)
     value = evaluated(work, tree, now)
-    name = work.layout(tree)
     before = work.put(event.before[body])
     after = work.put(event.after[body])
     final = _result(name, None, value, angle=True)
@@ -574,7 +553,7 @@ def _scaled(v: Vector) -> Vector:
 
 
 def _dot_layout(a: Vector, b: Vector) -> Layout:
-    return lay.product(Brackets(look((a.x, a.y))), Brackets(look((b.x, b.y))), sign="·")
+    return scalar_product((a.x, a.y), (b.x, b.y))
 
 
 def _numeric_angle(*vectors: Vector) -> bool:
@@ -635,7 +614,7 @@ def _deflection_by_tangents(
         return Derived((final,), value)
     rows = [
         chain(
-            side(tangent, lay.function("tan", Brackets(name))),
+            side(tangent, _tangent(name)),
             side(tangent, laid),
             side(tangent),
             points=(M1, A1),
@@ -694,10 +673,9 @@ def _times(a: sp.Expr, b: sp.Expr) -> Layout:
 
 
 def _derive_impulse(
-    work: Working, tree: Quantity, body: str | None, now: int, last: Mark
+    work: Working, name: Layout, tree: Quantity, body: str | None, now: int, last: Mark
 ) -> Derived:
     value = evaluated(work, tree, now)
-    name = work.layout(tree)
     story = work.model.story
     event = event_of(story, tree, now, body)
     if body is not None:
@@ -724,13 +702,12 @@ def _derive_impulse(
     return Derived(rows, value, title=title)
 
 
-def _derive_line(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
-    name = work.layout(tree)
+def _derive_line(work: Working, name: Layout, tree: Quantity, now: int, value: Any) -> Derived:
     return Derived((_result(name, None, value),), value)
 
 
 def _derive_momentum(
-    work: Working, tree: Quantity, body: str | None, now: int, value: Any
+    work: Working, name: Layout, tree: Quantity, body: str | None, now: int, value: Any
 ) -> Derived:
     story = work.model.story
     stage = stage_of(work, tree, now, body)
@@ -742,13 +719,15 @@ def _derive_momentum(
             continue
         terms.append(printed("m*v", m=work.put(story.mass(each)), v=(v.x, v.y)))
     made = Side(lay.total(terms), value) if terms else None
-    return Derived((_result(work.layout(tree), made, value, points=(M1, A1)),), value)
+    return Derived((_result(name, made, value, points=(M1, A1)),), value)
 
 
-def _derive_total_loss(work: Working, tree: Quantity, now: int, value: Any) -> Derived:
+def _derive_total_loss(
+    work: Working, name: Layout, tree: Quantity, now: int, value: Any
+) -> Derived:
     laid = _total_loss(work, tree, now)
     made = None if laid is None else Side(laid, value)
-    return Derived((_result(work.layout(tree), made, value, points=(M1, A1)),), value)
+    return Derived((_result(name, made, value, points=(M1, A1)),), value)
 
 
 def _total_loss(work: Working, tree: Quantity, now: int) -> Layout | None:

@@ -32,7 +32,7 @@ class Row:
     ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
     only approximate or is no number), by which the line has been checked. ``operands[0]`` None
     goes on from the line above. ``points`` are what an examiner would give; ``asides`` stand
-    behind the line.
+    behind the line; a line with ``alternatives`` offers several values.
     """
 
     operands: tuple[Layout | None, ...]
@@ -40,6 +40,7 @@ class Row:
     values: tuple[Any, ...] = field(default=(), compare=False, repr=False)
     points: Marks = ()
     asides: tuple[Sentence, ...] = ()
+    alternatives: bool = field(default=False, compare=False, repr=False)
 
     @property
     def mark(self) -> str:

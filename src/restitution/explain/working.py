@@ -27,7 +27,6 @@ from restitution.explain.phrases import (
     OR,
     answer,
     chain,
-    direction_words,
     ordinal,
     relation,
     same_term,
@@ -39,7 +38,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Value
 from restitution.expression.tree import Expression
-from restitution.problem import Aligned, Arrival, Impact, Kick
+from restitution.problem import Aligned, Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Bold, Layout
 from restitution.solve.forms import signed
@@ -712,7 +711,7 @@ class Working:
             if len(cases[0].operands) > 2
             else lay.Phrase((cases[0].operands[1], *tail), OR)
         )
-        return Row((look(x), body), ("=",), (None, None))
+        return Row((look(x), body), ("=",), (None, None), alternatives=True)
 
     def _other_roots(self, x: sp.Symbol, residual: Any) -> list[sp.Expr]:
         """Values in other solutions that satisfy the same equation."""
@@ -864,7 +863,7 @@ class Working:
         ordered = sorted(values, key=lambda v: float(self.model.number(v)))
         tail = [lay.Relation((look(name), look(v)), ("=",)) for v in ordered[1:]]
         body = lay.Phrase((look(ordered[0]), *tail), OR)
-        return Row((look(name), body), ("=",), (None, None))
+        return Row((look(name), body), ("=",), (None, None), alternatives=True)
 
     def _vanishes(self, factor: sp.Expr, t: sp.Symbol, own: sp.Expr) -> bool:
         return self.model.sign(factor.xreplace({t: own})) == 0
@@ -1217,9 +1216,4 @@ def _plain(row: Row) -> str:
     return " ".join(parts)
 
 
-def arrivals(model: Model) -> list[int]:
-    """The numbers of the events in which a sphere only comes to a place."""
-    return [h.number for h in model.story.happenings if isinstance(h.step, Arrival)]
-
-
-__all__ = ["Equation", "Side", "Working", "arrivals", "by_tangent", "direction_words"]
+__all__ = ["Equation", "Side", "Working", "by_tangent"]

@@ -34,6 +34,15 @@ def printed(template: str, /, *, front: bool = False, zeros: bool = False, **val
     return _Printer(values, front, zeros).put(_read(template))
 
 
+def scalar_product(first: Any, second: Any) -> Layout:
+    """``(6**i** − 5**j**)·(3**i** + 4**j**)``: pairs or layouts, as they are."""
+    a, b = look(first), look(second)
+    left = (
+        a if isinstance(a, Bold) or (isinstance(first, tuple) and not _several(a)) else Brackets(a)
+    )
+    return lay.product(left, b if isinstance(b, Bold) else Brackets(b), sign="·")
+
+
 @lru_cache(maxsize=256)
 def _read(template: str) -> trees.Expression:
     return read_expression(template)

@@ -34,9 +34,9 @@ from restitution.problem import (
     trees,
     trees_of_relation,
 )
-from restitution.solve import missing
 from restitution.render.layout import display
 from restitution.render.text import to_text
+from restitution.solve import missing
 from restitution.solve.admission import formula_of
 from restitution.solve.coefficients import without_impossible
 from restitution.solve.conditions import Equation
