@@ -12,7 +12,7 @@ import pytest
 
 import restitution
 
-HEAVY = ("sympy", "lark", "numpy", "typer", "rich", "ziamath", "pebble", "mpmath", "numba")
+HEAVY = ("sympy", "lark", "numpy", "typer", "rich", "ziamath", "mpmath", "numba")
 COMPILED = ("numba", "llvmlite", "pyarrow", "distributed")
 NAMESAKES = ("impact", "solve", "explain")
 

@@ -4,8 +4,8 @@ A thread cannot be stopped in Python, and a computation inside a library does no
 a process can be killed. The one who asks needs none of the libraries of the work, so that they
 are loaded in one place only, and meanwhile the asker can read its input.
 
-On Linux the process is a fork, elsewhere a fresh interpreter; so ``serve``, ``prepare`` and
-``rehearse`` have to be functions of a module.
+On Linux the process is a fork, elsewhere a fresh interpreter, unless something else is chosen; so
+``serve``, ``prepare`` and ``rehearse`` have to be functions of a module.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ from typing import Any, Self
 _START = 120.0
 """Seconds for which loading the libraries may last: they are not part of what is limited."""
 
+_PARTING = 1.0
+"""Seconds for which a process that has closed its pipe may still take to end."""
+
 _MEMORY = 4 * 2**30
 """Bytes of memory that the work may take, where the system can limit that."""
 
@@ -38,13 +41,24 @@ class LostError(Exception):
         return type(self), (str(self), self.details)
 
 
+class EndedError(LostError):
+    """The process ended in the midst of the work; ``code`` is its exit status, if it has one."""
+
+    def __init__(self, code: int | None) -> None:
+        super().__init__("the process that solves ended without an answer")
+        self.code = code
+
+    def __reduce__(self) -> tuple[type[EndedError], tuple[Any, ...]]:
+        return type(self), (self.code,)
+
+
 class Worker:
     """A process that answers requests one after another with ``serve(request)``.
 
     It starts at once and calls ``prepare`` (loading libraries) while the caller does something
     else. If no request is there by then, it calls ``rehearse``, after which the first request is
     answered sooner. After it was stopped, the next request starts it anew. Use it as a context
-    manager.
+    manager. ``context`` is that of `multiprocessing` from which the process comes.
     """
 
     def __init__(
@@ -52,9 +66,10 @@ class Worker:
         serve: Callable[[Any], Any],
         prepare: Callable[[], None],
         rehearse: Callable[[], None] | None = None,
+        context: Any = None,
     ) -> None:
         self._work = serve, prepare, rehearse
-        self._context = multiprocessing.get_context(
+        self._context: Any = context or multiprocessing.get_context(
             "fork" if sys.platform.startswith("linux") else "spawn"
         )
         self._process: Any = None
@@ -66,7 +81,7 @@ class Worker:
         """The answer, or what ``serve`` raised, raised again here where it can be pickled.
 
         Raises TimeoutError after ``limit`` seconds (None is no limit), and LostError where the
-        process ended or failed; it is killed then.
+        process failed, EndedError where it ended; it is killed then.
         """
         if self._process is None:
             self._start()
@@ -86,13 +101,21 @@ class Worker:
             self.close()
             raise
         except (EOFError, OSError) as error:
+            self._process.join(_PARTING)
+            code = self._process.exitcode
             self.close()
-            raise LostError("the process that solves ended without an answer") from error
+            raise EndedError(code) from error
         except BaseException as error:
             # An error of the work leaves the process fit for the next; Ctrl-C does not.
             if not isinstance(error, Exception):
                 self.close()
             raise
+
+    def kill(self) -> None:
+        """End the process, from any thread: whoever asks it is told so. It is not closed."""
+        process = self._process
+        if process is not None:
+            process.kill()
 
     def close(self) -> None:
         """Kill the process; it holds nothing that could be lost."""
@@ -119,7 +142,7 @@ class Worker:
 
     def _start(self) -> None:
         self._pipe, theirs = self._context.Pipe()
-        process: Any = self._context.Process  # type: ignore[attr-defined]
+        process: Any = self._context.Process
         self._process = process(target=_live, args=(theirs, self._pipe, *self._work), daemon=True)
         self._process.start()
         theirs.close()

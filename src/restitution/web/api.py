@@ -7,6 +7,7 @@ import gzip
 import hashlib
 import json
 import logging
+import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -86,11 +87,14 @@ _READ: Mapping[str, Callable[[str], Made]] = {"check": work.checked, "outline": 
 
 _EXPLAINING = _Task(work.explained)
 
-_UNASKED = 0.5
-"""Seconds in which most work is done: until then nobody looks what is finished of it."""
+_UNASKED = 0.08
+"""Seconds in which much work is done: until then nobody looks what is finished of it."""
 
-_LOOK = 0.1
-"""Seconds between two looks."""
+_OFTEN = 0.1
+"""The share of the time so far after which somebody looks again."""
+
+_SELDOM = 0.1
+"""Seconds between two looks, at most."""
 
 
 def routes() -> list[Route]:
@@ -188,12 +192,14 @@ async def _explain(request: Request) -> Response:
         if not told.get("early"):
             return await _while_wanted(request, made)
         rest = asyncio.ensure_future(_while_wanted(request, made))
+        began = time.monotonic()
         try:
             await asyncio.wait({rest}, timeout=_UNASKED)
             while not rest.done():
                 if early.exists():
                     return _Begun(early.read_bytes(), rest)
-                await asyncio.wait({rest}, timeout=_LOOK)
+                look = min(_OFTEN * (time.monotonic() - began), _SELDOM)
+                await asyncio.wait({rest}, timeout=look)
         except asyncio.CancelledError:
             rest.cancel()
             raise

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import math
 import multiprocessing
 import os
@@ -12,15 +11,13 @@ import sys
 import threading
 import time
 from collections.abc import AsyncIterator, Callable, Sequence
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol, TypeVar
 
-from pebble import ProcessExpired, ProcessPool
-
-from restitution.killable import LostError, limit_memory, portable
-
-_log = logging.getLogger(__name__)
+from restitution.killable import EndedError, Worker
 
 _LOADED = "restitution.web.loaded"
 """What all processes begin with."""
@@ -33,9 +30,6 @@ _GRACE = 2.0
 
 _TASKS = 500
 """After so many tasks a process makes place for a fresh one: what a library keeps, grows."""
-
-_SPENT = 75
-"""The exit status of a process that would rather not begin another task."""
 
 _AFTERWARDS = 2
 """Seconds after which to ask again when all processes are told to end, the server among them."""
@@ -84,7 +78,8 @@ async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Poo
 class Pool:
     """Processes, and a queue before them that has an end. Belongs to one event loop.
 
-    ``patience`` is how many seconds anyone waits in it.
+    ``patience`` is how many seconds anyone waits in it. Of the processes that are free, the one
+    that worked last takes the next task: whoever edits a question finds it known there.
     """
 
     def __init__(self, workers: int, waiting: int, patience: float) -> None:
@@ -94,8 +89,8 @@ class Pool:
         self._under_way = 0
         self._usual = 0.1  # seconds that a task takes, about
         self._free = asyncio.Semaphore(workers)
-        self._crew = _Crew(workers)
-        self._parting: set[asyncio.Task[None]] = set()
+        self._hands = [_Hand() for _ in range(workers)]
+        self._idle = list(self._hands)  # as many as the semaphore has places
         self._closed = False
 
     async def run(self, function: Callable[..., _Made], *arguments: Any, limit: float) -> _Made:
@@ -112,15 +107,17 @@ class Pool:
         except BaseException:
             self._under_way -= 1
             raise
-        working = asyncio.create_task(self._done(function, arguments, limit))
-        working.add_done_callback(self._release)
+        hand = self._idle.pop()
+        working = asyncio.create_task(self._done(hand, function, arguments, limit))
+        working.add_done_callback(partial(self._release, hand))
         try:
             return await asyncio.shield(working)
         except asyncio.CancelledError:
             asyncio.get_running_loop().call_later(_ABANDONED, working.cancel)
             raise
 
-    def _release(self, working: asyncio.Task[Any]) -> None:
+    def _release(self, hand: _Hand, working: asyncio.Task[Any]) -> None:
+        self._idle.append(hand)
         self._free.release()
         self._under_way -= 1
         if not working.cancelled():
@@ -129,7 +126,7 @@ class Pool:
     async def close(self) -> None:
         """Kill the processes."""
         self._closed = True
-        await asyncio.gather(self._crew.dismissed(), *self._parting)
+        await asyncio.gather(*(asyncio.to_thread(each.dismiss) for each in self._hands))
 
     @property
     def again(self) -> int:
@@ -152,109 +149,144 @@ class Pool:
             raise BusyError(self.again) from None
 
     async def _done(
-        self, function: Callable[..., _Made], arguments: Sequence[Any], limit: float
+        self, hand: _Hand, function: Callable[..., _Made], arguments: Sequence[Any], limit: float
     ) -> _Made:
-        crew = self._crew
-        crashes = 0
-        for _ in range(2 * self._workers + 2):
-            began = time.monotonic()
-            try:
-                return await crew.done(function, arguments, limit + _GRACE)
-            except ProcessExpired as error:
-                if abs(error.exitcode) == signal.SIGTERM:
-                    raise BusyError(_AFTERWARDS) from error
-                # Once more, in case it was ended for the sake of work that somebody gave up.
-                crashes += error.exitcode != _SPENT
-                if crashes > 1:
-                    raise LostError("the process that solves ended without an answer") from error
-            except (BrokenProcessPool, RuntimeError) as error:
-                self._replace(crew)
-                raise BusyError(_AFTERWARDS) from error
-            finally:
-                self._usual += 0.1 * (time.monotonic() - began - self._usual)
-        raise LostError("no process took the work")
-
-    def _replace(self, crew: _Crew) -> None:
-        """Other processes in place of those from which nothing can come any more."""
-        if crew is self._crew and not self._closed:
-            _log.error("all processes were lost; others are begun")
-            self._crew = _Crew(self._workers)
-            parting = asyncio.create_task(crew.dismissed())
-            self._parting.add(parting)
-            parting.add_done_callback(self._parting.discard)
-
-
-class _Crew:
-    """The processes, from their beginning to their end."""
-
-    def __init__(self, workers: int) -> None:
-        forks = not sys.platform.startswith("win")
-        context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
-        if forks:
-            # Libraries are loaded there, and a process that was killed is soon there again.
-            context.set_forkserver_preload([_LOADED])
-        self._processes: Any = ProcessPool(workers, _TASKS, _settled, context=context)
-        self._begun = asyncio.create_task(asyncio.to_thread(self._begin))
-
-    def _begin(self) -> None:
-        """Have all begin, which lasts until the libraries are loaded."""
-        mask = getattr(signal, "pthread_sigmask", None)
-        # Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
-        kept = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
+        began = time.monotonic()
         try:
-            self._processes.schedule(_ready).result()
+            try:
+                return await hand.done(function, arguments, limit + _GRACE)
+            except EndedError as error:
+                if self._closed or error.code == -signal.SIGTERM:
+                    raise BusyError(_AFTERWARDS) from error
+            # Once more: nobody here ends a process whose work is wanted, but the system may.
+            return await hand.done(function, arguments, limit + _GRACE)
         finally:
-            if mask:
-                mask(signal.SIG_SETMASK, kept)
+            self._usual += 0.1 * (time.monotonic() - began - self._usual)
+
+
+@dataclass
+class _Turn:
+    """One piece of work of a process, and whether nobody wants it any more."""
+
+    is_over: bool = False
+
+
+class _Hand:
+    """One process and the thread that asks it, with a pipe of their own.
+
+    What is sent to the process is for it alone, and it is ended only in the midst of work that
+    nobody wants. So nothing is lost between one that ends and another that begins.
+    """
+
+    def __init__(self) -> None:
+        self._thread = ThreadPoolExecutor(1, initializer=_deaf)
+        self._lock = threading.Lock()
+        self._worker: Worker | None = None
+        self._turn: _Turn | None = None
+        self._tasks = 0
+        self._dismissed = False
+        self._thread.submit(self._renew)
 
     async def done(
         self, function: Callable[..., _Made], arguments: Sequence[Any], seconds: float
     ) -> _Made:
-        """What the function returns or raises; killed after so many seconds."""
-        await asyncio.shield(self._begun)
-        future = self._processes.schedule(_serve, args=(function, arguments), timeout=seconds)
-        made: _Made = await asyncio.wrap_future(future)
+        """What the function returns or raises; its process is killed after so many seconds."""
+        turn = _Turn()
+        loop = asyncio.get_running_loop()
+        request = function, arguments
+        try:
+            made: _Made = await loop.run_in_executor(
+                self._thread, self._ask, turn, request, seconds
+            )
+        except asyncio.CancelledError:
+            self._give_up(turn)
+            raise
         return made
 
-    async def dismissed(self) -> None:
-        """Nothing; the processes have ended."""
-        with suppress(Exception):  # told to whoever asked
-            await self._begun
-        self._processes.stop()
-        await asyncio.to_thread(self._processes.join)
+    def dismiss(self) -> None:
+        """End the process and the thread; lasts until both have ended."""
+        with self._lock:
+            self._dismissed = True
+            if self._worker is not None:
+                self._worker.kill()
+        self._thread.shutdown(cancel_futures=True)
+        if self._worker is not None:
+            self._worker.close()
+
+    def _give_up(self, turn: _Turn) -> None:
+        with self._lock:
+            turn.is_over = True
+            if self._turn is turn and self._worker is not None:
+                self._worker.kill()
+
+    def _ask(self, turn: _Turn, request: Any, seconds: float) -> Any:
+        """In the thread: what the process answers. What does not end well is its last."""
+        worker = self._begin() if self._worker is None else self._worker
+        with self._lock:
+            is_wanted = not turn.is_over and not self._dismissed
+            self._turn = turn if is_wanted else None
+        if not is_wanted:
+            raise BusyError(_AFTERWARDS)
+        is_fit = False
+        try:
+            made = worker.ask(request, seconds)
+            is_fit = not made.tired
+            return made
+        finally:
+            self._tasks += 1
+            with self._lock:
+                self._turn = None
+                is_fresh = not turn.is_over and self._tasks < _TASKS
+                if not (is_fit and is_fresh) and not self._dismissed:
+                    self._thread.submit(self._renew)  # before anything else
+
+    def _renew(self) -> None:
+        """In the thread: another process in place of this one."""
+        if self._worker is not None:
+            self._worker.close()
+            self._worker = None
+        if not self._dismissed:
+            with suppress(BusyError):  # tried again for whoever comes
+                self._begin()
+
+    def _begin(self) -> Worker:
+        self._tasks = 0
+        try:
+            self._worker = Worker(_serve, _settled, context=_context())
+        except (OSError, EOFError) as error:
+            raise BusyError(_AFTERWARDS) from error
+        return self._worker
+
+
+def _context() -> Any:
+    forks = not sys.platform.startswith("win")
+    context: Any = multiprocessing.get_context("forkserver" if forks else "spawn")
+    if forks:
+        # Libraries are loaded there, and a process that was killed is soon there again.
+        context.set_forkserver_preload([_LOADED])
+    return context
+
+
+def _deaf() -> None:
+    """Ctrl-C goes to all processes of the terminal, and only the server is to heed it.
+
+    What is begun by this thread, the process that loads the libraries too, is deaf like it.
+    """
+    mask = getattr(signal, "pthread_sigmask", None)
+    if mask:
+        mask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
 def _settled() -> None:
-    """In a process that begins: it takes no more than its share of memory, and yields to others.
+    """In a process that begins: it yields to others.
 
     So the server itself, which has little to do, is never kept waiting by those who solve.
     """
-    limit_memory()
     if hasattr(os, "nice"):
         os.nice(_POLITE)
 
 
-def _ready() -> None:
-    """Nothing; who comes to do it has begun."""
-
-
-_tired = threading.Event()
-"""Set in a process whose work was broken off: a library may have been left half done."""
-
-
-def _serve(function: Callable[..., _Made], arguments: Sequence[Any]) -> _Made:
-    """In the process: what the function returns.
-
-    The process ends when it is given more, not at once: it must never be in the midst of a
-    message to the others.
-    """
-    if _tired.is_set():
-        os._exit(_SPENT)
-    try:
-        made = function(*arguments)
-    except BaseException as error:  # noqa: BLE001 - told to the one who asks
-        _tired.set()
-        raise portable(error) from None
-    if made.tired:
-        _tired.set()
-    return made
+def _serve(request: tuple[Callable[..., Any], Sequence[Any]]) -> Any:
+    """In the process: what the function returns."""
+    function, arguments = request
+    return function(*arguments)

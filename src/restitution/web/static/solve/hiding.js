@@ -12,6 +12,7 @@ export function makeHiding(elements, { onChange, stepwise }) {
   let hidden = false;
   let given = null;
   let isWhole = true;
+  let isHeld = false;
   let line = null; // { byLine, shown, total, steps } of the working
 
   const toggle = button("Hide answers", () => set(!hidden), { "aria-pressed": "false" });
@@ -58,10 +59,10 @@ export function makeHiding(elements, { onChange, stepwise }) {
     results.classList.toggle("hiding", hidden);
     results.classList.toggle("by-line", Boolean(byLine));
     toggle.setAttribute("aria-pressed", String(hidden));
-    working.hidden = hidden || isEmpty();
+    working.hidden = hidden || (isEmpty() && !isHeld);
     covered.hidden = !hidden;
     lines.hidden = isEmpty();
-    motion.hidden = hidden || !isWhole || (byLine && line.shown < line.total);
+    motion.hidden = hidden || !(isWhole || isHeld) || (byLine && line.shown < line.total);
     question.hidden = hidden && given.question === null;
     let coming = 0;
     const items = given.working.flatMap((part, index) =>
@@ -95,9 +96,11 @@ export function makeHiding(elements, { onChange, stepwise }) {
       if (on) set(true);
     },
     // A solution; one that is not `whole` has no working yet, and line by line no answers either.
-    put(reply, whole = true) {
+    // Where an earlier one is `held`, its working and motion stay in their places meanwhile.
+    put(reply, whole = true, held = false) {
       given = reply;
       isWhole = whole;
+      isHeld = held && !whole;
       update();
     },
     // Another line of the working, or another way to show it.

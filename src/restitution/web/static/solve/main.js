@@ -22,6 +22,7 @@ const { words, sheet } = JSON.parse($("told").textContent);
 const SETTLED = 500; // ms after the last key at which the address is written
 const PATIENCE = 500; // ms for which mistakes are not shown while one types on
 const SLOW = 2000; // ms after which it is said what takes its time
+const MEANWHILE = 300; // ms for which the earlier working stands below answers that have come
 
 const results = $("results");
 const editor = makeEditor($("editor"), words, { onInput: byHand });
@@ -91,6 +92,7 @@ function now() {
     text: editor.text,
     title: solved?.reply.answer.title,
     reply: current ? solved.reply : null,
+    isWhole: current && solved.isWhole,
     picture: current ? pictures.shown : null,
     hidden: hiding.hidden,
   };
@@ -103,7 +105,6 @@ function show(state) {
   results.classList.toggle("stale", !["solved", "early", "empty"].includes(kind));
   if (kind !== "solved") $("spoken").textContent = ""; // of an earlier question
   if (kind === "waiting") pending = setTimeout(notice.doing, SLOW, "Solving the question …");
-  else if (kind === "early") notice.doing("The answers are there. The working is being written …");
   else notice.clear();
   const shows = {
     empty: showNothing, wrong: showMistakes, early: showSolved, solved: showSolved,
@@ -140,7 +141,9 @@ function showRefusal({ error }) {
 
 async function showSolved({ kind, text, reply }) {
   if (text === editor.text) settle(text); // so that Back and Forward bring back what was solved
-  solved = { text, reply };
+  const isWhole = kind === "solved";
+  const isFirst = results.hidden;
+  solved = { text, reply, isWhole };
   const { answer } = reply;
   mark([]);
   results.hidden = false;
@@ -152,15 +155,28 @@ async function showSolved({ kind, text, reply }) {
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
-  hiding.put(reply, kind === "solved");
+  hiding.put(reply, isWhole, !isFirst);
+  reason("pictures", reply.pictures.length ? null : reply.pictures_error);
+  if (isWhole) {
+    showWorking(reply);
+    $("spoken").textContent = hiding.instead ?? spoken(reply);
+  } else pending = setTimeout(awaitWorking, isFirst ? 0 : MEANWHILE, reply);
+  paper.put(reply);
+  await seePictures();
+}
+
+function showWorking(reply) {
   working.put(reply.working);
   reason("working", working.empty ? reply.working_error : null);
   $("worked").hidden = working.empty && !reply.working_error;
-  reason("pictures", reply.pictures.length ? null : reply.pictures_error);
   motion.put(reply);
-  if (kind === "solved") $("spoken").textContent = hiding.instead ?? spoken(reply);
-  paper.put(reply);
-  await seePictures();
+}
+
+// What stands there is of an earlier text; most often its successor comes before anyone sees that.
+function awaitWorking(reply) {
+  hiding.put(reply, false);
+  showWorking(reply);
+  notice.doing("The answers are there. The working is being written …");
 }
 
 async function seePictures() {

@@ -11,7 +11,7 @@ const PAPER = [
   ["solution", "the question and its worked solution"],
 ];
 
-// `now()` tells { text, reply (or null), picture (or null), hidden }.
+// `now()` tells { text, reply (or null), whether it isWhole, picture (or null), hidden }.
 export function makeShare(root, now, { sheet, say }) {
   const papers = sheet ? 2 : 1; // buttons, the last ones
   const buttons = [
@@ -66,10 +66,10 @@ export function makeShare(root, now, { sheet, say }) {
 
   // Which of them can be used.
   function update() {
-    const { text, reply, picture, hidden } = now();
+    const { text, reply, isWhole, picture, hidden } = now();
     paper.value = chosen ?? (hidden ? "question" : "solution");
     document.body.dataset.paper = paper.value;
-    const can = { latex: !hidden && reply?.latex, svg: picture, pdf: reply, print: reply };
+    const can = { latex: !hidden && reply?.latex, svg: picture, pdf: reply, print: isWhole };
     for (const each of buttons) {
       const name = each.dataset.do;
       each.disabled = name in can ? !can[name] : !text.trim();
