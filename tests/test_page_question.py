@@ -183,9 +183,9 @@ def diagrams(page: Page) -> list[str]:
 def test_answers_are_hidden_by_a_switch(open_) -> None:
     page = open_(WALL)
     assert "Impulse" in seen(page) or "impulse" in seen(page)
-    button = page.get_by_role("button", name="Hide answers")
+    button = page.get_by_role("switch", name="Hide answers")
     button.click()
-    expect(button).to_have_attribute("aria-pressed", "true")
+    expect(button).to_be_checked()
     for gone in ("#answers li", "#working", "#motion"):
         assert not page.locator(gone).first.is_visible()
     expect(page.locator("#pictures figcaption")).to_have_text("Before: P hits W")

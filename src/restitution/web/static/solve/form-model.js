@@ -39,6 +39,16 @@ const WAY = "towards-left";
 export const noFact = () => ({ what: "", value: "", speed: "", angle: "", way: WAY });
 export const noResult = () => ({ what: "", sign: "=", value: "" });
 
+// What is ticked. Until somebody chooses, these are the velocities afterwards that are not known, and
+// none where something is to be shown.
+export function askedOf({ asked, usual, known, shows }) {
+  if (asked !== usual) return asked;
+  if (shows.some(({ what }) => what)) return [];
+  const isKnown = (key) => known.some(({ what }) =>
+    what.replace(/^(polar|line) /, "") === key || what.startsWith(`${key} = `));
+  return asked.filter((key) => !isKnown(key));
+}
+
 // An empty form: nothing is asked but the velocities afterwards.
 export function emptyOf(kind) {
   const shared = {
@@ -55,22 +65,23 @@ export function emptyOf(kind) {
     ...velocity("A", "components"), ...velocity("B", "components"), ...way("line", "i"),
     order: "AB", offset: "", radius: "",
   };
-  switch (kind) {
-    case "wall":
-      return {
-        ...shared, ...way("wall", "i"), ...velocity("P", "components"), asked: ["velocity(P, 1)"],
-      };
-    case "walls":
-      return {
-        ...shared, ...way("first", "i"), ...way("second", "between"), between: "",
-        ...velocity("P", "wall"), asked: ["velocity(P, 1)", "velocity(P, 2)"],
-      };
-    case "spheres":
-      return { ...shared, ...spheres, asked: ["velocity(A, 1)", "velocity(B, 1)"] };
-    case "chain":
-      return {
-        ...shared, ...spheres, ...way("wall", "j"),
-        asked: ["velocity(A, 1)", "velocity(B, 1)", "velocity(B, 2)"],
-      };
+  const usual = eventsOf({ ...spheres, kind }).flatMap((event, index) =>
+    event.filter((role) => spheresOf({ kind }).includes(role))
+      .map((role) => `velocity(${role}, ${index + 1})`));
+  return { ...shared, ...fieldsOf(), asked: usual, usual };
+
+  function fieldsOf() {
+    switch (kind) {
+      case "wall":
+        return { ...way("wall", "i"), ...velocity("P", "components") };
+      case "walls":
+        return {
+          ...way("first", "i"), ...way("second", "between"), between: "", ...velocity("P", "wall"),
+        };
+      case "spheres":
+        return spheres;
+      case "chain":
+        return { ...spheres, ...way("wall", "j") };
+    }
   }
 }

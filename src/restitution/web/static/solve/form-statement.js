@@ -4,7 +4,7 @@
 // at the field that it came from.
 
 import { bracketed, inDegrees, isSum, plainDegrees } from "./form-angle.js";
-import { countOf, eventsOf, isAway, isPlainWho, nameOf, spheresOf } from "./form-model.js";
+import { askedOf, countOf, eventsOf, isAway, isPlainWho, nameOf, spheresOf } from "./form-model.js";
 import { objection } from "./form-objections.js";
 import { factsOf, isPercentage, PERCENT, quantitiesOf } from "./form-quantities.js";
 
@@ -270,7 +270,8 @@ function shown(answers, fields) {
 
 function found(answers, fields) {
   const offered = quantitiesOf(answers);
-  const asked = offered.filter(({ key }) => answers.asked.includes(key));
+  const ticked = askedOf(answers);
+  const asked = offered.filter(({ key }) => ticked.includes(key));
   const also = fields.optional("also", "items");
   const letters = fields.optional("terms", "items");
   const terms = letters ? [" in terms of ", ["terms", letters]] : [];

@@ -6,14 +6,17 @@
 import { ask, sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
 import {
-  KINDS, countOf, emptyOf, eventsOf, isPlainWho, nameOf, noFact, noResult, spheresOf,
+  KINDS, askedOf, countOf, emptyOf, eventsOf, isPlainWho, nameOf, noFact, noResult, spheresOf,
 } from "./form-model.js";
 import { moving, picture } from "./form-pictures.js";
 import { factsOf, quantitiesOf } from "./form-quantities.js";
 import { answersOf } from "./form-reading.js";
 import { fieldAt, linesOf, statementOf } from "./form-statement.js";
+import { wordsOf } from "./solver.js";
 
 const PAUSE = 250; // ms after the last key until the server reads the statement
+const QUICK = 50; // ms where only a number is another
+const ABOVE = 4; // pixels above the line of the statement that is brought into sight
 const nothing = () => {};
 
 // `onStatement(text)` is told each statement that can be read; `onState(state)` that the fields are
@@ -65,7 +68,7 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
     const row = /^(known|shown)(\d+)(what|sign|speed|angle|way)?$/.exec(name);
     if (name === "kind") kind = value;
     else if (name === "asked") {
-      const others = now().asked.filter((item) => item !== value);
+      const others = askedOf(now()).filter((item) => item !== value);
       now().asked = checked ? [...others, value] : others;
     } else if (row) {
       const rows = row[1] === "known" ? now().known : now().shows;
@@ -96,14 +99,30 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
   function changed() {
     const { missing, wrong } = linesOf(now());
     const statement = statementOf(now());
-    text.textContent = statement;
+    write(statement);
     clearTimeout(waiting);
     waiting = null;
     asking.abort();
     mark(missing, wrong);
     if (missing.length + wrong.length) return tell("unread");
     tell("reading");
-    waiting = setTimeout(check, PAUSE, statement);
+    waiting = setTimeout(check, wordsOf(statement) === wordsOf(own ?? "") ? QUICK : PAUSE, statement);
+  }
+
+  // The statement beside the fields, with the line in sight that comes from the field in use.
+  function write(statement) {
+    text.textContent = statement;
+    const name = document.activeElement?.name;
+    const line = name && linesOf(now()).lines.findIndex((pieces) =>
+      pieces.some(([field]) => field === name));
+    if (!(line >= 0)) return;
+    const lines = statement.split("\n");
+    const before = lines.slice(0, line).reduce((sum, each) => sum + each.length + 1, 0);
+    const range = document.createRange();
+    range.setStart(text.firstChild, before);
+    range.setEnd(text.firstChild, before + lines[line].length);
+    const box = text.parentElement;
+    box.scrollTop += range.getBoundingClientRect().top - box.getBoundingClientRect().top - ABOVE;
   }
 
   async function check(statement) {
@@ -458,12 +477,13 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
 
   function askedFields(answers) {
     const offered = quantitiesOf(answers);
+    const ticked = askedOf(answers);
     const groups = [...Map.groupBy(offered, (each) => each.group)].map(([name, members]) =>
       html("div", { class: "boxes", role: "group", "aria-label": name },
         html("p", { class: "name", "aria-hidden": "true" }, name),
         ...members.map(({ key, label }) => html("label", { class: "box" },
           html("input", {
-            type: "checkbox", name: "asked", value: key, checked: answers.asked.includes(key),
+            type: "checkbox", name: "asked", value: key, checked: ticked.includes(key),
           }),
           html("span", {}, label)))));
     const made = group("What is to be found?",

@@ -15,7 +15,8 @@ export function makeHiding(elements, { onChange, stepwise }) {
   let isHeld = false;
   let line = null; // { byLine, shown, total, steps } of the working
 
-  const toggle = button("Hide answers", () => set(!hidden), { "aria-pressed": "false" });
+  const toggle = button("Hide answers", () => set(!hidden), 
+    { role: "switch", "aria-checked": "false" });
   const show = button("Show answers", () => set(false));
   const lines = button("Show them line by line", () => {
     set(false);
@@ -58,7 +59,7 @@ export function makeHiding(elements, { onChange, stepwise }) {
     const byLine = !hidden && line?.byLine;
     results.classList.toggle("hiding", hidden);
     results.classList.toggle("by-line", Boolean(byLine));
-    toggle.setAttribute("aria-pressed", String(hidden));
+    toggle.setAttribute("aria-checked", String(hidden));
     working.hidden = hidden || (isEmpty() && !isHeld);
     covered.hidden = !hidden;
     lines.hidden = isEmpty();

@@ -101,4 +101,4 @@ export function makeSolver(tell) {
 }
 
 // The same for statements that differ in their numbers alone.
-const wordsOf = (text) => text.replace(/[\d.+\-−/%°\s]+/g, " ");
+export const wordsOf = (text) => text.replace(/[\d.+\-−/%°\s]+/g, " ");
