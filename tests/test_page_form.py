@@ -708,6 +708,34 @@ def test_two_spheres_by_their_angles_to_the_line_of_centres(form: Page) -> None:
     )
 
 
+def test_whoever_types_on_a_phone_has_the_screen_for_the_fields(form: Page) -> None:
+    form.set_viewport_size({"width": 390, "height": 844})
+    form.get_by_label("Two spheres").check()
+    fill(form, AX="3", AY="-4", BX="2", BY="3", line="j")
+    field, written = form.locator("#form-BX"), form.locator(".written")
+    place = "node => node.getBoundingClientRect().top + scrollY"
+    field.focus()
+    before = form.locator("#form-BY").evaluate(place)
+    field.press("End")
+    field.press("7")
+    seen = written.evaluate("node => innerHeight - node.getBoundingClientRect().top")
+    assert seen <= 0.08 * 844
+    line = written.locator("code").evaluate(
+        """node => {
+          const range = document.createRange();
+          const start = node.textContent.indexOf("sphere B");
+          range.setStart(node.firstChild, start);
+          range.setEnd(node.firstChild, start + 8);
+          return range.getBoundingClientRect().toJSON();
+        }"""
+    )
+    assert 844 - seen < line["top"] < line["bottom"] <= 844
+    # Nothing moves when the field is left, so that a finger meets what it aims at.
+    form.locator("body").evaluate("() => document.activeElement.blur()")
+    assert form.locator("#form-BY").evaluate(place) == before
+    assert written.get_by_role("button").is_visible()
+
+
 def test_a_mistake_is_told_at_its_field(form: Page) -> None:
     fill(form, PX="2", PY="-3")
     wait_for_statement(form, "2i - 3j")
@@ -726,6 +754,9 @@ def test_a_mistake_is_told_at_its_field(form: Page) -> None:
     assert {each[1] for each in told(form)[before:]} <= {latest(form)}
     fill(form, e1="1/")
     expect(form.locator("#problem-e1")).not_to_be_empty()
+    for wrong, said in (("e = 1/2", "Leave out “e =”"), ("0,5", "Write 0.5")):
+        fill(form, e1=wrong)
+        expect(form.locator("#problem-e1")).to_contain_text(said)
     fill(form, e1="1/2", PMass="2 # a comment")
     expect(form.locator("#problem-PMass")).to_contain_text("Leave out")
     fill(form, PMass="3i")

@@ -76,6 +76,20 @@ def opened(page: Page) -> Page:
 # --- never another question -----------------------------------------------------------------------
 
 
+def test_a_choice_on_a_picture_is_named_by_what_it_asks(open_) -> None:
+    page = opened(open_(WALL))
+    page.get_by_label("Two spheres").check()
+    for body in "AB":
+        page.locator(f"#form-{body}Velocity").select_option("line")
+    fill(page, ASpeed="5", AAngle="20", BSpeed="5", BAngle="20")
+    for body, other in (("A", "B"), ("B", "A")):
+        senses = page.get_by_role("radiogroup", name=f"How {body} moves")
+        senses.get_by_label(f"away from {other}, up").check()
+    said = "Sphere B, How B moves: Both move away from each other: they cannot meet."
+    page.locator("#foreign").get_by_role("button", name=said).click()
+    expect(page.locator("input[name=BWay]").first).to_be_focused()
+
+
 def test_an_unread_field_marks_the_solution(open_) -> None:
     page = opened(open_(WALL))
     expect(page.locator("#form-PX")).to_have_value("5")

@@ -724,6 +724,46 @@ def test_answers_and_diagrams_come_before_a_slow_working(open_):
     assert page.locator("#notice").is_hidden()
 
 
+def test_the_earlier_working_keeps_its_place_until_the_next_one_comes(open_):
+    page = open_(WALL)
+    page.evaluate(SLOWLY)
+    page.evaluate(
+        """() => {
+          const seen = () => ["worked", "working", "moving"].map((id) =>
+            !document.getElementById(id).hidden);
+          new MutationObserver(() => { window.stood ??= seen(); })
+            .observe(document.getElementById("answers"), { childList: true });
+        }"""
+    )
+    page.locator("#statement").fill(WALL.replace("energy_lost = 5", "energy_lost = 6"))
+    page.wait_for_function("() => window.stood && window.go")
+    assert page.evaluate("() => window.stood") == [True, True, True]
+    assert page.locator("#share [data-do=print]").is_disabled()
+    page.evaluate("() => window.go()")
+    solved(page)
+    assert page.locator("#share [data-do=print]").is_enabled()
+
+
+def test_another_number_is_solved_without_waiting_for_its_reading(open_):
+    page = open_(WALL)
+    held = []
+    page.route(re.compile("/api/check$"), lambda route: held.append(route))
+    with page.expect_request(re.compile("/api/explain$")) as asked:
+        page.locator("#statement").fill(WALL.replace("5i", "7i"))
+    assert "7i" in asked.value.post_data_json["statement"]
+    while not held:
+        page.wait_for_timeout(10)
+    held.pop().continue_()
+    solved(page)
+
+
+def test_another_number_that_cannot_be_read_is_marked(open_):
+    page = open_(WALL)
+    page.locator("#statement").fill(WALL.replace("energy_lost = 5", "energy_lost = 5.5.5"))
+    page.locator("#mistakes .mistake").wait_for()
+    assert "Line 5" in page.locator("#mistakes .mistake").inner_text()
+
+
 def test_a_reply_that_breaks_off_is_told(open_):
     page = open_(WALL)
     page.evaluate(SLOWLY)

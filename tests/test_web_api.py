@@ -560,6 +560,43 @@ def test_processes_are_killed_replaced_and_freed(monkeypatch, tmp_path):
     completed(story())
 
 
+def test_whoever_worked_last_works_next(monkeypatch):
+    monkeypatch.setattr("restitution.web.pool._LOADED", "json")
+
+    async def story() -> None:
+        async with pool(3, 5, 30) as work:
+            assert len({(await work.run(whose, limit=20)).content for _ in range(6)}) == 1
+            both = await asyncio.gather(*(work.run(patiently, 0.3, limit=20) for _ in range(2)))
+            assert len({each.content for each in both}) == 2
+
+    completed(story())
+
+
+def patiently(seconds: float) -> Made:
+    time.sleep(seconds)
+    return whose()
+
+
+def test_no_process_that_ends_takes_the_work_of_another_with_it(monkeypatch):
+    monkeypatch.setattr("restitution.web.pool._LOADED", "json")
+    monkeypatch.setattr("restitution.web.pool._ABANDONED", 0.0)
+
+    async def story() -> None:
+        async with pool(2, 200, 60) as work:
+
+            async def given_up() -> None:
+                task = asyncio.create_task(work.run(patiently, 60, limit=50))
+                await asyncio.sleep(0.05)
+                task.cancel()
+                await asyncio.wait([task])
+
+            wanted = [work.run(each, limit=50) for each in (tiring, whose) * 4]
+            done = await asyncio.gather(*wanted, *(given_up() for _ in range(4)))
+            assert all(made.content for made in done[:8])
+
+    completed(story())
+
+
 async def losing_all() -> None:
     """The processes of a pool are killed, and what they are forked from; others take the work."""
     async with pool(2, 5, 20) as work:

@@ -19,6 +19,8 @@ const STRANGE = {
 // A unit behind a letter would be read as letters, and is meant as none.
 const UNITS = String.raw`kg|km\s?/\s?h|m\s?/\s?s|m\s?s\s?\^?\s?[-−]\s?1|N\s?s`;
 const BEHIND_A_LETTER = new RegExp(String.raw`(?<=\p{L})(?<!\d\s*kg)\s+(${UNITS})$`, "u");
+const DECIMAL_COMMA = /^[-−–]?\s*\d+,\d+$/;
+const NAMED = /^\p{L}\w?\s*=(?=\s*[^\s=<>≤≥]+$)/u; // as in e = 1/2
 const NUMBER = /^\d+(\.\d+)?\s*%?$/;
 
 // `kind` is what the field is to hold: a title, a number, component, angle, vector, percentage,
@@ -32,8 +34,13 @@ export function objection(text, kind) {
   const open = unbalanced(text);
   if (open) return open;
   if (!LISTS.has(kind)) {
+    if (DECIMAL_COMMA.test(text)) {
+      return `Write ${text.replace(",", ".")}: a decimal has a point in place of the comma.`;
+    }
     if (hasOutside(text, ",")) return "Leave out the comma: this field takes one value.";
     const relation = kind !== "fact" && /[=<>≤≥]/.exec(text);
+    const named = relation && NAMED.exec(text);
+    if (named) return `Leave out “${named[0].trim()}”: this field takes the value alone.`;
     if (relation) {
       return `Leave out the sign ${relation[0]}: this field takes a value. ` +
         "An equation goes under “What else is known”.";

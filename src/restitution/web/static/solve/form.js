@@ -216,6 +216,8 @@ export function mountForm(element, { onStatement, onState = nothing, current = (
   function labelOf(name) {
     const place = body.querySelector(`#problem-${name}`);
     const group = place.closest("fieldset").querySelector("legend").textContent;
+    const several = place.closest("[role=radiogroup]")?.getAttribute("aria-label");
+    if (several) return `${group}, ${several}`;
     const label = place.closest(".field")?.querySelector("label");
     const nodes = [...(label?.childNodes ?? [])];
     const words = nodes.filter((each) => !each.classList?.contains("quiet"));
