@@ -369,10 +369,8 @@ def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
 
 def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
     number = scene.stage(tree.stage, None)
-    if len(scene.events) <= 1:
+    if len(scene.events) <= 1 or number == len(scene.events):
         return Noun(("the total kinetic energy lost",))
-    if number == len(scene.events):
-        return Noun(("the total kinetic energy lost altogether",))
     return Noun(
         words("the total kinetic energy lost up to and including ", event_name(scene, number))
     )
