@@ -747,7 +747,11 @@ def test_the_earlier_working_keeps_its_place_until_the_next_one_comes(open_):
 def test_another_number_is_solved_without_waiting_for_its_reading(open_):
     page = open_(WALL)
     held = []
-    page.route(re.compile("/api/check$"), lambda route: held.append(route))
+
+    def hold(route):
+        held.append(route)
+
+    page.route(re.compile("/api/check$"), hold)
     with page.expect_request(re.compile("/api/explain$")) as asked:
         page.locator("#statement").fill(WALL.replace("5i", "7i"))
     assert "7i" in asked.value.post_data_json["statement"]
