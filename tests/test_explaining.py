@@ -271,6 +271,8 @@ def trace_of(text: str, *above: str) -> tuple[str, str | None]:
         ("3w = 3", ("1 = v + 2w", "w - v = 2"), ("move", "combine")),
         ("v = -1", ("1 = v + 2w", "w - v = 2", "w = 1"), ("move", "put")),
         ("w = 1", ("1 = v + 2w",), ("composition", "put")),
+        ("v = -1", (), ("composition", "momentum")),
+        ("v = 1", (), ("unrecognised", None)),
         ("w = 2", ("1 = v + 2w", "w - v = 2"), ("unrecognised", None)),
     ],
 )

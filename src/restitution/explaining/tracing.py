@@ -655,12 +655,17 @@ class _Numbers:
                         yield source
 
     def pairs(self, own: Any) -> Iterator[tuple[_Source, _Source]]:
-        """Two lines, or a line and a law, where both vanish only where the line does."""
+        """Two lines, a line and a law, or two laws: the line vanishes where both of them do."""
         level = 0 if own[0] is not None else 1
         sources = self.sources[level]
         lines = [each for each in reversed(sources) if each.move is None][:_NEAREST]
         laws = [each for each in sources if each.move is not None]
-        for first, second in (*combinations(lines, 2), *product(lines, laws)):
+        principles = [each for each in laws if each.move is not None and each.move.id == "law"]
+        for first, second in (
+            *combinations(lines, 2),
+            *product(lines, laws),
+            *combinations(principles, 2),
+        ):
             if self._agree(level, own[level], [first, second], False):
                 yield first, second
 
