@@ -4,9 +4,10 @@ Cold: the whole command against ``import sympy``, by the clock and by the proces
 that take turns; its help against an interpreter that does nothing. Warm: solving and explaining
 each example, against ``sympy.solve`` on the same equations, each in a process of its own; the first
 time in a process against another time. Drawing: the pictures of each example, against solving it.
+Following: the lines of each working by hand, checked and recognised, against solving its statement.
 
 ``--repeat`` says of how many runs the shortest is taken, ``--pairs`` how many pairs there are, and
-``--only`` takes one of the three.
+``--only`` takes one of the four.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median, quantiles
 
@@ -38,12 +39,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--pairs", type=int, default=15)
-    parser.add_argument("--only", choices=["cold", "warm", "drawing"])
+    parser.add_argument("--only", choices=["cold", "warm", "drawing", "following"])
     options = parser.parse_args()
     parts = {
         "cold": lambda: cold(options.pairs),
         "warm": lambda: warm(options.repeat),
         "drawing": lambda: drawing(options.repeat),
+        "following": lambda: following(options.repeat),
     }
     for name, part in parts.items():
         if options.only in (None, name):
@@ -271,6 +273,46 @@ def drawing(repeat: int) -> None:
     print(f"| median time of a picture, ms | {1000 * median(t for t, _ in times):.1f} |")
     print(f"| longest, ms (`{name}`) | {1000 * slowest:.1f} |")
     print(f"| pictures of an example, as a multiple of solving it: median | {median(ratios):.2f} |")
+
+
+# --- following --------------------------------------------------------------------------------
+
+
+def following(repeat: int) -> None:
+    """The lines of workings by hand: each followed, and each recognised without its move."""
+    sys.path.insert(0, str(HERE.parent / "tests"))
+    from derivations import FOLDER, oracle_of, read_derivation
+
+    from restitution import solve
+    from restitution.explaining.derivation import Relation
+    from restitution.explaining.follower import follow
+    from restitution.explaining.tracing import Tracer
+
+    ratios, followed, recognised = [], [], []
+    for path in sorted(FOLDER.glob("*.txt")):
+        problem, derivation = read_derivation(path)
+        oracle = oracle_of(problem)
+        solving = _shortest(lambda p=problem: solve(p), repeat)
+        taken = _shortest(lambda d=derivation, o=oracle: follow(d, o), repeat)
+        if solving is None or taken is None:
+            continue
+        followed.append((taken / len(derivation.lines), path.stem))
+        ratios.append(taken / solving)
+        tracer = Tracer(replace(derivation, lines=()), oracle)
+        for line in derivation.lines:
+            if isinstance(line.relation, Relation):
+                seconds = _seconds(lambda t=tracer, r=line.relation: t.trace(r))
+                recognised.append((seconds, f"{path.stem}, line {line.number}"))
+            tracer.add(line.number, line.relation)
+    print("\n| following | median | 95 % | most | of |\n|---|---:|---:|---:|---|")
+    for what, times in (("a line followed, ms", followed), ("a line recognised, ms", recognised)):
+        ordered = sorted(1000 * seconds for seconds, _ in times)
+        most, name = max(times)
+        print(
+            f"| {what} | {median(ordered):.1f} | {ordered[int(0.95 * len(ordered))]:.1f} "
+            f"| {1000 * most:.1f} | {name} |"
+        )
+    print(f"| a working followed, as a multiple of solving: median | {median(ratios):.1f} | | | |")
 
 
 def _ms(seconds: float | None) -> str:

@@ -724,7 +724,12 @@ class _Numbers:
             own, other = line, law
             if own.vanishes or other.vanishes:
                 return False
-        return set(step.world.keys(own.above)) <= set(step.world.keys(other.above))
+        if not set(step.world.keys(own.above)) <= set(step.world.keys(other.above)):
+            return False
+        rest, _ = without_common(own.above, other.above)
+        # Common factors are not seen beside roots.
+        roots = any(key[0] == "root" for key in step.world.keys(own.above).values())
+        return bool(rest != own.above) or roots
 
     def _pivots(
         self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Any]
