@@ -20,10 +20,10 @@ from restitution.explaining.derivation import (
     Derivation,
     ItemEnd,
     Line,
-    MarkPoint,
     Move,
 )
 from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.marks import Mark
 from restitution.explaining.notation import read_meaning, read_relation
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
@@ -103,7 +103,7 @@ def _line(match: re.Match[str], names: dict[str, str]) -> Line:
         tuple(int(p) if p.isdigit() else p for p in map(str.strip, premises.split(",")) if p),
         relation,
         tuple(
-            MarkPoint(kind, ft is not None)  # type: ignore[arg-type]
+            Mark(kind[-1] if kind != "A*" else "A", 1, kind == "DM", kind == "A*", ft is not None)
             for kind, ft in (_MARK.fullmatch(each).groups() for each in marks.split())  # type: ignore[union-attr]
         ),
     )

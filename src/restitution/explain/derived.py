@@ -17,12 +17,10 @@ from restitution.explaining.derivation import (
     ItemEnd,
     Line,
     Link,
-    MarkPoint,
     Meaning,
     Relation,
 )
 from restitution.explaining.layouts import chains, of_chain, of_relation, of_tree
-from restitution.explaining.marks import Mark
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
@@ -173,7 +171,7 @@ class _Writer:
         rows = list(self._rows(line))
         rows[-1] = replace(
             rows[-1],
-            points=tuple(_mark(each) for each in line.marks),
+            points=line.marks,
             asides=(*rows[-1].asides, *self._asides(line)),
         )
         return Step(
@@ -379,8 +377,3 @@ _TITLES = {
     "parallel": "derived-parallel.title",
     "straight-line": "derived-journey.title",
 }
-
-
-def _mark(point: MarkPoint) -> Mark:
-    kind: Any = "M" if point.kind == "DM" else point.kind[0]
-    return Mark(kind, 1, point.kind == "DM", point.kind == "A*", point.ft)

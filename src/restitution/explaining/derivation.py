@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+from restitution.explaining.marks import Marks
 from restitution.expression.tree import Expression, Place
 
 Ref = int | str
@@ -126,16 +127,6 @@ class Move:
 
 
 @dataclass(frozen=True)
-class MarkPoint:
-    """A mark: its kind, whether it follows through, the lines it depends on, and for what."""
-
-    kind: Literal["M", "A", "B", "DM", "A*"]
-    ft: bool = False
-    on: tuple[int, ...] = ()
-    because: str = ""
-
-
-@dataclass(frozen=True)
 class Line:
     """A line of a working; ``item`` is the one on the way to which it stands."""
 
@@ -144,7 +135,7 @@ class Line:
     move: Move
     premises: tuple[Ref, ...]
     relation: Relation | Meaning
-    marks: tuple[MarkPoint, ...] = ()
+    marks: Marks = ()
     shown: Literal["line", "inline", "silent"] = "line"
 
 

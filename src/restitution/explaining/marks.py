@@ -13,8 +13,9 @@ from restitution.explaining.sentences import SentenceId
 class Mark:
     """One mark: M for a method, A for accuracy, B for what stands by itself.
 
-    ``dependent`` needs an earlier method mark; ``star`` goes to a printed result that is to be
-    shown; ``ft`` follows through from an earlier slip. ``because`` is the id of a sentence.
+    ``dependent`` needs an earlier method mark, that of the lines ``on`` if they are named; ``star``
+    goes to a printed result that is to be shown; ``ft`` follows through from an earlier slip.
+    ``because`` is the id of a sentence.
     """
 
     kind: Literal["M", "A", "B"]
@@ -23,6 +24,7 @@ class Mark:
     star: bool = False
     ft: bool = False
     because: SentenceId = ""
+    on: tuple[int, ...] = ()
 
     def __str__(self) -> str:
         before, star, ft = "D" * self.dependent, "*" * self.star, "ft" * self.ft

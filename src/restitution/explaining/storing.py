@@ -18,13 +18,13 @@ from restitution.explaining.derivation import (
     Fact,
     ItemEnd,
     Line,
-    MarkPoint,
     Meaning,
     Move,
     Relation,
     Route,
 )
 from restitution.explaining.layouts import of_relation, of_tree
+from restitution.explaining.marks import Mark
 from restitution.explaining.notation import (
     read_meaning,
     read_relation,
@@ -121,8 +121,17 @@ def _move(move: Move) -> dict[str, Any]:
     }
 
 
-def _mark(mark: MarkPoint) -> dict[str, Any]:
-    return {"kind": mark.kind, "ft": mark.ft, "on": list(mark.on), "because": mark.because}
+def _mark(mark: Mark) -> dict[str, Any]:
+    return {
+        "mark": str(mark),
+        "kind": mark.kind,
+        "number": mark.number,
+        "dependent": mark.dependent,
+        "star": mark.star,
+        "ft": mark.ft,
+        "because": mark.because,
+        "on": list(mark.on),
+    }
 
 
 def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
@@ -211,7 +220,15 @@ class _Reading:
             tuple(value["premises"]),
             relation,
             tuple(
-                MarkPoint(each["kind"], each["ft"], tuple(each["on"]), each["because"])
+                Mark(
+                    each["kind"],
+                    each["number"],
+                    each["dependent"],
+                    each["star"],
+                    each["ft"],
+                    each["because"],
+                    tuple(each["on"]),
+                )
                 for each in value["marks"]
             ),
             value["shown"],
