@@ -171,7 +171,8 @@ class World:
     that are such. ``directions`` gives the vector along which an axis, a wall or a vector letter
     points, ``turns`` the value of an angle: what is cited of these. What is ``opaque`` is a
     generator, whatever is known of it. While ``printed`` is set, what stands below a line is kept
-    among the ``denominators``, which are not zero.
+    among the ``denominators``, which are not zero. Letters that are cited as ``nonnegative``, and the
+sines and cosines of such angles up to 90°, are their own size.
     """
 
     roles: Mapping[str, Role]
@@ -181,6 +182,7 @@ class World:
     turns: Mapping[Any, Expression] = field(default_factory=dict)
     identities: frozenset[Identity] = frozenset()
     opaque: frozenset[Expression] = frozenset()
+    nonnegative: frozenset[str] = frozenset()
     printed: bool = True
     squares: dict[int, PolyElement] = field(default_factory=dict)
     denominators: list[PolyElement] = field(default_factory=list)
@@ -476,7 +478,12 @@ class World:
 
     def _is_positive(self, key: Any) -> bool:
         if key[0] == "letter":
-            return self.roles.get(key[1], REAL).kind == "positive"
+            known = key[1] in self.nonnegative
+            return known or self.roles.get(key[1], REAL).kind == "positive"
+        if key[0] in ("cos", "sin"):
+            terms, degrees = key[1]
+            atom, count = terms[0] if len(terms) == 1 and not degrees and terms[0] else ("", 2)
+            return getattr(atom, "name", "") in self.nonnegative and 0 < count <= 1
         return key[0] in ("root", "size")
 
     def reduced(self, x: Quotient) -> Quotient:

@@ -44,7 +44,7 @@ from restitution.problem import (
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(
     ("velocity", "speed", "direction", "deflection", "impulse", "energy", "energy_lost")
-    + ("momentum", "line_of_centres", "position")
+    + ("momentum", "line_of_centres", "position", "total_energy_lost")
 )
 _OF_AN_EVENT = frozenset({"deflection", "impulse", "energy_lost", "line_of_centres"})
 _AXES: Mapping[Expression, Expression] = {

@@ -40,7 +40,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import All, Oracle, compared
-from restitution.oracle.roles import REAL
 
 Reason = Literal[
     "premise-unknown",
@@ -355,7 +354,7 @@ def _known(ref: str, setting: Setting) -> Known | None:
 def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
     step = Step(setting, _NO_MOVE, (), ())
     names = _letters_of(relation)
-    roles = {name: setting.roles.get(name, REAL) for name in sorted(names)}
+    roles = {name: setting.role(name) for name in sorted(names)}
     formulas = []
     for links in relation.options:
         for link in links:

@@ -78,6 +78,8 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
         if before is not None and before.right == link.left and subject is not None:
             base = Relation(((Link(subject, before.sign, before.right),),))
             move = replace(step.move, id=link.by or "put")
+            if link.by == "identity" and move.record not in _IDENTITIES:
+                move = replace(move, record="pythagoras")
             after = step.under(move=move, cited=(Cited("", base), *step.cited))
             own = Link(subject, link.sign, link.right)
         else:
@@ -106,6 +108,18 @@ def _with_base(step: Step, links: tuple[Link, ...]) -> Step:
         Cited(each.ref, Relation((links,))) if each is first else each for each in step.cited
     )
     return step.under(cited=chosen)
+
+
+def _from_base(step: Step) -> Step:
+    """The step, in which an angle that the first line gives is not yet put in."""
+    base = _base(step)
+    own = {
+        link.left
+        for links in (() if base is None else base.options)
+        for link in links
+        if link.left in step.world.turns
+    }
+    return step.under(opaque=step.opaque | own) if own else step
 
 
 def _rest(step: Step) -> tuple[Cited, ...]:
@@ -188,7 +202,12 @@ def _oriented(step: Step, x: Quotient) -> int:
     roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
     angles = step.setting.angles & step.setting.meanings.keys()
     roles |= {name: step.setting.roles.get(name, _acute()) for name in angles}
-    return Signs(step.world, lambda: Oracle(roles)).of(x) or 1
+    oracle = Oracle(roles)
+    sign = Signs(step.world, lambda: oracle).of(x)
+    if sign is None:  # e, say, may be zero
+        least = Claim(-step.world.expression(x, oracle.roles), ">=")
+        sign = -1 if oracle.decide(least).answer == "proved" else 1
+    return sign or 1
 
 
 def _acute() -> Any:
@@ -275,6 +294,21 @@ def _total(step: Step, event: Event | None) -> Iterator[Link]:
                 yield Link(Quantity("energy", (), stage), "=", _sum(terms))
 
 
+def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that all spheres lose from the beginning to the end of an event."""
+    if event is None:
+        return
+    for form in ("components", "vectors", "speed", "energy"):
+        terms = [
+            Binary("-", _kinetic(form, body, 0, None), _kinetic(form, body, event.number, event))
+            for body in step.setting.spheres
+        ]
+        yield Link(Quantity("total_energy_lost", (), event.number), "=", _sum(terms))
+    before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
+    lost = Binary("-", before, after)
+    yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
+
+
 def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy that the bodies of an event lose: whole, or by components along the line."""
     if event is None:
@@ -347,6 +381,7 @@ def _unit(axis: str) -> Expression:
 
 _OWN: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "total": _total,
+    "total-lost": _total_lost,
     "energy-lost": _energy_lost,
     "perpendicular": _tied,
     "parallel": _tied,
@@ -393,11 +428,16 @@ def _is_resolved(step: Step, line: Link) -> bool:
 
 
 def _put(step: Step, line: Link) -> bool:
+    step = _from_base(step)
     base = _base(step)
     if base is None or (step.move.id == "put" and len(step.cited) < 2):
         return False
     rules = step.rules(_rest(step))
-    return any(_matches(step, line, _expected(step, e, rules), e.sign) for e in _flat(base.only))
+    # A value may be put in, or its name for it.
+    return any(
+        _matches_with(step, line, _expected(step, each, rules), rules, each.sign)
+        for each in _flat(base.only)
+    )
 
 
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
@@ -410,6 +450,7 @@ def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
 
 
 def _rearrange(step: Step, line: Link) -> bool:
+    step = _from_base(step)
     base = _base(step)
     if base is None:
         return False
@@ -836,9 +877,9 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
     )
     if acute:
         return sp.Integer(0), sp.pi / 2, False
-    role = step.setting.roles.get(getattr(atom, "name", ""))
+    role = step.setting.role(getattr(atom, "name", ""))
     cited = any(getattr(atom, "name", "") in each.letters for each in step.known)
-    if role is None or role.low is None or role.high is None or not cited:
+    if role.low is None or role.high is None or not cited:
         return None, None, False
     factor = sp.Rational(count.numerator, count.denominator)
     ends = sorted((role.low * factor, role.high * factor))

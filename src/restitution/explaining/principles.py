@@ -292,6 +292,7 @@ DEFINITIONS = (
     ),
     # The energies of all spheres: the terms are those of the spheres that there are.
     Record("total", "definition", gives=("energy",), cost=2.4, marks=("M",)),
+    Record("total-lost", "definition", gives=("total_energy_lost",), cost=2.5, marks=("M",)),
     Record(
         "energy-lost", "definition", where="impact", gives=("energy_lost",), cost=2.5, marks=("M",)
     ),

@@ -58,7 +58,17 @@ class Signs:
         if not sure and self._is_printed(factor):
             return 0
         by_oracle = self._by_oracle(factor, sure)
-        return 0 if by_oracle is None and self._is_printed(factor) else by_oracle
+        if by_oracle is None and self._is_printed(factor):
+            return self._weakly(factor)
+        return by_oracle
+
+    def _weakly(self, factor: PolyElement) -> Sign:
+        """The sign of what is not zero, where it is known to be at least, or at most, zero."""
+        oracle = self.oracle()
+        value = self.world.expression(Quotient(factor, factor.ring.one), oracle.roles)
+        if oracle.proves(Relation(value, ">=")):
+            return 1
+        return -1 if oracle.proves(Relation(-value, ">=")) else 0
 
     def _plain(self, factor: PolyElement) -> Sign | None:
         """The sign as the signs of the terms tell it."""

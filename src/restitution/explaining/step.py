@@ -29,11 +29,17 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
+    Pair,
+    Polar,
     Quantity,
+    Unit,
     walk,
 )
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
-from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, TO_180, Role
+
+TO_90 = Role("angle", sp.Integer(0), sp.pi / 2, (True, True))
 
 
 @dataclass(frozen=True)
@@ -61,6 +67,32 @@ class Setting:
     events: tuple[Event, ...] = ()
     meanings: Mapping[str, Meaning] = field(default_factory=dict)
     names: Mapping[str, str] = field(default_factory=dict)
+
+    def role(self, name: str) -> Role:
+        """What a letter may be: one of the statement, or an angle that a working introduces."""
+        role = self.roles.get(name)
+        if role is None and name in self.meanings:
+            role = self._of_angle(self.meanings[name].quantity)
+        return role or REAL
+
+    def _of_angle(self, quantity: Expression) -> Role | None:
+        """What an angle may be: to a wall or a line of centres, no more than a right angle."""
+        match quantity:
+            case Quantity("angle", (_, other)):
+                return TO_90 if self._is_line(other) else TO_180
+            case Quantity("deflection"):
+                return TO_180
+            case Quantity("direction", (Name(name),)) if self.names.get(name) != "wall":
+                return DIRECTION
+        return None
+
+    def _is_line(self, tree: Expression) -> bool:
+        match tree:
+            case Name(name):
+                return self.names.get(name) == "wall"
+            case Quantity("line_of_centres"):
+                return True
+        return False
 
     def event(self, number: int | None) -> Event | None:
         """The event with a number."""
@@ -148,9 +180,25 @@ class Step:
             {},
             self.identities,
             self.opaque,
+            frozenset(self._nonnegative()),
         )
         world.turns = dict(self._turns(world))
         return world
+
+    def _nonnegative(self) -> Iterator[str]:
+        """The letters that are cited as not negative, and the angles up to 90° that are cited."""
+        for each in self.known:
+            for name in each.letters:
+                role = self.setting.role(name)
+                if role.kind == "angle" and role.low == 0 and bool(role.high <= sp.pi / 2):
+                    yield name
+            for links in each.relation.options:
+                for link in links:
+                    match link:
+                        case Link(Letter(name), ">" | ">=", Number(0)):
+                            yield name
+                        case Link(Number(0), "<" | "<=", Letter(name)):
+                            yield name
 
     def _directions(self) -> Iterator[tuple[Expression, Expression]]:
         for meaning in self.lets:
@@ -189,6 +237,21 @@ class Step:
             subject = isinstance(link.left, Letter | Quantity) and world.is_angle(link.left)
             if subject and link.left not in set(walk(link.right)):
                 yield link.left, link.right
+        for link in self.links:
+            yield from self._angles_of_data(link, world)
+
+    def _angles_of_data(self, link: Link, world: World) -> Iterator[tuple[Expression, Expression]]:
+        """The angle that a velocity is given by: to a wall, or to the line of centres."""
+        match link:
+            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, wall)):
+                if wall is not None:
+                    yield Quantity("angle", (velocity, wall)), angle
+                    return
+                given = Unit("i") if origin is None else origin
+                yield Quantity("angle", (velocity, given)), angle
+                for axis, direction in world.directions.items():
+                    if direction == given:
+                        yield Quantity("angle", (velocity, axis)), angle
 
     # --- values put in --------------------------------------------------------------------------
 
@@ -222,6 +285,11 @@ class Step:
         speeds, angles = {}, {}
         for each in cited:
             for left, right in self._cited_values(each):
+                match left, right:
+                    case Quantity("velocity", arguments, stage), Polar(size, _):
+                        yield Quantity("speed", arguments, stage), size
+                    case Quantity("velocity", arguments, stage), Pair(Number(0), Number(0)):
+                        yield Quantity("speed", arguments, stage), right.x
                 match left:
                     case Quantity("speed", (body,), int(stage)):
                         speeds[Quantity("velocity", (body,), stage)] = right
@@ -275,8 +343,8 @@ class Step:
         roles = dict(self.setting.silent)
         for each in self.known:
             for name in each.letters:
-                if self.setting.roles.get(name, REAL).kind == "angle":
-                    roles[name] = self.setting.roles[name]
+                if self.setting.role(name).kind == "angle":
+                    roles[name] = self.setting.role(name)
         for name, meaning in self.setting.meanings.items():
             if name in roles:
                 continue
