@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
@@ -18,6 +19,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Pair,
     Polar,
     Quantity,
@@ -33,6 +35,7 @@ from restitution.problem import (
     Impact,
     Kick,
     Let,
+    Meets,
     Problem,
     Show,
     Step,
@@ -214,14 +217,34 @@ class _Facts:
                     b = Negate(b)
                 sign_: Sign = "perpendicular to" if how == "perpendicular to" else "parallel to"
                 yield (Link(self._direction(a, events), sign_, self._direction(b, events)),)
+            case Meets(first, second, _, happens):
+                link = self._separation(first, second, happens, events)
+                if link is not None:
+                    yield (link,)
             case AtRest(body):
                 velocity = self._settled(Quantity("velocity", (body,), None), events)
-                from fractions import Fraction
-
-                from restitution.expression.tree import Number
-
                 zero = Number(Fraction(0))
                 yield (Link(velocity, "=", Pair(zero, zero)),)
+
+    def _separation(
+        self, first: Expression, second: Expression, happens: bool, events: int
+    ) -> Link | None:
+        """Two that have met meet again if the one behind is the faster.
+
+        None where they have not met: who is ahead is not plain then.
+        """
+        pair = tuple(each.name for each in (first, second) if isinstance(each, Name))
+        met = [e for e in self.events[:events] if set(e.bodies) == set(pair)]
+        if not met:
+            return None
+        axis = Quantity("line_of_centres", (), met[-1].number)
+        behind, ahead = (
+            Quantity("along", (Quantity("velocity", (Name(body),), events), axis))
+            for body in met[-1].bodies
+        )
+        left, right = (settled(each, self.events) for each in (behind, ahead))
+        other: Expression = Number(Fraction(0)) if met[-1].wall else right
+        return Link(left, ">" if happens else "<=", other)
 
     def _direction(self, tree: Expression, events: int) -> Expression:
         """The velocity of a sphere, where its name stands for a direction."""
@@ -289,8 +312,6 @@ def asked(problem: Problem) -> Iterator[tuple[str | None, Step, int]]:
 
 
 def _is_nothing(tree: Expression) -> bool:
-    from restitution.expression.tree import Number
-
     return isinstance(tree, Number) and not tree.value
 
 

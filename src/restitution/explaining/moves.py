@@ -38,6 +38,7 @@ from restitution.oracle import Relation as Claim
 FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
 _ZERO = Number(Fraction(0))
 _HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
+_RIGHT_ANGLE = Degrees(Fraction(90))
 _RATIOS = ("sin", "cos", "tan")
 _IDENTITIES: Mapping[str, frozenset[Any]] = {
     "pythagoras": frozenset({"pythagoras"}),
@@ -133,8 +134,16 @@ def _rest(step: Step) -> tuple[Cited, ...]:
 
 def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
     """Whether a line says the expected residual to stand in that relation to zero."""
+    if sign in ("parallel to", "perpendicular to"):
+        return False
     step.world.printed = False
     own = step.residual(line)
+    if isinstance(expected, Plane) and isinstance(own, Quotient) and step.move.id == "rearrange":
+        # What stands with i, or with j, on both sides.
+        parts = (expected.x, expected.y)
+        return sign == line.sign == "=" and any(
+            step.is_multiple(own, each) is not None for each in parts
+        )
     if sign == "=" or sign == "!=":
         return line.sign == sign and step.is_multiple(own, expected) is not None
     k = step.is_multiple(own, expected, sign=True)
@@ -143,6 +152,8 @@ def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
 
 def _expected(step: Step, link: Link, rules: Rules) -> Value:
     step.world.printed = True
+    if link.sign in ("parallel to", "perpendicular to"):
+        return CONSTANT(0)
     return step.residual(link, rules)
 
 
@@ -334,16 +345,40 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
     """What a cited right angle, or a cited common direction, says of components."""
     relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
     for link in step.links:
-        if link.sign == relation:
-            yield from _tie(step, event, link.left, link.right, relation)
-            continue
-        angle = {"perpendicular to": 90, "parallel to": 0}[relation]
-        match link:
-            case Link(Quantity("deflection", (body,), int(stage)), "=", Degrees(value)) if (
-                value == angle
-            ):
-                before, after = (Quantity("velocity", (body,), n) for n in (stage - 1, stage))
-                yield from _tie(step, event, before, after, relation)
+        tie = _tie_of(link)
+        if tie is not None and tie[2] == relation:
+            yield from _tie(step, event, *tie)
+
+
+def _tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
+    """The two directions of which a relation says how they stand to each other."""
+    if link.sign in ("perpendicular to", "parallel to"):
+        return link.left, link.right, link.sign
+    if link.sign == "=" and link.right == _RIGHT_ANGLE:
+        match link.left:
+            case Quantity("angle", (left, right)):
+                return left, right, "perpendicular to"
+            case Quantity("deflection", (body,), int(stage)):
+                before, after = (
+                    Quantity("velocity", (body,), each) for each in (stage - 1, stage)
+                )
+                return before, after, "perpendicular to"
+    return None
+
+
+def _is_tie(step: Step, line: Link) -> bool:
+    """Whether two directions stand to each other as a line says, by the components cited."""
+    tie = _tie_of(line)
+    event = step.setting.event(step.move.event)
+    if tie is None or tie[2] != step.move.record + " to":  # type: ignore[operator]
+        return False
+    rules = step.rules()
+    for link in _tie(step, event, *tie):
+        own = step.setting.settled(link)
+        before, after = step.residual(own), step.residual(own, rules)
+        if before != after and isinstance(after, Quotient) and after.vanishes:
+            return True
+    return False
 
 
 def _tie(
@@ -391,6 +426,8 @@ _OWN: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
 def _define(step: Step, line: Link) -> bool:
     if step.move.record in ("component", "assemble"):
         return _is_resolved(step, line)
+    if step.move.record in ("perpendicular", "parallel") and _tie_of(line) is not None:
+        return _is_tie(step, line)
     return _law(step, line)
 
 
@@ -460,9 +497,28 @@ def _rearrange(step: Step, line: Link) -> bool:
     ):
         return _with_factor_known(step, line)
     return any(
-        _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
+        _same_direction(step, line, each)
+        or _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
         for each in _flat(base.only)
-        if each.sign not in ("≈", "parallel to", "perpendicular to")
+        if each.sign != "≈"
+    )
+
+
+def _same_direction(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line gives a direction of its base by another vector."""
+    if line.sign != base.sign or line.sign not in ("parallel to", "perpendicular to"):
+        return False
+    if line.left != base.left:
+        return False
+    own, other = step.world.value(line.right), step.world.value(base.right)
+    if not (isinstance(own, Plane) and isinstance(other, Plane)):
+        return False
+    if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
+        return False
+    pairs = ((own.x, other.x), (own.y, other.y))
+    return any(
+        not (a.vanishes or b.vanishes) and step.signs.of(a / b, sure=False) is not None
+        for a, b in pairs
     )
 
 
