@@ -259,7 +259,7 @@ class World:
             case Quantity():
                 return self._quantity(tree)
             case Name():
-                return self._plane(tree)
+                return self.direction(tree) or self._plane(tree)
         raise NotComparableError(repr(tree))
 
     def _plane(self, tree: Expression) -> Plane:

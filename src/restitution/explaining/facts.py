@@ -14,6 +14,7 @@ from typing import Any
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
 from restitution.explaining.trees import rebuilt, settled
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -24,6 +25,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.problem import (
     Aligned,
@@ -106,13 +108,75 @@ class _Facts:
                     if word == "velocity" and _is_nothing(value):
                         value = Pair(value, value)
                     yield self._fact(f"{word} {sphere.name}", quantity, value, sphere.place)
+        for point in self.problem.points:
+            place = Quantity("position", (Name(point.name),))
+            if isinstance(point.position, Expression):
+                yield self._fact(f"point {point.name}", place, point.position, point.place)
         for wall in self.problem.walls:
-            if isinstance(wall.along, Expression):
+            along = self._along(wall)
+            if along is not None:
                 direction = Quantity("direction", (Name(wall.name),))
-                along = wall.along
                 yield self._fact(f"wall {wall.name}", direction, along, wall.place, "parallel to")
 
+    def _along(self, wall: Any) -> Expression | None:
+        """The direction of a straight wall: as told, or from one end of it to the other."""
+        if isinstance(wall.along, Expression):
+            return wall.along
+        ends = [self._place(each) for each in (wall.start, wall.end)]
+        match ends:
+            case [Pair(a, b), Pair(c, d)]:
+                return Pair(_difference(c, a), _difference(d, b))
+        return None
+
+    def _place(self, tree: Any) -> Expression | None:
+        """The coordinates of a point that is named or given."""
+        if isinstance(tree, Name):
+            points = {each.name: each.position for each in self.problem.points}
+            return self._place(points.get(tree.name))
+        return tree if isinstance(tree, Expression) else None
+
+    def _contact(self, step: Impact | Arrival, number: int) -> Iterator[tuple[Expression, Any]]:
+        """Where the bodies of an event are: on the line of the wall, or in one place.
+
+        Of spheres with a radius nothing is said.
+        """
+        if any(each.radius is not None for each in self.problem.spheres):
+            return
+        first, second = (
+            (step.first, step.second)
+            if isinstance(step, Impact)
+            else (step.body, getattr(step.target, "name", ""))
+        )
+        own = Quantity("position", (Name(first),), number)
+        wall = self.walls.get(second)
+        if wall is None:
+            if isinstance(step, Impact):
+                yield own, Quantity("position", (Name(second),), number)
+            elif isinstance(place := self._place(step.target), Expression):
+                yield own, place
+            return
+        place = self._place(wall.through) or self._place(wall.start)
+        along = self._along(wall)
+        if not isinstance(place, Pair) or along is None:
+            return
+        axis = _turned(along)
+        if along == Unit("i") or (isinstance(along, Pair) and _is_nothing(along.y)):
+            yield Quantity("along", (own, Unit("j"))), place.y
+        elif along == Unit("j") or (isinstance(along, Pair) and _is_nothing(along.x)):
+            yield Quantity("along", (own, Unit("i"))), place.x
+        elif axis is not None:
+            yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
+
+    def _start(self) -> Iterator[Fact]:
+        """When the clock starts: with places at time 0, without them with the first impact."""
+        placed = any(isinstance(each.position, Expression) for each in self.problem.spheres)
+        apart = bool(self.events) and self.events[0].kind == "impact" and not self.events[0].wall
+        if placed or apart:
+            time = Quantity("time", (), 0 if placed else 1)
+            yield self._fact("start", time, Number(Fraction(0)), None)
+
     def _of_events(self) -> Iterator[Fact]:
+        yield from self._start()
         number = 0
         for _, step in self.problem.steps():
             if not isinstance(step, Impact | Kick | Arrival):
@@ -121,6 +185,10 @@ class _Facts:
             if isinstance(step, Kick):
                 impulse = Quantity("impulse", (Name(step.body),), number)
                 yield self._fact(f"impulse {number}", impulse, step.impulse, step.place)
+            else:
+                for left, right in self._contact(step, number):
+                    id = f"contact {number}"
+                    yield self._fact(id, left, right, step.place, "=", "geometry")
             if not isinstance(step, Impact):
                 continue
             e = Letter("e") if step.e is None else step.e
@@ -137,8 +205,8 @@ class _Facts:
 
     def _into_the_wall(self, step: Impact, number: int) -> Expression | None:
         """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
-        along = self.walls[step.second].along
-        if not isinstance(along, Expression):
+        along = self._along(self.walls[step.second])
+        if along is None:
             return None
         velocity = next(e.velocity for e in self.problem.spheres if e.name == step.first)
         left = _turned(along)
@@ -201,9 +269,13 @@ class _Facts:
             for relation in step.relations:
                 for links in self._links(relation, events):
                     number += 1
-                    yield Fact(
-                        f"given {number}", "given", Relation((links,)), part.label, step.place
-                    )
+                    kind: Any = "range" if _is_range(links) else "given"
+                    id = f"given {number}"
+                    yield Fact(id, kind, Relation((links,)), part.label, step.place)
+                sense = self._sense(relation, events)
+                if sense is not None:
+                    id = f"sense {number}"
+                    yield Fact(id, "range", Relation(((sense,),)), part.label, step.place)
 
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:
@@ -225,6 +297,25 @@ class _Facts:
                 velocity = self._settled(Quantity("velocity", (body,), None), events)
                 zero = Number(Fraction(0))
                 yield (Link(velocity, "=", Pair(zero, zero)),)
+
+    def _sense(self, relation: Said, events: int) -> Link | None:
+        """In which of two directions what is parallel to one points."""
+        if not isinstance(relation, Aligned):
+            return None
+        sign: Sign
+        match relation.relation:
+            case "in the direction of":
+                sign = ">"
+            case "opposite to":
+                sign = "<"
+            case _:
+                return None
+        a, b = (
+            self._direction(self._settled(each, events), events)
+            for each in (relation.left, relation.right)
+        )
+        left = Quantity("along" if isinstance(b, Unit) else "dot", (a, b))
+        return Link(left, sign, Number(Fraction(0)))
 
     def _separation(
         self, first: Expression, second: Expression, happens: bool, events: int
@@ -309,6 +400,18 @@ def asked(problem: Problem) -> Iterator[tuple[str | None, Step, int]]:
             events += 1
         elif isinstance(step, Find | Show):
             yield part.label, step, events
+
+
+def _is_range(links: tuple[Link, ...]) -> bool:
+    """Whether a relation only bounds letters."""
+    trees = [tree for link in links for side in (link.left, link.right) for tree in walk(side)]
+    return all(link.sign in ("<", "<=", ">", ">=", "!=") for link in links) and not any(
+        isinstance(each, Quantity | Apply) for each in trees
+    )
+
+
+def _difference(a: Expression, b: Expression) -> Expression:
+    return a if _is_nothing(b) else Negate(b) if _is_nothing(a) else Binary("-", a, b)
 
 
 def _is_nothing(tree: Expression) -> bool:

@@ -300,7 +300,8 @@ class _Reader:
             if fact.kind != "given" or fact.id in self.redundant:
                 continue
             under = every if fact.part is None else used.get(fact.part, set())
-            if fact.id not in under:
+            sense = fact.id.replace("given", "sense")
+            if fact.id not in under and sense not in under:
                 yield Complaint("fact-not-used", None, fact.id)
 
 

@@ -22,6 +22,7 @@ from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Binary,
     Degrees,
     Expression,
@@ -54,10 +55,27 @@ def follows(step: Step, relation: Relation) -> bool:
 
     Raises NotComparableError where that is beyond what is compared.
     """
+    if step.move.id == "put" and (case := _condition(relation)) is not None:
+        return _under_condition(step, *case)
     whole = _WHOLE.get(step.move.id)
     if whole is not None:
         return whole(step, relation)
     return _by_links(step, relation)
+
+
+def _condition(relation: Relation) -> tuple[Link, Link] | None:
+    """The place and the value of "x ≠ a or y = b", which says that y is b where x is a."""
+    if len(relation.options) != 2 or any(len(links) != 1 for links in relation.options):
+        return None
+    (unless,), (then,) = relation.options
+    if unless.sign != "!=" or then.sign != "=":
+        return None
+    return Link(unless.left, "=", unless.right), then
+
+
+def _under_condition(step: Step, place: Link, then: Link) -> bool:
+    chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
+    return _by_links(chosen, Relation(((then,),)))
 
 
 def _by_links(step: Step, relation: Relation) -> bool:
@@ -158,10 +176,10 @@ def _expected(step: Step, link: Link, rules: Rules) -> Value:
 
 
 def _law(step: Step, line: Link) -> bool:
-    return any(_is_template(step, line, each) for each in _templates(step))
+    return any(_is_template(step, line, each) for each in _templates(step, line))
 
 
-def _templates(step: Step) -> Iterator[tuple[Link, bool]]:
+def _templates(step: Step, line: Link) -> Iterator[tuple[Link, bool]]:
     """What the record of a move says, and whether its left side is of an acute angle."""
     record = RECORDS.get(step.move.record or "")
     event = step.setting.event(step.move.event)
@@ -172,6 +190,45 @@ def _templates(step: Step) -> Iterator[tuple[Link, bool]]:
             yield step.setting.settled(link), record.acute
     for link in _OWN.get(record.id, _nothing)(step, event):
         yield step.setting.settled(link), False
+    if record.id in ("straight-line", "distance"):
+        for link in _places(step, event, line):
+            yield step.setting.settled(link), False
+
+
+def _places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
+    """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
+    for tree in (*walk(line.left), *walk(line.right)):
+        match tree:
+            case Quantity("position", (body,), AtTime()):
+                yield Link(tree, "=", _place_of(tree, event))
+            case Quantity("distance", (a, b), stage):
+                places = [
+                    _place_of(
+                        Quantity("position", (each,), _stage_of(step, each, stage))
+                        if isinstance(each, Name)
+                        else each,
+                        event,
+                    )
+                    for each in (a, b)
+                ]
+                yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
+
+
+def _stage_of(step: Step, body: Expression, stage: Any) -> Any:
+    """The stage of a place: a point has none."""
+    moves = isinstance(body, Name) and body.name in step.setting.spheres
+    return stage if moves else None
+
+
+def _place_of(place: Expression, event: Event | None) -> Expression:
+    """A place; at a time after an event, by the place and the velocity there."""
+    match place:
+        case Quantity("position", (body,), AtTime(time)) if event is not None:
+            since = Binary("-", time, Quantity("time", (), event.number))
+            velocity = Quantity("velocity", (body,), event.number)
+            start = Quantity("position", (body,), event.number)
+            return Binary("+", start, Binary("*", velocity, since))
+    return place
 
 
 def records_of(step: Step) -> Iterator[Link]:
@@ -439,7 +496,7 @@ def _is_resolved(step: Step, line: Link) -> bool:
         if meaning is None or meaning.sense is not None:
             return False
         quantity = meaning.quantity
-    kinds = ("along", "across") if step.move.record == "component" else ("velocity",)
+    kinds = ("along", "across") if step.move.record == "component" else ("velocity", "position")
     if line.sign != "=" or not isinstance(quantity, Quantity) or quantity.kind not in kinds:
         return False
     others = tuple(
@@ -528,6 +585,7 @@ def _with_factor_known(step: Step, line: Link) -> bool:
 
 def _identity(step: Step, line: Link) -> bool:
     names = _IDENTITIES.get(step.move.record or "")
+    step = _from_base(step)
     base = _base(step)
     if names is None or base is None:
         return False
@@ -538,9 +596,24 @@ def _identity(step: Step, line: Link) -> bool:
     rules = chosen.rules(_rest(step))
     rules.complete()
     return any(
-        _matches_with(chosen, line, _expected(chosen, each, rules), rules, each.sign)
+        _of_angle(chosen, line, each, rules)
+        if chosen.world.is_angle(each.left)
+        else _matches_with(chosen, line, _expected(chosen, each, rules), rules, each.sign)
         for each in base.only
     )
+
+
+def _of_angle(step: Step, line: Link, base: Link, rules: Rules) -> bool:
+    """Whether a line is what an identity makes of a ratio of two angles that are equal."""
+    for function in _RATIOS:
+        ratios = Link(Apply(function, base.left), base.sign, Apply(function, base.right))
+        try:
+            expected = _expected(step, ratios, rules)
+            if base.sign == "=" and _matches_with(step, line, expected, rules, "="):
+                return True
+        except NotComparableError:
+            continue
+    return False
 
 
 def _matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: Sign) -> bool:
@@ -850,8 +923,14 @@ def _monotone(step: Step, relation: Relation) -> bool:
 def _complete(step: Step, relation: Relation) -> bool:
     """A square and a constant, or a sum of two that is least where they are equal."""
     if all(link.sign == "=" for links in relation.options for link in links):
-        return _by_links(step.under(move=replace(step.move, id="rearrange")), relation)
+        return all(_is_identical(step, link) for links in relation.options for link in links)
     return _by_oracle(step, relation)
+
+
+def _is_identical(step: Step, link: Link) -> bool:
+    """Whether both sides are one as soon as the letter for them is put in."""
+    value = step.residual(link, step.rules())
+    return isinstance(value, Quotient) and value.vanishes
 
 
 def _inverse(step: Step, relation: Relation) -> bool:
@@ -985,13 +1064,30 @@ def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
 
 
 def _as_it_stands(step: Step, relation: Relation) -> bool:
-    """The answer of an item: what the line before it says."""
+    """The answer of an item: what the line before it says.
+
+    That a value is the greatest or the least takes two lines: a bound, and where it is reached.
+    """
     base = _base(step)
-    return (
-        base is not None
-        and len(step.cited) == 1
-        and (relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation))
-    )
+    if base is None or len(step.cited) != (2 if step.move.record else 1):
+        return False
+    if step.move.record:
+        return relation == base and _is_attained(step, relation, step.cited[1].relation)
+    return relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
+
+
+def _is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool:
+    """Whether a greatest or least value is reached, at a place that there is."""
+    case = None if isinstance(where, Meaning) else _condition(where)
+    if case is None or len(bound.options) != 1 or len(bound.only) != 1:
+        return False
+    (place, value), (end,) = case, bound.only
+    least = step.move.record == "least"
+    if end.sign != (">=" if least else "<=") or value != Link(end.left, "=", end.right):
+        return False
+    free = step.under(cited=(), known=())
+    there = free.formula(Relation(((place,),)))
+    return Oracle(step.setting.roles, (there,)).possible.answer == "proved"
 
 
 _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {

@@ -351,6 +351,19 @@ DEFINITIONS = (
         gives=("momentum",),
         marks=("M",),
     ),
+    # The places are those of which a line speaks.
+    Record("distance", "definition", gives=("distance",), marks=("M",)),
+    Record(
+        "tan-squared",
+        "definition",
+        (
+            f"tan(angle(velocity(X, 1), {AXIS}))^2 = {_s('X', 1)}^2/{_c('X', 1)}^2",
+            f"tan(angle(velocity(X, 0), {AXIS}))^2 = {_s('X', 0)}^2/{_c('X', 0)}^2",
+        ),
+        gives=("angle",),
+        cost=1.5,
+        marks=("M",),
+    ),
     Record(
         "straight-line",
         "definition",

@@ -263,6 +263,8 @@ class Step:
         for each in cited:
             if isinstance(each.relation, Meaning):
                 meaning = each.relation
+                if isinstance(meaning.quantity, Binary):
+                    rules.add(Letter(meaning.letter), meaning.quantity)
                 rules.add(meaning.quantity, Letter(meaning.letter), self._sense(meaning))
             elif len(each.relation.options) == 1:
                 for left, right in _values(each.relation.only):
