@@ -125,13 +125,15 @@ def _spoiled_link(link: Link) -> Iterator[tuple[str, Link]]:
     for side in ("left", "right"):
         tree = getattr(link, side)
         for kind, new in _spoiled_tree(tree):
+            if new == Negate(tree) and _is_zero(link.right if side == "left" else link.left):
+                continue  # −x = 0 is the same equation
             yield kind, replace(link, **{side: new})
 
 
 def _spoiled_tree(tree: Expression) -> Iterator[tuple[str, Expression]]:
     """A tree with a sign, a digit or a sine wrong: the first of each kind, and the last."""
     nodes = list(walk(tree))
-    if not (isinstance(tree, Number) and not tree.value):
+    if not _is_zero(tree):
         yield "sign", tree.operand if isinstance(tree, Negate) else Negate(tree)
     for kind, own, new in (
         ("sign", _is_sum, _other_sign),
@@ -139,8 +141,12 @@ def _spoiled_tree(tree: Expression) -> Iterator[tuple[str, Expression]]:
         ("sine for cosine", lambda x: isinstance(x, Apply) and x.function in _EXCHANGED, _other),
     ):
         fitting = [each for each in nodes if own(each)]
-        for each in dict.fromkeys((*fitting[:1], *fitting[-1:])):
+        for each in (*fitting[:1], *fitting[1:][-1:]):
             yield kind, _exchanged(tree, each, new(each))
+
+
+def _is_zero(tree: Expression) -> bool:
+    return isinstance(tree, Number) and not tree.value
 
 
 def _is_sum(tree: Expression) -> bool:
@@ -163,7 +169,8 @@ def _other(tree: Expression) -> Expression:
 
 
 def _exchanged(tree: Expression, old: Expression, new: Expression) -> Expression:
-    return rebuilt(tree, lambda each: new if each == old else each)
+    """A tree with one node exchanged, and not others that are equal to it."""
+    return rebuilt(tree, lambda each: new if each is old else each)
 
 
 __all__ = ["Letter", "corruptions"]

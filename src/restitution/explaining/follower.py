@@ -321,7 +321,16 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
                         names.setdefault(name, "wall")
                     case Name(name):
                         names.setdefault(name, "point")
-    return Setting(oracle.roles, derivation.events, derivation.meanings, names)
+    values = {
+        line.relation.only[0].left.name: line.relation.only[-1].right
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and line.relation.only[0].sign == "="
+        and isinstance(line.relation.only[0].left, Letter)
+        and line.relation.only[0].left.name in derivation.meanings
+    }
+    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values)
 
 
 def known_of_letters(ref: str, setting: Setting) -> Known | None:

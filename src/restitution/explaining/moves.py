@@ -33,8 +33,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.oracle import Oracle, compared
-from restitution.oracle import Relation as Claim
+from restitution.oracle import REAL, Formula, Oracle, Relation as Claim, Role, compared, negation
 
 FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
 _ZERO = Number(Fraction(0))
@@ -253,16 +252,20 @@ def _is_template(step: Step, line: Link, template: tuple[Link, bool]) -> bool:
         return False
     if isinstance(left, Plane) or isinstance(right, Plane):
         return False
-    if _oriented(step, right) == -1:
+    sign = _oriented(step, right)
+    if sign is None:
+        return False
+    if sign == -1:
         right = -right
     return _matches(step, line, left - right)
 
 
-def _oriented(step: Step, x: Quotient) -> int:
-    """The sign of a ratio of components, where letters have the sense in which they are taken.
+def _oriented(step: Step, x: Quotient) -> int | None:
+    """The sign of a ratio of components; None where it is open.
 
-    What letters of the statement may be is not asked for: an acute angle is named as such, and a
-    component that a working names is drawn in its sense.
+    What letters of the statement may be need not be cited: an acute angle is named as such. A
+    component that a working names is drawn in its sense, unless a line gives it a value of which
+    that is not certain.
     """
     from restitution.explaining.signs import Signs
     from restitution.oracle.roles import POSITIVE
@@ -270,12 +273,28 @@ def _oriented(step: Step, x: Quotient) -> int:
     roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
     angles = step.setting.angles & step.setting.meanings.keys()
     roles |= {name: step.setting.roles.get(name, _acute()) for name in angles}
+    for name, value in step.setting.values.items():
+        if name not in angles and not _never_below(step, value, roles):
+            roles[name] = REAL
     oracle = Oracle(roles)
     sign = Signs(step.world, lambda: oracle).of(x)
-    if sign is None:  # e, say, may be zero
-        least = Claim(-step.world.expression(x, oracle.roles), ">=")
-        sign = -1 if oracle.decide(least).answer == "proved" else 1
-    return sign or 1
+    if sign:
+        return sign
+    # e, say, may be zero
+    value_ = step.world.expression(x, oracle.roles)
+    for number in (1, -1):
+        if oracle.decide(Claim(number * value_, ">=")).answer == "proved":
+            return number
+    return None
+
+
+def _never_below(step: Step, value: Expression, roles: Mapping[str, Role]) -> bool:
+    """Whether a value is certain not to be negative, whatever the letters in it are."""
+    try:
+        least = step.world.expression(step.world.scalar(value), roles)
+    except NotComparableError:
+        return False
+    return Oracle(roles).decide(Claim(least, ">=")).answer == "proved"
 
 
 def _acute() -> Any:

@@ -61,12 +61,17 @@ class Known:
 
 @dataclass(frozen=True)
 class Setting:
-    """What all lines of a working share: the roles of letters, events, and letters introduced."""
+    """What all lines of a working share.
+
+    The roles of letters, events, letters introduced, names, and the values that lines give to
+    letters introduced.
+    """
 
     roles: Mapping[str, Role]
     events: tuple[Event, ...] = ()
     meanings: Mapping[str, Meaning] = field(default_factory=dict)
     names: Mapping[str, str] = field(default_factory=dict)
+    values: Mapping[str, Expression] = field(default_factory=dict)
 
     def role(self, name: str) -> Role:
         """What a letter may be: one of the statement, or an angle that a working introduces."""
@@ -310,10 +315,27 @@ class Step:
                 if event.wall and axis == Name(event.bodies[1]):
                     away = velocity.stage == event.number
                     yield along, Negate(sine) if away else sine
-                    yield across, cosine
+                    if self._forward(velocity):
+                        yield across, cosine
                 elif axis == centres:
                     yield along, cosine
                     yield across, sine
+
+    def _forward(self, velocity: Quantity) -> bool:
+        """Whether a body keeps to the sense along a wall in which its angle is measured.
+
+        Data may give an angle of more than 90°; it goes backwards then.
+        """
+        for link in self.links:
+            match link:
+                case Link(Quantity("velocity", bodies), "=", Polar(_, angle, _, wall)):
+                    if wall is None or bodies != velocity.arguments:
+                        continue
+                    cosine = self.world.scalar(Apply("cos", angle))
+                    value = self.world.expression(cosine, self.setting.roles)
+                    claim = compared(value, ">=", sp.Integer(0))
+                    return Oracle(self.setting.roles).decide(claim).answer == "proved"
+        return True
 
     @staticmethod
     def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
