@@ -46,6 +46,8 @@ Reason = Literal[
     "premise-below",
     "premise-of-another-part",
     "premise-of-another-case",
+    "case-unknown",
+    "case-missing",
     "not-known-of-letters",
     "letter-not-introduced",
     "letter-introduced-twice",
@@ -124,6 +126,11 @@ class _Reader:
         self.setting = setting_of(derivation, oracle)
 
     def complaints(self) -> Iterator[Complaint]:
+        unknown = list(self._cases_unknown())
+        yield from unknown
+        if unknown:
+            return
+        yield from self._cases_missing()
         yield from self._letters()
         for position, line in enumerate(self.derivation.lines):
             above = self.derivation.lines[:position]
@@ -133,6 +140,32 @@ class _Reader:
                 yield from self._line(line)
             yield from self._said_before(line, above)
         yield from self._whole()
+
+    # --- cases ----------------------------------------------------------------------------------
+
+    def _options(self, number: int) -> int:
+        line = self.lines.get(number)
+        if line is None or isinstance(line.relation, Meaning):
+            return 0
+        return len(line.relation.options)
+
+    def _cases_unknown(self) -> Iterator[Complaint]:
+        """Cases of alternatives that there are not."""
+        for case in self.derivation.cases:
+            if not 0 <= case.option < self._options(case.line):
+                yield Complaint("case-unknown", case.line, case.number)
+
+    def _cases_missing(self) -> Iterator[Complaint]:
+        """Alternatives without a case, and items that some case does not reach."""
+        for number in {case.line for case in self.derivation.cases}:
+            own = [case for case in self.derivation.cases if case.line == number]
+            for option in set(range(self._options(number))) - {case.option for case in own}:
+                yield Complaint("case-missing", number, option)
+            cases = {case.number for case in own}
+            for item in dict.fromkeys(end.item for end in self.derivation.items):
+                reached = {e.case for e in self.derivation.items if e.item == item} & cases
+                for case in sorted(cases - reached) if reached else ():
+                    yield Complaint("case-missing", number, case)
 
     # --- letters --------------------------------------------------------------------------------
 

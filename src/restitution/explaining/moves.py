@@ -20,6 +20,7 @@ from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Rela
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Step
+from restitution.explaining.trees import settled
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -178,20 +179,20 @@ def _law(step: Step, line: Link) -> bool:
     return any(_is_template(step, line, each) for each in _templates(step, line))
 
 
-def _templates(step: Step, line: Link) -> Iterator[tuple[Link, bool]]:
-    """What the record of a move says, and whether its left side is of an acute angle."""
+def _templates(step: Step, line: Link) -> Iterator[Link]:
+    """What the record of a move says."""
     record = RECORDS.get(step.move.record or "")
     event = step.setting.event(step.move.event)
     if record is None or not record.serves(event):
         return
     for relation in record.relations(event, step.move.bodies):
         for link in relation.only:
-            yield step.setting.settled(link), record.acute
+            yield step.setting.settled(link)
     for link in _OWN.get(record.id, _nothing)(step, event):
-        yield step.setting.settled(link), False
+        yield step.setting.settled(link)
     if record.id in ("straight-line", "distance"):
         for link in _places(step, event, line):
-            yield step.setting.settled(link), False
+            yield step.setting.settled(link)
 
 
 def _places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
@@ -230,34 +231,44 @@ def _place_of(place: Expression, event: Event | None) -> Expression:
     return place
 
 
-def records_of(step: Step) -> Iterator[Link]:
-    """What the record of a move says of its event and bodies, form by form."""
-    for link, acute in _templates(step):
-        yield link
-        if acute:  # one of the two, as the components point
-            yield replace(link, right=Negate(link.right))
-
-
-def _is_template(step: Step, line: Link, template: tuple[Link, bool]) -> bool:
-    link, acute = template
+def _is_template(step: Step, line: Link, link: Link) -> bool:
     if link.sign in ("parallel to", "perpendicular to"):
         return _is_tied(step, line, link)
     try:
         rules = step.rules()
-        if not acute:
+        part = _one_signed(step, link)
+        if part is None:
             return _matches(step, line, _expected(step, link, rules))
         step.world.printed = True
-        left, right = (rules.put_into(step.world.value(each)) for each in (link.left, link.right))
+        left, right, above = (
+            rules.put_into(step.world.value(each)) for each in (link.left, link.right, part)
+        )
     except NotComparableError:
         return False
-    if isinstance(left, Plane) or isinstance(right, Plane):
+    if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
-    sign = _oriented(step, right)
+    sign = _oriented(step, above)
     if sign is None:
         return False
-    if sign == -1:
-        right = -right
-    return _matches(step, line, left - right)
+    return _matches(step, line, left + right if sign == -1 else left - right)
+
+
+def _one_signed(step: Step, link: Link) -> Expression | None:
+    """What of a template's right side is not negative, whatever the sense of components.
+
+    Of an angle of at most 90° it is the ratio; of one of up to 180°, what stands above in its
+    tangent.
+    """
+    match link:
+        case Link(Apply("tan" | "cos" | "sin" as ratio_, Quantity() as angle), "=", right):
+            role = step.setting.of_angle(angle)
+            if role is None or role.low != 0:
+                return None
+            if role.high == sp.pi / 2:
+                return right
+            if ratio_ == "tan" and isinstance(right, Binary) and right.op == "/":
+                return right.left
+    return None
 
 
 def _oriented(step: Step, x: Quotient) -> int | None:
@@ -268,6 +279,21 @@ def _oriented(step: Step, x: Quotient) -> int | None:
     that is not certain.
     """
     from restitution.explaining.signs import Signs
+
+    oracle = Oracle(_drawn_roles(step))
+    sign = Signs(step.world, lambda: oracle).of(x)
+    if sign:
+        return sign
+    # e, say, may be zero
+    value = step.world.expression(x, oracle.roles)
+    for number in (1, -1):
+        if oracle.decide(Claim(number * value, ">=")).answer == "proved":
+            return number
+    return None
+
+
+def _drawn_roles(step: Step) -> Mapping[str, Role]:
+    """What letters may be, where components that a working names are drawn in their sense."""
     from restitution.oracle.roles import POSITIVE
 
     roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
@@ -276,16 +302,7 @@ def _oriented(step: Step, x: Quotient) -> int | None:
     for name, value in step.setting.values.items():
         if name not in angles and not _never_below(step, value, roles):
             roles[name] = REAL
-    oracle = Oracle(roles)
-    sign = Signs(step.world, lambda: oracle).of(x)
-    if sign:
-        return sign
-    # e, say, may be zero
-    value_ = step.world.expression(x, oracle.roles)
-    for number in (1, -1):
-        if oracle.decide(Claim(number * value_, ">=")).answer == "proved":
-            return number
-    return None
+    return roles
 
 
 def _never_below(step: Step, value: Expression, roles: Mapping[str, Role]) -> bool:
@@ -349,6 +366,41 @@ def _sum(terms: Sequence[Expression]) -> Expression:
 
 def _squared(tree: Expression) -> Expression:
     return Binary("^", tree, Number(Fraction(2)))
+
+
+def _deflections(step: Step, event: Event | None) -> Iterator[Link]:
+    """A deflection by the angles to the line of centres before and after, by the components.
+
+    Who goes on in the same sense along it turns by their difference, who goes back by what is
+    left of 180°.
+    """
+    body = next(iter(step.move.bodies), None)
+    if event is None or body not in event.bodies:
+        return
+    before, after = event.number - 1, event.number
+    rules = step.rules()
+    c, d = (
+        rules.put_into(
+            step.world.value(settled(_component("along", body, stage, event), step.setting.events))
+        )
+        for stage in (before, after)
+    )
+    if isinstance(c, Plane) or isinstance(d, Plane):
+        return
+    a, b = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), _axis(event)))
+        for stage in (before, after)
+    )
+    turned = Quantity("deflection", (Name(body),), event.number)
+    onward = _oriented(step, step.world.reduced(c * d)) if c.above and d.above else 1
+    if onward == -1:
+        half = Degrees(Fraction(180))
+        yield Link(turned, "=", Binary("-", Binary("-", half, a), b))
+    elif onward == 1:
+        wider = step.world.reduced(c * c - d * d)
+        sign = 1 if wider.vanishes else _oriented(step, wider)
+        if sign is not None:
+            yield Link(turned, "=", Binary("-", b, a) if sign == 1 else Binary("-", a, b))
 
 
 def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
@@ -491,6 +543,7 @@ def _unit(axis: str) -> Expression:
 
 
 _OWN: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
+    "difference": _deflections,
     "total": _total,
     "total-lost": _total_lost,
     "energy-lost": _energy_lost,
@@ -546,6 +599,11 @@ def _put(step: Step, line: Link) -> bool:
     if base is None or (step.move.id == "put" and len(step.cited) < 2):
         return False
     rules = step.rules(_rest(step))
+    if step.move.id == "put" and any(
+        _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
+        for each in _flat(base.only)
+    ):
+        return False  # nothing is put in
     # A value may be put in, or its name for it.
     return any(
         _matches_with(step, line, _expected(step, each, rules), rules, each.sign)
@@ -935,15 +993,90 @@ _MOST_COMPARED = 4
 
 
 def _monotone(step: Step, relation: Relation) -> bool:
-    """The range of an expression in one letter, or its greatest or least value."""
-    return _by_oracle(step, relation)
+    """The bounds of what only grows, or only falls, with a letter whose range is cited."""
+    base = _base(step)
+    equation = None if base is None or len(base.options) != 1 else _ends(base.only)
+    if equation is None or len(relation.options) != 1:
+        return False
+    value = step.world.expression(step.world.scalar(equation.right), step.roles)
+    return any(
+        _grows_between(step, relation.only, equation.left, value, name, ends)
+        for name, ends in _cited_ranges(step).items()
+    )
+
+
+_Ends = dict[str, tuple[sp.Expr, bool]]
+
+
+def _cited_ranges(step: Step) -> dict[str, _Ends]:
+    """The ends of the ranges of letters that are cited, and whether they belong to them."""
+    found: dict[str, _Ends] = {}
+    for known in step.known:
+        for links in known.relation.options:
+            for link in links:
+                for side, other, sign in (
+                    (link.left, link.right, link.sign),
+                    (link.right, link.left, FLIPPED.get(link.sign, "")),
+                ):
+                    if isinstance(side, Letter) and sign in ("<", "<=", ">", ">="):
+                        end = step.world.expression(step.world.scalar(other), step.roles)
+                        which = "low" if sign in (">", ">=") else "high"
+                        found.setdefault(side.name, {})[which] = end, len(sign) == 2
+    return found
+
+
+def _grows_between(
+    step: Step,
+    links: tuple[Link, ...],
+    subject: Expression,
+    value: sp.Expr,
+    name: str,
+    ends: _Ends,
+) -> bool:
+    letter = step.roles.get(name, REAL).symbol(name)
+    slope = sp.diff(value, letter)
+    if not slope.has(letter) and slope == 0:
+        return False
+    for direction in (1, -1):
+        if step.oracle.decide(Claim(direction * slope, ">=")).answer == "proved":
+            return all(_is_end(step, link, subject, value, letter, ends, direction) for link in links)
+    return False
+
+
+def _is_end(
+    step: Step,
+    link: Link,
+    subject: Expression,
+    value: sp.Expr,
+    letter: sp.Symbol,
+    ends: _Ends,
+    direction: int,
+) -> bool:
+    if link.left == subject:
+        bound, sign = link.right, str(link.sign)
+    elif link.right == subject:
+        bound, sign = link.left, FLIPPED.get(link.sign, "")
+    else:
+        return False
+    if sign not in ("<", "<=", ">", ">="):
+        return False
+    end = ends.get("low" if (sign[0] == ">") == (direction == 1) else "high")
+    if end is None or end[1] != (len(sign) == 2):
+        return False
+    there = value.subs(letter, end[0])
+    own = step.world.expression(step.world.scalar(bound), step.roles)
+    return there.is_finite is not False and _equal_in(step, there, own)
+
+
+def _equal_in(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
+    return Oracle(step.roles).decide(Claim(a - b, "=")).answer == "proved"
 
 
 def _complete(step: Step, relation: Relation) -> bool:
     """A square and a constant, or a sum of two that is least where they are equal."""
     if all(link.sign == "=" for links in relation.options for link in links):
         return all(_is_identical(step, link) for links in relation.options for link in links)
-    return _by_oracle(step, relation)
+    return not step.links and _by_oracle(step, relation)
 
 
 def _is_identical(step: Step, link: Link) -> bool:

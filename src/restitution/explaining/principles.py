@@ -40,8 +40,9 @@ class Record:
 
     ``templates`` are its forms, of which a line takes one. ``where`` tells at which impacts it
     holds; ``gives`` the kinds of quantity for which it is read, ``cost`` what a line of it costs a
-    reader, ``marks`` the points it earns. ``acute`` tells that the left side is of an acute angle,
-    so that the right side is taken positive.
+    reader, ``marks`` the points it earns. Of the angle to a wall or to a line of centres, which is at most
+    90°, the right side is taken positive; of an angle up to 180° whose tangent is a quotient, what
+    stands above.
     """
 
     id: str
@@ -51,7 +52,6 @@ class Record:
     gives: tuple[str, ...] = ()
     cost: float = 1.0
     marks: tuple[str, ...] = ()
-    acute: bool = False
 
     def serves(self, event: Event | None) -> bool:
         """Whether the record is about such an event."""
@@ -220,7 +220,6 @@ DEFINITIONS = (
         ),
         gives=("angle",),
         marks=("M",),
-        acute=True,
     ),
     Record(
         "tan-direction",
@@ -241,7 +240,6 @@ DEFINITIONS = (
         gives=("deflection",),
         cost=2,
         marks=("M",),
-        acute=True,
     ),
     Record(
         "speed",
@@ -327,19 +325,18 @@ DEFINITIONS = (
         "definition",
         (
             "deflection(X, 1) = angle(velocity(X, 0), S) + angle(velocity(X, 1), S)",
-            f"deflection(X, 1) = angle(velocity(X, 0), {AXIS}) + angle(velocity(X, 1), {AXIS})",
+            f"deflection(X, 1) = 180° - angle(velocity(X, 0), {AXIS})"
+            f" - angle(velocity(X, 1), {AXIS})",
         ),
+        "wall",
         gives=("deflection",),
         marks=("M",),
     ),
     Record(
         "difference",
         "definition",
-        (
-            f"deflection(X, 1) = angle(velocity(X, 1), {AXIS}) - angle(velocity(X, 0), {AXIS})",
-            f"deflection(X, 1) = angle(velocity(X, 0), {AXIS}) - angle(velocity(X, 1), {AXIS})",
-            "energy_lost(1) = energy(0) - energy(1)",
-        ),
+        # A deflection is that of two angles; which of them is the greater, the components tell.
+        ("energy_lost(1) = energy(0) - energy(1)",),
         gives=("deflection", "energy_lost"),
         cost=2,
         marks=("M",),

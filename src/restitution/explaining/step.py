@@ -77,10 +77,10 @@ class Setting:
         """What a letter may be: one of the statement, or an angle that a working introduces."""
         role = self.roles.get(name)
         if role is None and name in self.meanings:
-            role = self._of_angle(self.meanings[name].quantity)
+            role = self.of_angle(self.meanings[name].quantity)
         return role or REAL
 
-    def _of_angle(self, quantity: Expression) -> Role | None:
+    def of_angle(self, quantity: Expression) -> Role | None:
         """What an angle may be: to a wall or a line of centres, no more than a right angle."""
         match quantity:
             case Quantity("angle", (_, other)):
@@ -286,10 +286,10 @@ class Step:
     def _resolved(self, cited: Sequence[Cited]) -> Iterator[tuple[Expression, Expression]]:
         """Components of a velocity of which the size and an angle are cited.
 
-        The angle is acute. At a wall a body comes towards it and goes away; with the line of
-        centres, the components count in the sense in which they point.
+        At a wall a body comes towards it and goes away, and keeps its sense along it. On which
+        side of a line of centres it goes, an angle to it does not tell.
         """
-        speeds, angles = {}, {}
+        speeds, angles, directed = {}, {}, {}
         for each in cited:
             for left, right in self._cited_values(each):
                 match left, right:
@@ -300,8 +300,13 @@ class Step:
                 match left:
                     case Quantity("speed", (body,), int(stage)):
                         speeds[Quantity("velocity", (body,), stage)] = right
+                    case Quantity("direction", (body,), int(stage)):
+                        directed[Quantity("velocity", (body,), stage)] = right
                     case Quantity("angle", (Quantity("velocity") as velocity, axis), _):
                         angles[velocity] = axis, right
+        for velocity, angle in directed.items():
+            if velocity in speeds:
+                yield velocity, Polar(speeds[velocity], angle)
         for velocity, (axis, angle) in angles.items():
             if velocity not in speeds:
                 continue
@@ -317,9 +322,6 @@ class Step:
                     yield along, Negate(sine) if away else sine
                     if self._forward(velocity):
                         yield across, cosine
-                elif axis == centres:
-                    yield along, cosine
-                    yield across, sine
 
     def _forward(self, velocity: Quantity) -> bool:
         """Whether a body keeps to the sense along a wall in which its angle is measured.
