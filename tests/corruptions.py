@@ -125,7 +125,8 @@ def _spoiled_link(link: Link) -> Iterator[tuple[str, Link]]:
     for side in ("left", "right"):
         tree = getattr(link, side)
         for kind, new in _spoiled_tree(tree):
-            if (new == Negate(tree) or tree == Negate(new)) and _is_zero(link.right if side == "left" else link.left):
+            other = link.right if side == "left" else link.left
+            if (new == Negate(tree) or tree == Negate(new)) and _is_zero(other):
                 continue  # −x = 0 is the same equation
             yield kind, replace(link, **{side: new})
 

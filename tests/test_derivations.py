@@ -102,9 +102,12 @@ def test_a_spoiled_working_is_refused(path: Path) -> None:
         for kind, spoiled in chosen
         if not follow(spoiled, oracle_of(problem))
     ]
-    assert [
-        (kind, line) for kind, line in through if line not in ONE_MOVE.get(kind, {}).get(path.stem, ())
-    ] == []
+    faults = [
+        (kind, line)
+        for kind, line in through
+        if line not in ONE_MOVE.get(kind, {}).get(path.stem, ())
+    ]
+    assert faults == []
 
 
 def test_the_links_of_a_relation_without_alternatives() -> None:

@@ -171,8 +171,8 @@ class World:
     that are such. ``directions`` gives the vector along which an axis, a wall or a vector letter
     points, ``turns`` the value of an angle: what is cited of these. What is ``opaque`` is a
     generator, whatever is known of it. While ``printed`` is set, what stands below a line is kept
-    among the ``denominators``, which are not zero. Letters that are cited as ``nonnegative``, and the
-    sines and cosines of such angles up to 90°, are their own size.
+    among the ``denominators``, which are not zero. Letters that are cited as ``nonnegative``, and
+    the sines and cosines of such angles up to 90°, are their own size.
     """
 
     roles: Mapping[str, Role]

@@ -187,8 +187,7 @@ class _Facts:
                 yield self._fact(f"impulse {number}", impulse, step.impulse, step.place)
             else:
                 for left, right in self._contact(step, number):
-                    id = f"contact {number}"
-                    yield self._fact(id, left, right, step.place, "=", "geometry")
+                    yield self._fact(f"contact {number}", left, right, step.place, "=", "geometry")
             if not isinstance(step, Impact):
                 continue
             e = Letter("e") if step.e is None else step.e
@@ -270,12 +269,12 @@ class _Facts:
                 for links in self._links(relation, events):
                     number += 1
                     kind: Any = "range" if _is_range(links) else "given"
-                    id = f"given {number}"
-                    yield Fact(id, kind, Relation((links,)), part.label, step.place)
+                    relation_ = Relation((links,))
+                    yield Fact(f"given {number}", kind, relation_, part.label, step.place)
                 sense = self._sense(relation, events)
                 if sense is not None:
-                    id = f"sense {number}"
-                    yield Fact(id, "range", Relation(((sense,),)), part.label, step.place)
+                    told = Relation(((sense,),))
+                    yield Fact(f"sense {number}", "range", told, part.label, step.place)
 
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:

@@ -34,6 +34,7 @@ from restitution.explaining.trees import settled, trees_of
 from restitution.expression.tree import (
     Degrees,
     Expression,
+    Letter,
     Name,
     Quantity,
     letters,

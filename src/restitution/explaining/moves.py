@@ -34,7 +34,8 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.oracle import REAL, Formula, Oracle, Relation as Claim, Role, compared, negation
+from restitution.oracle import REAL, Oracle, Role, compared
+from restitution.oracle import Relation as Claim
 
 FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
 _ZERO = Number(Fraction(0))
@@ -195,11 +196,19 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
             yield step.setting.settled(link)
 
 
+def records_of(step: Step) -> Iterator[Link]:
+    """What the record of a move says of its event and bodies, form by form."""
+    for link in _templates(step, Link(_ZERO, "=", _ZERO)):
+        yield link
+        if _one_signed(step, link) is not None:  # one of the two, as the components point
+            yield replace(link, right=Negate(link.right))
+
+
 def _places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
     """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
     for tree in (*walk(line.left), *walk(line.right)):
         match tree:
-            case Quantity("position", (body,), AtTime()):
+            case Quantity("position", _, AtTime()):
                 yield Link(tree, "=", _place_of(tree, event))
             case Quantity("distance", (a, b), stage):
                 places = [
@@ -487,9 +496,7 @@ def _tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
             case Quantity("angle", (left, right)):
                 return left, right, "perpendicular to"
             case Quantity("deflection", (body,), int(stage)):
-                before, after = (
-                    Quantity("velocity", (body,), each) for each in (stage - 1, stage)
-                )
+                before, after = (Quantity("velocity", (body,), each) for each in (stage - 1, stage))
                 return before, after, "perpendicular to"
     return None
 
@@ -1038,8 +1045,10 @@ def _grows_between(
     if not slope.has(letter) and slope == 0:
         return False
     for direction in (1, -1):
-        if step.oracle.decide(Claim(direction * slope, ">=")).answer == "proved":
-            return all(_is_end(step, link, subject, value, letter, ends, direction) for link in links)
+        if step.oracle.proves(Claim(direction * slope, ">=")):
+            return all(
+                _is_end(step, link, subject, value, letter, ends, direction) for link in links
+            )
     return False
 
 

@@ -40,9 +40,9 @@ class Record:
 
     ``templates`` are its forms, of which a line takes one. ``where`` tells at which impacts it
     holds; ``gives`` the kinds of quantity for which it is read, ``cost`` what a line of it costs a
-    reader, ``marks`` the points it earns. Of the angle to a wall or to a line of centres, which is at most
-    90°, the right side is taken positive; of an angle up to 180° whose tangent is a quotient, what
-    stands above.
+    reader, ``marks`` the points it earns. Of the angle to a wall or to a line of centres, which is
+    at most 90°, the right side is taken positive; of an angle up to 180° whose tangent is a
+    quotient, what stands above.
     """
 
     id: str
@@ -325,8 +325,8 @@ DEFINITIONS = (
         "definition",
         (
             "deflection(X, 1) = angle(velocity(X, 0), S) + angle(velocity(X, 1), S)",
-            f"deflection(X, 1) = 180° - angle(velocity(X, 0), {AXIS})"
-            f" - angle(velocity(X, 1), {AXIS})",
+            (f"deflection(X, 1) = 180° - angle(velocity(X, 0), {AXIS})"
+            f" - angle(velocity(X, 1), {AXIS})"),
         ),
         "wall",
         gives=("deflection",),
