@@ -907,6 +907,8 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
             return None
         term = above.ring.from_dict({(*m[:number], 0, *m[number + 1 :]): value})
         found[times] = found.get(times, CONSTANT(0)) + Quotient(term, above.ring.one) * rest**times
+    if not found:
+        return None
     coefficients = [world.reduced(found.get(n, CONSTANT(0))) for n in range(max(found) + 1)]
     if others:
         # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.

@@ -163,6 +163,10 @@ class Tracer:
             yield lambda: self._chain(relation)
             yield lambda: self._fact(relation)
             yield lambda: self._from_one(relation, ("reject", "inverse"))
+            if signs != {"="}:
+                yield lambda: self._of_directions(relation)
+                return
+            yield lambda: self._resolved(relation)
             yield lambda: self._by_numbers(relation, self._from_single)
             yield lambda: self._from_one(relation, ("roots", "triangle", "identity"))
             yield lambda: self._by_numbers(relation, self._from_several)
@@ -185,6 +189,39 @@ class Tracer:
                 step = Step(self.setting, Move("fact"), (each,), ())
                 if _tried(step, relation):
                     return Trace("move", (Move("fact"),), (each.ref,))
+        return None
+
+    def _of_directions(self, relation: Relation) -> Trace | None:
+        """A line that tells where something points: from a line like it, or by a principle."""
+        for cited in reversed(self.lines):
+            step = Step(self.setting, Move("rearrange"), (cited,), ())
+            if _tried(step, relation):
+                return Trace("move", (step.move,), (cited.ref,))
+        for event in reversed(self.statement.events):
+            for move, law in self.laws_of(event.number):
+                if law.sign == relation.only[0].sign:
+                    found = self._from_law(move, law, relation)
+                    if found is not None:
+                        return found
+        return None
+
+    def _resolved(self, relation: Relation) -> Trace | None:
+        """A component by a vector, or a vector by its components."""
+        (first, *rest) = relation.only
+        quantity = first.left
+        if isinstance(quantity, Letter):
+            named = (each.relation for each in self.lets if isinstance(each.relation, Meaning))
+            quantity = next((e.quantity for e in named if e.letter == first.left.name), quantity)
+        if rest or not isinstance(quantity, Quantity):
+            return None
+        record = {"along": "component", "across": "component", "velocity": "assemble"}
+        if quantity.kind not in record:
+            return None
+        cited = self._relevant([*quantity.arguments, quantity], relation, True)
+        move = Move("define", record[quantity.kind])
+        step = Step(self.setting, move, tuple(cited), ())
+        if _tried(step, relation):
+            return Trace("move", (move,), self._needed(step, relation))
         return None
 
     # --- laws, definitions, and lines above, by numbers ------------------------------------------
@@ -359,7 +396,8 @@ class Tracer:
     def _from_one(self, relation: Relation, ids: Sequence[str]) -> Trace | None:
         """A move of its own kind on one line above, the newest first."""
         known = self._background(relation)
-        near = list(reversed(self.lines))
+        given = {each.id for each in self.statement.facts if each.kind == "given"}
+        near = [*reversed(self.lines), *(each for each in self.facts if each.ref in given)]
         for cited in near if ids == ("reject", "inverse") else near[:_NEAR]:
             for name in ids:
                 if not _may_be(name, relation, cited):
@@ -493,8 +531,9 @@ def _gives(cited: Cited, node: Expression) -> bool:
         return cited.relation.quantity == node
     if len(cited.relation.options) != 1:
         return False
-    link = cited.relation.only[0]
-    return link.left == node and link.sign in ("=", "parallel to")
+    return any(
+        link.left == node and link.sign in ("=", "parallel to") for link in cited.relation.only
+    )
 
 
 def _tells_of(cited: Cited, velocity: Quantity) -> bool:
@@ -739,17 +778,21 @@ class _Numbers:
         linear = [
             sorted(
                 _linear(world, each.value) - known.keys(),
-                key=lambda n: (n not in in_line, _is_positive(world, n)),
+                key=lambda n: (_is_ratio(world, n), n not in in_line, _is_positive(world, n)),
             )
             for each in sources
         ]
         if len(linear) == 1:
-            return (linear[0][0],) if linear[0] and (linear[0][0] in in_line) else None
-        for a in linear[0]:
-            for b in linear[1]:
-                if a != b:
-                    return a, b
+            return next(((n,) for n in linear[0] if n in in_line), None)
+        for a, b in product(*linear):
+            if a != b and not any(m[a] and m[b] for each in sources for m in each.value.above):
+                return a, b
         return None
+
+
+def _is_ratio(world: World, number: int) -> bool:
+    """Whether a generator is a sine or a cosine: it is solved for where nothing else can be."""
+    return bool(world.keys_by_number()[number][0] in ("sin", "cos"))
 
 
 def _is_positive(world: World, number: int) -> bool:
