@@ -35,6 +35,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Polar,
     Quantity,
     children,
     walk,
@@ -49,6 +50,18 @@ _NEAR = 4
 """So many lines above are tried with moves that are dear to try."""
 _NEAREST = 8
 """So many lines above are taken in twos."""
+
+
+_SIZES = ("speed", "size", "energy", "energy-ratio", "total", "total-lost", "energy-lost")
+_ANGLES = ("tan", "tan-direction", "tan-deflection", "tan-squared", "scalar-angle", "sum")
+_PLACES = ("difference", "momentum-of", "distance", "straight-line", "perpendicular", "parallel")
+_GROUPS = (
+    tuple(name for name, each in RECORDS.items() if each.kind == "principle"),
+    _ANGLES,
+    _SIZES,
+    _PLACES,
+)
+"""Records by what they speak of: a group has generators of its own, of which there are not many."""
 
 
 @dataclass(frozen=True)
@@ -112,8 +125,10 @@ class Tracer:
     def numbers(self) -> list[_Numbers]:
         """Everything that a line may come from, in numbers: event by event, the latest first."""
         if self._numbers is None:
-            events = [each.number for each in reversed(self.statement.events)]
-            self._numbers = [_Numbers(self, each) for each in events or (0,)]
+            events = [each.number for each in reversed(self.statement.events)] or [0]
+            self._numbers = [
+                _Numbers(self, number, group) for group in _GROUPS for number in events
+            ]
             for numbers in self._numbers:
                 for each in self.lines:
                     numbers.add(each)
@@ -226,12 +241,14 @@ class Tracer:
 
     # --- laws, definitions, and lines above, by numbers ------------------------------------------
 
-    def laws_of(self, number: int) -> Iterator[tuple[Move, Link]]:
-        """What every record says of an event."""
+    def laws_of(
+        self, number: int, names: Iterable[str] = RECORDS
+    ) -> Iterator[tuple[Move, Link]]:
+        """What every record, or some, say of an event."""
         for event in self.statement.events:
             if event.number != number:
                 continue
-            for record in RECORDS.values():
+            for record in (RECORDS[name] for name in names):
                 if record.kind == "identity" or not record.serves(event):
                     continue
                 kind: Any = "law" if record.kind == "principle" else "define"
@@ -519,6 +536,8 @@ def _outermost(trees: Iterable[Expression]) -> Iterator[Expression]:
             continue
         if isinstance(tree, Apply):
             yield tree
+        if isinstance(tree, Polar):
+            yield from (Apply(ratio, tree.angle) for ratio in ("cos", "sin"))
         if isinstance(tree, Name):
             yield Quantity("direction", (tree,))
         else:
@@ -602,7 +621,7 @@ class _Source:
 class _Numbers:
     """Laws and lines as polynomials, with the statement's facts put in, tried at random points."""
 
-    def __init__(self, tracer: Tracer, event: int) -> None:
+    def __init__(self, tracer: Tracer, event: int, records: Sequence[str]) -> None:
         given = {each.id for each in tracer.statement.facts if each.kind == "given"}
         data = [each for each in tracer.facts if each.ref not in given]
         self.steps = [
@@ -619,7 +638,7 @@ class _Numbers:
         for each in tracer.facts:
             if each.ref in given:
                 self.add(each, levels=(0,))
-        laws = list(tracer.laws_of(event))
+        laws = list(tracer.laws_of(event, records))
         for level in (0, 1):
             for move, law in laws:
                 value = self._residual(level, law)
