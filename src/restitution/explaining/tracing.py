@@ -12,7 +12,7 @@ import math
 import random
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, pairwise, permutations, product
+from itertools import combinations, islice, pairwise, permutations, product
 from typing import Any, Literal
 
 from restitution.explaining.algebra import (
@@ -46,6 +46,8 @@ from restitution.oracle.roles import REAL
 
 _POINTS = 3
 _CLOSE = 1e-9
+_PIVOTS = 4
+"""So many choices of what is solved for are tried."""
 _NEAR = 4
 """So many lines above are tried with moves that are dear to try."""
 _NEAREST = 8
@@ -756,15 +758,15 @@ class _Numbers:
         world = self.steps[level].world
         own_refs = {each.cited.ref for each in sources if each.move is None}
         known = {n: x for n, x, ref in self.values[level] if values and ref not in own_refs}
-        pivots = self._pivots(world, own, sources, known)
-        if pivots is None:
-            return len(sources) == 1 and self._agree_put_in(level, own, sources[0].value, known)
-        if known and len(sources) == 1:
-            used = {n for x in known.values() for n in world.keys(x.above, x.below)}
+        used = {n for x in known.values() for n in world.keys(x.above, x.below)}
+        for pivots in islice(self._pivots(world, own, sources, known), _PIVOTS):
             if used & set(pivots):
-                return self._agree_put_in(level, own, sources[0].value, known)
-        conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
-        return all(sample.agrees(world, own, conditions, known) for sample in self.samples)
+                break
+            conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
+            found = [sample.agrees(world, own, conditions, known) for sample in self.samples]
+            if None not in found:
+                return all(found)
+        return len(sources) == 1 and self._agree_put_in(level, own, sources[0].value, known)
 
     def _agree_put_in(
         self, level: int, own: Quotient, other: Quotient, known: dict[int, Quotient]
@@ -791,7 +793,7 @@ class _Numbers:
 
     def _pivots(
         self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Any]
-    ) -> tuple[int, ...] | None:
+    ) -> Iterator[tuple[int, ...]]:
         """A generator for each source to be solved for, those of the line first."""
         in_line = set(world.keys(own.above))
         linear = [
@@ -802,11 +804,11 @@ class _Numbers:
             for each in sources
         ]
         if len(linear) == 1:
-            return next(((n,) for n in linear[0] if n in in_line), None)
+            yield from ((n,) for n in linear[0] if n in in_line)
+            return
         for a, b in product(*linear):
             if a != b and not any(m[a] and m[b] for each in sources for m in each.value.above):
-                return a, b
-        return None
+                yield a, b
 
 
 def _is_ratio(world: World, number: int) -> bool:
@@ -871,10 +873,11 @@ class _Sample:
         own: Quotient,
         conditions: Sequence[tuple[Quotient, int]],
         known: dict[int, Quotient],
-    ) -> bool:
+    ) -> bool | None:
         """Whether a quotient vanishes where others do, each solved for a generator.
 
-        What is ``known`` has the value that a line above gives it.
+        What is ``known`` has the value that a line above gives it. None where the others vanish
+        only for masses or speeds of nothing, which tells nothing.
         """
         point: dict[int, complex] = {}
         gone = {number for _, number in conditions}
@@ -890,7 +893,7 @@ class _Sample:
         except ZeroDivisionError:
             return False
         if any(abs(x) < _CLOSE and _is_positive(world, n) for n, x in solved.items()):
-            return False  # a mass, or a speed, of nothing
+            return None
         point |= solved
         value, size = _at(own.above, point)
         return abs(value) <= _CLOSE * max(size, 1.0)
