@@ -260,23 +260,22 @@ class _Writer:
             yield self._alternatives(options)
             return
         for chain in chains(options[0]):
-            laid = of_chain(chain, self.vectors)
-            left = self._left(chain[0].left)
-            yield Row((left, *laid.operands[1:]), laid.signs)
+            laid = of_chain(chain, self.vectors, self._name_of)
+            yield Row(laid.operands, laid.signs)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...]) -> Row:
         """``t = 1 or t = −1``, set at the first sign."""
         first, *rest = options
-        laid = of_chain(first, self.vectors)
-        others = [of_chain(each, self.vectors) for each in rest]
+        laid = of_chain(first, self.vectors, self._name_of)
+        others = [of_chain(each, self.vectors, self._name_of) for each in rest]
         last = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], last), laid.signs)
 
-    def _left(self, tree: Expression) -> lay.Layout:
-        """The left side of a row: a quantity of the motion is called by its name."""
-        if isinstance(tree, Quantity):
+    def _name_of(self, tree: Quantity) -> lay.Layout | None:
+        """How a quantity of the motion is called among letters; vectors keep their own form."""
+        if tree.kind in _NAMED or tree == Quantity("impulse", (), tree.stage):
             return operand(self._quantity(tree, None))
-        return of_tree(tree, self.vectors)
+        return None
 
     def _quantity(self, tree: Expression, sense: Expression | None) -> Sentence:
         """A quantity as the working calls it, without the time, which its heading tells."""
@@ -325,6 +324,7 @@ class _Writer:
         )
 
 
+_NAMED = frozenset({"along", "across", "speed", "angle", "deflection"})
 _OF = {
     "speed": "derived.speed",
     "angle": "derived.angle",

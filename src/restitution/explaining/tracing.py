@@ -227,8 +227,9 @@ class Tracer:
         (first, *rest) = relation.only
         quantity = first.left
         if isinstance(quantity, Letter):
+            name = quantity.name
             named = (each.relation for each in self.lets if isinstance(each.relation, Meaning))
-            quantity = next((e.quantity for e in named if e.letter == first.left.name), quantity)
+            quantity = next((each.quantity for each in named if each.letter == name), quantity)
         if rest or not isinstance(quantity, Quantity):
             return None
         record = {"along": "component", "across": "component", "velocity": "assemble"}
