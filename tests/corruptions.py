@@ -63,6 +63,10 @@ def _about_premises(derivation: Derivation, n: int, line: Line) -> Iterator[tupl
     if above:
         more = (*line.premises, above[-1])
         yield "premise too many", _with(derivation, n, replace(line, premises=more))
+    others = [each.id for each in derivation.facts if each.id not in line.premises]
+    for fact in dict.fromkeys((*others[:1], *others[-1:])):
+        more = (*line.premises, fact)
+        yield "fact too many", _with(derivation, n, replace(line, premises=more))
     if below:
         own = [ref for ref in line.premises if isinstance(ref, int)]
         for ref in own[:1]:

@@ -362,7 +362,7 @@ class World:
         """A vector in the direction that a tree tells, or None where none is cited."""
         if tree in self.directions:
             return self.direction(self.directions[tree])
-        if isinstance(tree, Negate):
+        if isinstance(tree, Negate) and not self.is_angle(tree.operand):
             turned = self.direction(tree.operand)
             return None if turned is None else Plane(-turned.x, -turned.y)
         if isinstance(tree, Name):

@@ -16,6 +16,7 @@ from restitution.explaining.trees import rebuilt, settled
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -196,64 +197,108 @@ class _Facts:
             if step.along is not None:
                 sign: Sign = "=" if step.along in (Unit("i"), Unit("j")) else "parallel to"
                 yield self._fact(f"axis {number}", axis, step.along, step.place, sign, "geometry")
+            elif step.offset is not None:
+                centres = self._beside(step, number)
+                if centres is not None:
+                    yield self._fact(f"axis {number}", axis, centres, step.place, "=", "geometry")
             elif step.second in self.walls:
                 normal = self._into_the_wall(step, number)
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
 
+    def _beside(self, step: Impact, number: int) -> Expression | None:
+        """The line of centres of spheres that meet beside each other's path, at the first event.
+
+        Its angle with the path has the offset over both radii as its sine.
+        """
+        first, second = (
+            next(e for e in self.problem.spheres if e.name == name)
+            for name in (step.first, step.second)
+        )
+        if number > 1 or first.radius is None or step.offset is None:
+            return None
+        if not isinstance(first.velocity, Expression):
+            return None
+        path = first.velocity
+        if not _at_rest(second.velocity):
+            if not isinstance(second.velocity, Expression):
+                return None
+            path = Binary("-", path, second.velocity)
+        both = Binary("*", Number(Fraction(2)), first.radius)
+        angle = Apply("arcsin", Binary("/", step.offset, both))
+        return Polar(Number(Fraction(1)), angle, path)
+
     def _into_the_wall(self, step: Impact, number: int) -> Expression | None:
         """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
         along = self._along(self.walls[step.second])
         if along is None:
             return None
-        velocity = next(e.velocity for e in self.problem.spheres if e.name == step.first)
         left = _turned(along)
         if left is None:
+            left = self._turned_angle(along)
+        if left is None:
             return None
-        earlier = [e for e in self.events[: number - 1] if step.first in e.bodies]
-        if earlier:
-            return self._after_a_wall(step, earlier[-1], left)
-        if isinstance(velocity, Polar) and velocity.wall is not None:
-            return _opposite(left)
-        return _opposite(left) if self._leads_away(velocity, left) else left
+        return _opposite(left) if self._leads_away(step.first, number, left) else left
 
-    def _after_a_wall(self, step: Impact, before: Event, left: Expression) -> Expression:
-        """Who comes from a wall goes to a parallel one in the opposite direction."""
-        if not before.wall:
-            return left
-        other = self.walls[before.bodies[1]]
-        if other.along != self.walls[step.second].along:
-            return left
-        own = next(s for n, s in enumerate(self._impacts(), 1) if n == before.number)
-        normal = self._into_the_wall(own, before.number)
-        return left if normal is None else _opposite(normal)
+    def _turned_angle(self, along: Expression) -> Expression | None:
+        """A direction that is told by its angle, turned by +90°."""
+        if not _world_of(self.problem).is_angle(along):
+            return None
+        right = Degrees(Fraction(90))
+        if isinstance(along, Degrees):
+            return Degrees(along.value + right.value)
+        return Binary("+", along, right)
 
     def _impacts(self) -> Iterator[Any]:
         for _, step in self.problem.steps():
             if isinstance(step, Impact | Kick | Arrival):
                 yield step
 
-    def _leads_away(self, velocity: Any, normal: Expression) -> bool:
-        """Whether a velocity, where it is plain, has a component against a direction."""
-        from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, World
-        from restitution.explaining.signs import Signs
-        from restitution.oracle import Oracle
-        from restitution.solve.letters import roles
+    def _leads_away(self, body: str, number: int, normal: Expression) -> bool:
+        """Whether a velocity before an event, where it is plain, is against a direction."""
+        from restitution.explaining.algebra import NotComparableError
+        from restitution.oracle import Oracle, compared
 
-        if not isinstance(velocity, Expression):
-            return False
-        known = roles(self.problem)
-        angles = frozenset(name for name, role in known.items() if role.kind == "angle")
-        world = World(known, frozenset(), angles)
+        world = _world_of(self.problem)
+        for wall in self.problem.walls:
+            along = self._along(wall)
+            if along is not None:
+                world.directions[Quantity("direction", (Name(wall.name),))] = along
         try:
-            a, b = world.value(velocity), world.direction(normal)
-            if not isinstance(a, Plane) or b is None:
+            velocity, axis = self._velocity(body, number, world), world.direction(normal)
+            if velocity is None or axis is None:
                 return False
-            product = world.reduced(a.x * b.x + a.y * b.y) + CONSTANT(0)
-            return Signs(world, lambda: Oracle(known)).of(product) == -1
+            value = world.expression(_dot(world, velocity, axis), world.roles)
         except NotComparableError:
             return False
+        oracle = Oracle(world.roles)
+        return oracle.decide(compared(value, "<=", 0)).answer == "proved" and (
+            oracle.decide(compared(value, ">=", 0)).answer != "proved"
+        )
+
+    def _velocity(self, body: str, number: int, world: Any) -> Any:
+        """The velocity before an event: the one given, turned back by walls on the way.
+
+        None where another sphere, or a blow, comes in between.
+        """
+        from restitution.explaining.algebra import CONSTANT, Plane
+
+        given = next(each.velocity for each in self.problem.spheres if each.name == body)
+        value = world.value(given) if isinstance(given, Expression) else None
+        for event, step in enumerate(self._impacts(), 1):
+            if event == number or not isinstance(value, Plane):
+                break
+            if body not in self.events[event - 1].bodies:
+                continue
+            normal = self._into_the_wall(step, event) if self.events[event - 1].wall else None
+            axis = None if normal is None else world.direction(normal)
+            if axis is None:
+                return None
+            e = world.scalar(Letter("e") if step.e is None else step.e)
+            factor = (CONSTANT(1) + e) * _dot(world, value, axis) / _dot(world, axis, axis)
+            value = Plane(value.x - factor * axis.x, value.y - factor * axis.y)
+        return value if isinstance(value, Plane) else None
 
     def _given(self) -> Iterator[Fact]:
         events = number = 0
@@ -433,7 +478,11 @@ def _turned(along: Expression) -> Expression | None:
             return Pair(_opposite(y), x)
         case Binary("+" | "-", left, right):
             a, b = _turned(left), _turned(right)
-            return None if a is None or b is None else Binary(along.op, a, b)
+            if a is None or b is None:
+                return None
+            if isinstance(b, Negate):
+                return Binary("-" if along.op == "+" else "+", a, b.operand)
+            return Binary(along.op, a, b)
         case Binary("*", left, right):
             b = _turned(right)
             if b is None:
@@ -444,5 +493,30 @@ def _turned(along: Expression) -> Expression | None:
     return None
 
 
+def _world_of(problem: Problem) -> Any:
+    """The letters of a statement, to compare trees in."""
+    from restitution.explaining.algebra import World
+    from restitution.solve.letters import roles
+
+    known = roles(problem)
+    angles = frozenset(name for name, role in known.items() if role.kind == "angle")
+    return World(known, frozenset(), angles, {})
+
+
+def _dot(world: Any, a: Any, b: Any) -> Any:
+    """The scalar product of two vectors of a world."""
+    return world.reduced(a.x * b.x + a.y * b.y)
+
+
+def _at_rest(velocity: Any) -> bool:
+    return isinstance(velocity, Pair) and _is_nothing(velocity.x) and _is_nothing(velocity.y)
+
+
 def _opposite(tree: Expression) -> Expression:
+    if isinstance(tree, Degrees):
+        return Degrees((tree.value + 180) % 360)
+    if isinstance(tree, Binary) and tree.right == Degrees(Fraction(90)):
+        return Binary("-" if tree.op == "+" else "+", tree.left, tree.right)
+    if isinstance(tree, Binary) and tree.op == "-":
+        return Binary("-", tree.right, tree.left)
     return tree.operand if isinstance(tree, Negate) else Negate(tree)

@@ -47,6 +47,7 @@ Reason = Literal[
     "premise-below",
     "premise-of-another-part",
     "premise-of-another-case",
+    "axis-turned",
     "case-unknown",
     "case-missing",
     "not-known-of-letters",
@@ -173,7 +174,7 @@ class _Reader:
     def _letters(self) -> Iterator[Complaint]:
         known = set(self.setting.roles)
         for fact in self.derivation.facts:
-            known |= _letters_of(fact.relation)
+            known |= _citedof(fact.relation)
         introduced: set[str] = set()
         quantities: dict[Expression, str] = {}
         for line in self.derivation.lines:
@@ -187,7 +188,7 @@ class _Reader:
                 introduced.add(meaning.letter)
                 missing = set(letters(meaning.quantity)) - known - introduced
             else:
-                missing = _letters_of(line.relation) - known - introduced
+                missing = _citedof(line.relation) - known - introduced
             for name in sorted(missing):
                 yield Complaint("letter-not-introduced", line.number, name)
 
@@ -289,10 +290,12 @@ class _Reader:
             under = self._under(end.line)
             on_the_way |= under
             yield from self._end(end, under)
+            yield from self._in_force(end, under)
         for line in self.derivation.lines:
             if line.number not in on_the_way:
                 yield Complaint("leads-nowhere", line.number)
         yield from self._facts_used()
+        yield from self._axes_turned()
 
     def _under(self, number: int) -> set[Ref]:
         """A line, and all that it rests on."""
@@ -308,6 +311,61 @@ class _Reader:
                 pending.extend(line.premises)
                 pending.extend(c.line for c in self.derivation.cases if ref in c.lines)
         return found
+
+    def _axes_turned(self) -> Iterator[Complaint]:
+        """An event has one axis with one sense: components do not count both ways."""
+        senses: dict[Expression, dict[Ref, Expression]] = {}
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Meaning):
+                continue
+            cited = [
+                self.lines[n].relation
+                for n in line.premises
+                if isinstance(n, int) and n in self.lines
+            ]
+            named = [each.quantity for each in cited if isinstance(each, Meaning)]
+            used = {
+                each.arguments[1]
+                for tree in (*trees_of(line.relation), *named)
+                for each in walk(tree)
+                if isinstance(each, Quantity) and each.kind in ("along", "across")
+            }
+            for ref in line.premises:
+                for axis, direction in self._axes_of(ref):
+                    known = senses.setdefault(axis, {})
+                    if axis not in used or ref in known:
+                        continue
+                    if any(not self._same_sense(direction, each) for each in known.values()):
+                        yield Complaint("axis-turned", line.number, ref)
+                    known[ref] = direction
+
+    def _axes_of(self, ref: Ref) -> Iterator[tuple[Expression, Expression]]:
+        """The lines of centres of which a premise gives the direction."""
+        given = self.lines.get(ref) if isinstance(ref, int) else self.facts.get(ref)
+        if given is None or isinstance(given.relation, Meaning):
+            return
+        for links in given.relation.options:
+            for link in links:
+                if isinstance(link.left, Quantity) and link.left.kind == "line_of_centres":
+                    yield link.left, link.right
+
+    def _same_sense(self, a: Expression, b: Expression) -> bool:
+        step = Step(self.setting, _NO_MOVE, (), ())
+        try:
+            one, other = step.world.direction(a), step.world.direction(b)
+            if one is None or other is None:
+                return a == b
+            product = step.world.reduced(one.x * other.x + one.y * other.y)
+        except NotComparableError:
+            return a == b
+        return step.signs.of(product) == 1
+
+    def _in_force(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
+        """Facts of one part hold for no other, by whatever lines they come to it."""
+        for ref in sorted(each for each in under if isinstance(each, str)):
+            fact = self.facts.get(ref)
+            if fact is not None and fact.part not in (None, end.part):
+                yield Complaint("premise-of-another-part", end.line, ref)
 
     def _end(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
         line = self.lines.get(end.line)
@@ -387,7 +445,7 @@ def _known(ref: str, setting: Setting) -> Known | None:
         names = letters(angle)
     else:
         relation = read_relation(ref, setting.names)
-        names = frozenset(_letters_of(relation))
+        names = frozenset(_citedof(relation))
     if not names or any(isinstance(e, Quantity) for t in trees_of(relation) for e in walk(t)):
         return None
     if not _by_roles(ref, relation, setting):
@@ -397,7 +455,7 @@ def _known(ref: str, setting: Setting) -> Known | None:
 
 def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
     step = Step(setting, _NO_MOVE, (), ())
-    names = _letters_of(relation)
+    names = _citedof(relation)
     roles = {name: setting.role(name) for name in sorted(names)}
     formulas = []
     for links in relation.options:
@@ -420,7 +478,7 @@ def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
     return Oracle(dict(roles)).proves(claim)  # type: ignore[arg-type]
 
 
-def _letters_of(relation: Relation | Meaning) -> set[str]:
+def _citedof(relation: Relation | Meaning) -> set[str]:
     return {name for tree in trees_of(relation) for name in letters(tree)}
 
 

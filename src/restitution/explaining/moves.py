@@ -338,11 +338,10 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
     values = []
     for each in (line, template):
         left, right = chosen.world.value(each.left), chosen.world.value(each.right)
-        if not (isinstance(left, Plane) and isinstance(right, Plane)):
-            return False
         if each is template:
             right = rules.put_into(right)
-            assert isinstance(right, Plane)
+        if not (isinstance(left, Plane) and isinstance(right, Plane)):
+            return False
         if template.sign == "parallel to":
             values.append(left.x * right.y - left.y * right.x)
         else:
@@ -351,7 +350,7 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
     return chosen.is_multiple(own, expected) is not None
 
 
-# --- records that are worked out and not written down --------------------------------------------
+# --- records that are worked out and not written down -------------------------------------------
 
 
 def _nothing(step: Step, event: Event | None) -> Iterable[Link]:
@@ -603,7 +602,9 @@ def _is_resolved(step: Step, line: Link) -> bool:
 def _put(step: Step, line: Link) -> bool:
     step = _from_base(step)
     base = _base(step)
-    if base is None or (step.move.id == "put" and len(step.cited) < 2):
+    if base is None or len(base.options) != 1:
+        return False
+    if step.move.id == "put" and len(step.cited) < 2:
         return False
     rules = step.rules(_rest(step))
     if step.move.id == "put" and any(
@@ -630,7 +631,7 @@ def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
 def _rearrange(step: Step, line: Link) -> bool:
     step = _from_base(step)
     base = _base(step)
-    if base is None:
+    if base is None or len(base.options) != 1:
         return False
     if (
         step.move.id == "rearrange"
@@ -671,8 +672,10 @@ def _identity(step: Step, line: Link) -> bool:
     names = _IDENTITIES.get(step.move.record or "")
     step = _from_base(step)
     base = _base(step)
-    if names is None or base is None:
+    if names is None or base is None or len(base.options) != 1:
         return False
+    if _by_values(step, line, base):
+        return False  # no identity is used
     chosen = step.under(identities=names)
     trees = [t for each in (line, *base.only) for t in (each.left, each.right)]
     chosen.world.divide_angles([*trees, *(each.quantity for each in step.lets)])
@@ -685,6 +688,19 @@ def _identity(step: Step, line: Link) -> bool:
         else _matches_with(chosen, line, _expected(chosen, each, rules), rules, each.sign)
         for each in base.only
     )
+
+
+def _by_values(step: Step, line: Link, base: Relation) -> bool:
+    """Whether a line is its base, with what is cited put in."""
+    rules = step.rules(_rest(step))
+    try:
+        return any(
+            _matches_with(step, line, _expected(step, each, rules), rules, each.sign)
+            for each in base.only
+            if not step.world.is_angle(each.left)
+        )
+    except NotComparableError:
+        return False
 
 
 def _of_angle(step: Step, line: Link, base: Link, rules: Rules) -> bool:
@@ -831,7 +847,7 @@ _LINKS: dict[MoveId, Callable[[Step, Link], bool]] = {
 def _triangle(step: Step, relation: Relation) -> bool:
     """The other ratios of an angle, where one is known, and its range."""
     base = _base(step)
-    if base is None or len(relation.options) != 1 or not step.known:
+    if base is None or len(base.options) != 1 or len(relation.options) != 1 or not step.known:
         return False
     known = {
         link.left.argument
@@ -879,7 +895,7 @@ def _roots(step: Step, relation: Relation) -> bool:
 
 def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotient] | None:
     """The coefficients of an equation in its subject, the constant one first."""
-    if isinstance(residual, Plane):
+    if isinstance(residual, Plane) or residual.vanishes:
         return None
     world = step.world
     if isinstance(subject, Binary) and subject.op == "/":
@@ -998,7 +1014,7 @@ def _sign(step: Step, relation: Relation) -> bool:
     return _by_oracle(step, relation)
 
 
-_MOST_COMPARED = 4
+_MOST_COMPARED = 3
 
 
 def _monotone(step: Step, relation: Relation) -> bool:
@@ -1019,7 +1035,7 @@ _Ends = dict[str, tuple[sp.Expr, bool]]
 
 def _cited_ranges(step: Step) -> dict[str, _Ends]:
     """The ends of the ranges of letters that are cited, and whether they belong to them."""
-    found: dict[str, _Ends] = {}
+    ranges: dict[str, _Ends] = {}
     for known in step.known:
         for links in known.relation.options:
             for link in links:
@@ -1030,8 +1046,8 @@ def _cited_ranges(step: Step) -> dict[str, _Ends]:
                     if isinstance(side, Letter) and sign in ("<", "<=", ">", ">="):
                         end = step.world.expression(step.world.scalar(other), step.roles)
                         which = "low" if sign in (">", ">=") else "high"
-                        found.setdefault(side.name, {})[which] = end, len(sign) == 2
-    return found
+                        ranges.setdefault(side.name, {})[which] = end, len(sign) == 2
+    return ranges
 
 
 def _grows_between(
@@ -1086,7 +1102,9 @@ def _equal_in(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
 def _complete(step: Step, relation: Relation) -> bool:
     """A square and a constant, or a sum of two that is least where they are equal."""
     if all(link.sign == "=" for links in relation.options for link in links):
-        return all(_is_identical(step, link) for links in relation.options for link in links)
+        if step.links or len(relation.options) != 1:
+            return False
+        return all(_is_identical(step, link) for link in relation.only)
     return not step.links and _by_oracle(step, relation)
 
 
@@ -1169,12 +1187,14 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
     if turn.degrees or len(turn.terms) != 1:
         return None, None, False
     ((atom, count),) = turn.terms
-    acute = any(
-        each.ref.startswith("acute") and step.world.turn(each.relation.options[0][0].left) == turn
-        for each in step.known
-    )
-    if acute:
-        return sp.Integer(0), sp.pi / 2, False
+    for each in step.known:
+        if each.ref.startswith("acute"):
+            own = step.world.turn(each.relation.only[0].left)
+            if len(own.terms) == 1 and own.terms[0][0] == atom and not own.degrees:
+                part = count / own.terms[0][1]
+                if part > 0:
+                    half = sp.Rational(part.numerator, part.denominator) * sp.pi / 2
+                    return sp.Integer(0), half, False
     role = step.setting.role(getattr(atom, "name", ""))
     cited = any(getattr(atom, "name", "") in each.letters for each in step.known)
     if role.low is None or role.high is None or not cited:
@@ -1194,7 +1214,9 @@ def _only_there(function: str, low: sp.Expr, high: sp.Expr) -> bool:
 def _value(step: Step, relation: Relation) -> bool:
     """A decimal of what is exact: within half a unit of its last place."""
     base = _base(step)
-    if base is None or len(relation.options) != 1 or len(relation.only) != 1:
+    if base is None or len(base.options) != 1:
+        return False
+    if len(relation.options) != 1 or len(relation.only) != 1:
         return False
     (link,) = relation.only
     exact = _ends(base.only)

@@ -325,8 +325,10 @@ DEFINITIONS = (
         "definition",
         (
             "deflection(X, 1) = angle(velocity(X, 0), S) + angle(velocity(X, 1), S)",
-            (f"deflection(X, 1) = 180° - angle(velocity(X, 0), {AXIS})"
-            f" - angle(velocity(X, 1), {AXIS})"),
+            (
+                f"deflection(X, 1) = 180° - angle(velocity(X, 0), {AXIS})"
+                f" - angle(velocity(X, 1), {AXIS})"
+            ),
         ),
         "wall",
         gives=("deflection",),

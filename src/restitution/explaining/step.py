@@ -274,7 +274,7 @@ class Step:
             elif len(each.relation.options) == 1:
                 for left, right in _values(each.relation.only):
                     rules.add(left, right)
-        for left, right in self._resolved(tuple(cited)):
+        for left, right in self._resolved(tuple(cited), rules):
             rules.add(left, right)
         return rules
 
@@ -283,7 +283,9 @@ class Step:
         """What is cited in all, as values."""
         return self.rules(self.cited)
 
-    def _resolved(self, cited: Sequence[Cited]) -> Iterator[tuple[Expression, Expression]]:
+    def _resolved(
+        self, cited: Sequence[Cited], rules: Rules
+    ) -> Iterator[tuple[Expression, Expression]]:
         """Components of a velocity of which the size and an angle are cited.
 
         At a wall a body comes towards it and goes away, and keeps its sense along it. On which
@@ -317,11 +319,23 @@ class Step:
                 centres = Quantity("line_of_centres", (), event.number)
                 along = Quantity("along", (velocity, centres))
                 across = Quantity("across", (velocity, centres))
-                if event.wall and axis == Name(event.bodies[1]):
+                if event.wall and axis == Name(event.bodies[1]) and self._towards(event, rules):
                     away = velocity.stage == event.number
                     yield along, Negate(sine) if away else sine
                     if self._forward(velocity):
                         yield across, cosine
+
+    def _towards(self, event: Event, rules: Rules) -> bool:
+        """Whether the direction of an event at a wall is the one into it, as far as is cited."""
+        velocity = Quantity("velocity", (Name(event.bodies[0]),), event.number - 1)
+        axis = Quantity("line_of_centres", (), event.number)
+        tree = settled(Quantity("along", (velocity, axis)), self.setting.events)
+        own = self.world.scalar(tree)
+        value = rules.put_into(own)
+        if value == own or not isinstance(value, Quotient):
+            return True
+        claim = compared(self.world.expression(value, self.setting.roles), ">=", sp.Integer(0))
+        return Oracle(self.setting.roles).decide(claim).answer == "proved"
 
     def _forward(self, velocity: Quantity) -> bool:
         """Whether a body keeps to the sense along a wall in which its angle is measured.

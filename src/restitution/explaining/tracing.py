@@ -244,9 +244,7 @@ class Tracer:
 
     # --- laws, definitions, and lines above, by numbers ------------------------------------------
 
-    def laws_of(
-        self, number: int, names: Iterable[str] = RECORDS
-    ) -> Iterator[tuple[Move, Link]]:
+    def laws_of(self, number: int, names: Iterable[str] = RECORDS) -> Iterator[tuple[Move, Link]]:
         """What every record, or some, say of an event."""
         for event in self.statement.events:
             if event.number != number:
