@@ -35,12 +35,12 @@ def printed(template: str, /, *, front: bool = False, zeros: bool = False, **val
 
 
 def scalar_product(first: Any, second: Any) -> Layout:
-    """``(6**i** − 5**j**)·(3**i** + 4**j**)``: pairs or layouts, as they are."""
+    """``(6**i** − 5**j**)·(3**i** + 4**j**)``, ``u**i**·(3**i** + 4**j**)``: not worked out."""
     a, b = look(first), look(second)
-    left = (
-        a if isinstance(a, Bold) or (isinstance(first, tuple) and not _several(a)) else Brackets(a)
+    bare = isinstance(a, Bold) or (isinstance(first, tuple) and not _several(a) and _several(b))
+    return lay.product(
+        a if bare else Brackets(a), b if isinstance(b, Bold) else Brackets(b), sign="·"
     )
-    return lay.product(left, b if isinstance(b, Bold) else Brackets(b), sign="·")
 
 
 @lru_cache(maxsize=256)
