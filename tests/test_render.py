@@ -30,10 +30,12 @@ from sympy import (
 
 from restitution.exact import tidy
 from restitution.explaining.printing import printed
+from restitution.expression import read_expression
 from restitution.expression import tree as t
 from restitution.language import parse
 from restitution.render.latex import to_latex
 from restitution.render.layout import (
+    EventNames,
     Layout,
     Letter,
     Phrase,
@@ -204,6 +206,19 @@ RANGES = [
 @pytest.mark.parametrize(("values", "letter", "text"), RANGES, ids=[each[2] for each in RANGES])
 def test_ranges(values: sympy.Set, letter: Symbol, text: str) -> None:
     assert to_text(from_set(values, letter)) == text
+
+
+def test_events_are_called_by_what_they_are() -> None:
+    names = EventNames({1: "after the impact"}, {1: "at the impact"}, {1: Letter("t", "1")})
+    for text, plain, named in (
+        ("speed(A, 1)", "speed of A after event 1", "speed of A after the impact"),
+        ("impulse(A, 1)", "impulse on A in event 1", "impulse on A at the impact"),
+        ("2*time(1)", "2(time of event 1)", "2t₁"),
+        ("speed(A, 2)", "speed of A after event 2", "speed of A after event 2"),
+    ):
+        tree = read_expression(text)
+        assert to_text(from_tree(tree)) == plain
+        assert to_text(from_tree(tree, names)) == named
 
 
 def test_equations() -> None:
