@@ -37,6 +37,7 @@ PRINTED: list[tuple[str, dict[str, Any], str]] = [
     ("e*(u - v)", {"e": 0, "u": 3, "v": -4}, "0"),
     ("e*u", {"e": Rational(1, 2), "u": 1}, "½ × 1"),
     ("e*u", {"e": e, "u": e * u}, "e × eu"),
+    ("a*b", {"a": 2 * u, "b": u}, "2u²"),
     ("w - v", {"w": w, "v": v}, "w − v"),
     ("w - v", {"w": w, "v": -v}, "w + v"),
     # Energy and speed.

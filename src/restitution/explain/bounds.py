@@ -861,9 +861,8 @@ def _extremum(work: Working, item: Extremum, target: sp.Expr, now: int) -> None:
     for asked in quantities_in(work, tree, now):
         if asked.tree.kind == "deflection":
             derived = derive(work, asked.tree, asked.now)
-            rows = [
-                r for r in derived.rows if r.operands and isinstance(r.operands[0], lay.Function)
-            ] or derived.rows
+            own = work.layout(asked.tree)
+            rows = [row for row in derived.rows if row.operands[0] != own] or derived.rows
             uses = found_before(work, asked.tree, asked.now)
             work.write("result", rows, derived.title, derived.sentences, uses=uses)
         else:

@@ -718,7 +718,9 @@ def _derive_momentum(
         if v == (0, 0):
             continue
         terms.append(printed("m*v", m=work.put(story.mass(each)), v=(v.x, v.y)))
-    made = Side(lay.total(terms), value) if terms else None
+    laid = lay.total(terms)
+    laid = laid.inside if isinstance(laid, Brackets) else laid  # of mass 1, and alone
+    made = Side(laid, value) if terms else None
     return Derived((_result(name, made, value, points=(M1, A1)),), value)
 
 

@@ -220,7 +220,20 @@ def _product_of(*factors: Any) -> Layout:
         if first == Number("1"):
             return lay.product(*rest, sign="×") if len(rest) > 1 else rest[0]
         return Product((first, *rest), "×")
-    return lay.product(*laid)
+    return _powers(lay.product(*laid))
+
+
+def _powers(laid: Layout) -> Layout:
+    """``u²`` for a letter that stands twice in a row."""
+    if not isinstance(laid, Product) or laid.sign:
+        return laid
+    factors: list[Layout] = []
+    for each in laid.factors:
+        if isinstance(each, lay.Letter) and factors and factors[-1] == each:
+            factors[-1] = lay.power(each, Number("2"))
+        else:
+            factors.append(each)
+    return factors[0] if len(factors) == 1 else Product(tuple(factors))
 
 
 def _numeric(laid: Layout) -> bool:
