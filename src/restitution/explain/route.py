@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.components import Model, model, protected_letters, rejected_values
-from restitution.errors import RestitutionError, TimeLimitError
+from restitution.errors import MissingError, RestitutionError, TimeLimitError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.backwards import is_told_backwards, steps_backwards
@@ -96,7 +96,9 @@ def _part(
     asked = tuple(_question(item) for item in part.items)
     answers = tuple(_answers(item) for item in part.items)
     dropped: list[str] = []
-    if not part.branches:
+    untold = [isinstance(each.error, MissingError) for each in part.items]
+    if not part.branches or (untold and all(untold)):
+        # Where too little is told there is nothing to work out, though much could be written.
         steps = [
             Step("note", sentences=(say("answer.none", item=item.text, reason=item.error.message),))
             for item in part.items
