@@ -42,6 +42,8 @@ Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complemen
 _GENERATORS = 48
 _MOST_TERMS = 4000
 _MOST_POWER = 16
+_MOST_BITS = 4096
+_MOST_FACTOR = 10_000
 _TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 _INVERSE = frozenset({"arcsin", "arccos", "arctan"})
 _ANGLES = frozenset({"angle", "deflection", "direction"})
@@ -90,6 +92,8 @@ class Quotient:
             return CONSTANT(1) / self**-power
         if not power:
             return CONSTANT(1)  # SymPy has no zero to the power of zero
+        if any(len(each) ** power > _MOST_TERMS**2 for each in (self.above, self.below)):
+            raise NotComparableError("a line of too many terms")
         return _lean(self.above**power, self.below**power)
 
     @property
@@ -105,10 +109,23 @@ def CONSTANT(value: Fraction | int) -> Quotient:
     return Quotient(ring.ground_new(QQ(value.numerator, value.denominator)), ring.one)
 
 
+def _bits(polynomial: PolyElement) -> int:
+    """The length of the longest number in the terms of a polynomial."""
+    return max(
+        (
+            max(int(x.numerator).bit_length(), int(x.denominator).bit_length())
+            for x in polynomial.values()
+        ),
+        default=0,
+    )
+
+
 def _lean(above: PolyElement, below: PolyElement) -> Quotient:
     """The quotient without common powers of single generators, and a number below."""
     if len(above) > _MOST_TERMS or len(below) > _MOST_TERMS:
         raise NotComparableError("a line of too many terms")
+    if _bits(above) > _MOST_BITS or _bits(below) > _MOST_BITS:
+        raise NotComparableError("a line of too long numbers")
     if not above:
         return Quotient(above, _ring().one)
     if below.is_ground:
@@ -171,8 +188,9 @@ class World:
     that are such. ``directions`` gives the vector along which an axis, a wall or a vector letter
     points, ``turns`` the value of an angle: what is cited of these. What is ``opaque`` is a
     generator, whatever is known of it. While ``printed`` is set, what stands below a line is kept
-    among the ``denominators``, which are not zero. Letters that are cited as ``nonnegative``, and
-    the sines and cosines of such angles up to 90°, are their own size.
+    among the ``denominators``, which are not zero; what stands below the ``tangents`` of a
+    line counts only where it stays. Letters that are cited as ``nonnegative``, and the
+    sines and cosines of such angles up to 90°, are their own size.
     """
 
     roles: Mapping[str, Role]
@@ -186,6 +204,7 @@ class World:
     printed: bool = True
     squares: dict[int, PolyElement] = field(default_factory=dict)
     denominators: list[PolyElement] = field(default_factory=list)
+    tangents: list[PolyElement] = field(default_factory=list)
     _keys: dict[Any, int] = field(default_factory=dict)
     _divisors: dict[Any, int] = field(default_factory=dict)
     _values: dict[Expression, Value] = field(default_factory=dict)
@@ -214,6 +233,14 @@ class World:
             for n, power in enumerate(powers)
             if power
         }
+
+    def note_tangents(self, line: Value) -> None:
+        """Keep the cosines below the tangents of a line, as far as they do not cancel there."""
+        parts = (line.x, line.y) if isinstance(line, Plane) else (line,)
+        for cosine in self.tangents:
+            if any(not each.below.is_ground and not each.below.rem(cosine) for each in parts):
+                self.denominators.append(cosine)
+        self.tangents.clear()
 
     # --- values ----------------------------------------------------------------------------------
 
@@ -308,7 +335,8 @@ class World:
             if function in ("sin", "cos"):
                 return sine if function == "sin" else cosine
             # Who writes a tangent says that there is one.
-            self.denominators.append((cosine if function in ("tan", "sec") else sine).above)
+            below = (cosine if function in ("tan", "sec") else sine).above
+            (self.denominators if self.printed else self.tangents).append(below)
             match function:
                 case "tan":
                     return self.reduced(sine / cosine)
@@ -435,7 +463,17 @@ class World:
         x = self.reduced(x)
         if x.vanishes:
             return x
-        return self._root(x.above * x.below) / Quotient(x.below, _ring().one)
+        return self._root(x.above * x.below) / self._size_of(x.below)
+
+    def _size_of(self, polynomial: PolyElement) -> Quotient:
+        """The size of a polynomial, by those of its factors."""
+        number, factors = _factors(polynomial)
+        ratio = Fraction(int(number.numerator), int(number.denominator))
+        total = CONSTANT(abs(ratio))
+        for factor, times in factors:
+            odd = self._positive(factor) if times % 2 else CONSTANT(1)
+            total = total * odd * Quotient(factor, _ring().one) ** (times - times % 2)
+        return total
 
     def _root(self, inside: PolyElement) -> Quotient:
         number, factors = _factors(inside)
@@ -457,7 +495,7 @@ class World:
         total = CONSTANT(Fraction(square, ratio.denominator))
         if free < 0:
             raise NotComparableError("the root of a negative number")
-        for prime in sp.factorint(free):
+        for prime in _primes(free):
             total = total * self._root_generator(_ring().ground_new(QQ(prime)))
         return total
 
@@ -787,10 +825,23 @@ def _square_part(number: int) -> tuple[int, int]:
     if root * root == number:
         return root, sign
     square, free = 1, 1
-    for prime, times in sp.factorint(number).items():
+    for prime, times in _primes(number).items():
         square *= prime ** (times // 2)
         free *= prime ** (times % 2)
     return square, sign * free
+
+
+def _primes(number: int) -> dict[int, int]:
+    """The factors of a number and their powers; what has no small factor stays as it is."""
+    factors: dict[int, int] = sp.factorint(number, limit=_MOST_FACTOR, use_rho=False, use_pm1=False)
+    found: dict[int, int] = {}
+    for factor, times in factors.items():
+        root = isqrt(factor)
+        if root * root == factor and factor > 1:
+            found[root] = found.get(root, 0) + 2 * times
+        else:
+            found[factor] = found.get(factor, 0) + times
+    return found
 
 
 def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:

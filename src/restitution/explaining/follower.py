@@ -7,7 +7,7 @@ nothing of how the working was made, or of how the problem was solved.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -15,9 +15,8 @@ from functools import lru_cache
 from typing import Literal
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import NotComparableError
+from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import (
-    Case,
     Derivation,
     ItemEnd,
     Line,
@@ -29,13 +28,18 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.moves import follows
 from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import settled, trees_of
 from restitution.expression.tree import (
+    Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
     Name,
+    Negate,
+    Number,
     Quantity,
     letters,
     walk,
@@ -47,6 +51,7 @@ Reason = Literal[
     "premise-below",
     "premise-of-another-part",
     "premise-of-another-case",
+    "number-twice",
     "axis-turned",
     "case-unknown",
     "case-missing",
@@ -126,14 +131,15 @@ class _Reader:
         self.facts = {each.id: each for each in derivation.facts}
         self.parts = {each.item: each.part for each in derivation.items}
         self.setting = setting_of(derivation, oracle)
+        self._parts: dict[Ref, set[str]] = {}
 
     def complaints(self) -> Iterator[Complaint]:
-        unknown = list(self._cases_unknown())
-        yield from unknown
-        if unknown:
-            return
-        yield from self._cases_missing()
+        numbers = list(self._numbers())
+        yield from numbers
+        if numbers:
+            return  # what a premise refers to is open
         yield from self._letters()
+        yield from self._axes()
         for position, line in enumerate(self.derivation.lines):
             above = self.derivation.lines[:position]
             bad = list(self._premises(line, {each.number for each in above}))
@@ -143,31 +149,60 @@ class _Reader:
             yield from self._said_before(line, above)
         yield from self._whole()
 
-    # --- cases ----------------------------------------------------------------------------------
+    # --- numbers and cases ----------------------------------------------------------------------
 
-    def _options(self, number: int) -> int:
-        line = self.lines.get(number)
-        if line is None or isinstance(line.relation, Meaning):
-            return 0
-        return len(line.relation.options)
-
-    def _cases_unknown(self) -> Iterator[Complaint]:
-        """Cases of alternatives that there are not."""
+    def _numbers(self) -> Iterator[Complaint]:
+        """Numbers of two lines, ids of two facts, and cases of what is no line of alternatives."""
+        seen: set[Ref] = set()
+        for fact in self.derivation.facts:
+            if fact.id in seen:
+                yield Complaint("number-twice", None, fact.id)
+            seen.add(fact.id)
+        for line in self.derivation.lines:
+            if line.number in seen:
+                yield Complaint("number-twice", line.number)
+            seen.add(line.number)
+        cases: set[int] = set()
         for case in self.derivation.cases:
-            if not 0 <= case.option < self._options(case.line):
+            if case.number in cases:
+                yield Complaint("number-twice", case.line)
+            cases.add(case.number)
+            own = self.lines.get(case.line)
+            options = own.relation.options if own and isinstance(own.relation, Relation) else ()
+            if not 0 <= case.option < len(options) or case.line in case.lines:
                 yield Complaint("case-unknown", case.line, case.number)
+        for end in self.derivation.items:
+            if end.case is None:
+                continue
+            if not any(c.number == end.case and end.line in c.lines for c in self.derivation.cases):
+                yield Complaint("case-unknown", end.line, end.item)
 
-    def _cases_missing(self) -> Iterator[Complaint]:
-        """Alternatives without a case, and items that some case does not reach."""
-        for number in {case.line for case in self.derivation.cases}:
-            own = [case for case in self.derivation.cases if case.line == number]
-            for option in set(range(self._options(number))) - {case.option for case in own}:
+    def _options(self, number: int) -> dict[int, set[int]]:
+        """For each line of alternatives, the options under which a line stands."""
+        found: dict[int, set[int]] = {}
+        for case in self.derivation.cases:
+            if number in case.lines:
+                found.setdefault(case.line, set()).add(case.option)
+        return found
+
+    def _cases(self) -> Iterator[Complaint]:
+        """Alternatives of which one has no case, and items that are not reached in each."""
+        for number in dict.fromkeys(case.line for case in self.derivation.cases):
+            relation = self.lines[number].relation
+            assert isinstance(relation, Relation)
+            every = set(range(len(relation.options)))
+            missing = every - {c.option for c in self.derivation.cases if c.line == number}
+            for option in sorted(missing):
                 yield Complaint("case-missing", number, option)
-            cases = {case.number for case in own}
-            for item in dict.fromkeys(end.item for end in self.derivation.items):
-                reached = {e.case for e in self.derivation.items if e.item == item} & cases
-                for case in sorted(cases - reached) if reached else ():
-                    yield Complaint("case-missing", number, case)
+            if missing:
+                continue
+            reached: dict[str, set[int]] = {}
+            for end in self.derivation.items:
+                options = self._options(end.line).get(number, every)
+                reached.setdefault(end.item, set()).update(options)
+            for item, options in reached.items():
+                if options != every:
+                    yield Complaint("case-missing", number, item)
 
     # --- letters --------------------------------------------------------------------------------
 
@@ -192,6 +227,64 @@ class _Reader:
             for name in sorted(missing):
                 yield Complaint("letter-not-introduced", line.number, name)
 
+    # --- axes -----------------------------------------------------------------------------------
+
+    def _axes(self) -> Iterator[Complaint]:
+        """Lines of centres that are used once in one sense and once in the other."""
+        told: dict[int, list[tuple[Ref, Expression]]] = {}
+        used = {
+            ref
+            for line in self.derivation.lines
+            if not (isinstance(line.relation, Relation) and _tells_an_axis(line.relation))
+            for ref in line.premises
+        }
+        for number, relation in self._relations():
+            if number not in used:
+                continue
+            for link in relation.options[0] if len(relation.options) == 1 else ():
+                for left, right in ((link.left, link.right), (link.right, link.left)):
+                    match left:
+                        case Quantity("line_of_centres", (), int(event)):
+                            told.setdefault(event, []).append((number, right))
+                        case Quantity("impulse", (Name(body),), int(event)) if link.sign == "=":
+                            own = self.setting.event(event)
+                            if own is not None:
+                                sense = Negate(left) if body == own.bodies[0] else left
+                                told.setdefault(event, []).append((number, sense))
+        for trees in told.values():
+            if len(trees) > 1:
+                yield from self._turned(trees)
+
+    def _relations(self) -> Iterator[tuple[Ref, Relation]]:
+        for fact in self.derivation.facts:
+            yield fact.id, fact.relation
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Relation):
+                yield line.number, line.relation
+            elif line.relation.vector:
+                letter = Letter(line.relation.letter)
+                yield line.number, Relation(((Link(line.relation.quantity, "=", letter),),))
+
+    def _turned(self, trees: Iterable[tuple[Ref, Expression]]) -> Iterator[Complaint]:
+        cited = [
+            *(Cited(each.id, each.relation) for each in self.derivation.facts),
+            *(Cited(each.number, each.relation) for each in self.derivation.lines),
+        ]
+        step = Step(self.setting, _NO_MOVE, tuple(cited), ())
+        signs = Signs(step.world, lambda: Oracle(self.setting.silent))
+        first: Plane | None = None
+        for number, tree in trees:
+            try:
+                own = step.rules().put_into(step.world.value(tree))
+            except NotComparableError:
+                continue
+            if not isinstance(own, Plane):
+                continue
+            if first is None:
+                first = own
+            elif signs.of(step.world.reduced(first.x * own.x + first.y * own.y)) == -1:
+                yield Complaint("axis-turned", number if isinstance(number, int) else None, number)
+
     # --- one line -------------------------------------------------------------------------------
 
     def _premises(self, line: Line, above: AbstractSet[int]) -> Iterator[Complaint]:
@@ -206,6 +299,8 @@ class _Reader:
                     yield Complaint("premise-below", line.number, ref)
                 elif not self._within_case(line.number, ref):
                     yield Complaint("premise-of-another-case", line.number, ref)
+                elif line.item is not None and not self._parts_under(ref) <= {part}:
+                    yield Complaint("premise-of-another-part", line.number, ref)
             elif ref in self.facts:
                 fact = self.facts[ref]
                 if fact.part is not None and line.item is not None and fact.part != part:
@@ -214,15 +309,32 @@ class _Reader:
                 yield Complaint("not-known-of-letters", line.number, ref)
 
     def _within_case(self, line: int, premise: int) -> bool:
-        own = {each.number for each in self.derivation.cases if line in each.lines}
-        of_premise = {each.number for each in self.derivation.cases if premise in each.lines}
-        return not of_premise or bool(own & of_premise)
+        """Whether a premise holds wherever a line does."""
+        own = self._options(line)
+        return all(
+            own.get(n) and own[n] <= options for n, options in self._options(premise).items()
+        )
+
+    def _parts_under(self, ref: Ref) -> set[str]:
+        """The parts of the facts on which a line rests."""
+        if isinstance(ref, str):
+            fact = self.facts.get(ref)
+            return set() if fact is None or fact.part is None else {fact.part}
+        if ref not in self._parts:
+            self._parts[ref] = set()
+            self._parts[ref] = {
+                p for own in self.lines[ref].premises for p in self._known_parts(own)
+            }
+        return self._parts[ref]
+
+    def _known_parts(self, ref: Ref) -> set[str]:
+        return self._parts_under(ref) if isinstance(ref, str) or ref in self.lines else set()
 
     def _line(self, line: Line) -> Iterator[Complaint]:
         if isinstance(line.relation, Meaning):
             if line.premises:
                 yield Complaint("premise-not-needed", line.number, line.premises[0])
-            if line.move.id != "let":
+            if line.move.id != "let" or not means_something(line.relation, self.setting):
                 yield Complaint("does-not-follow", line.number)
             return
         try:
@@ -246,9 +358,9 @@ class _Reader:
 
     def _follows(self, line: Line, premises: tuple[Ref, ...]) -> bool:
         assert isinstance(line.relation, Relation)
-        case = next((e for e in self.derivation.cases if line.number in e.lines), None)
+        options = self._options(line.number)
         cited = tuple(
-            Cited(ref, self._cited(ref, case))
+            Cited(ref, self._cited(ref, options))
             for ref in premises
             if isinstance(ref, int) or ref in self.facts
         )
@@ -261,12 +373,13 @@ class _Reader:
         )
         return follows(Step(self.setting, line.move, cited, known), line.relation)
 
-    def _cited(self, ref: Ref, case: Case | None) -> Relation | Meaning:
+    def _cited(self, ref: Ref, options: Mapping[int, AbstractSet[int]]) -> Relation | Meaning:
+        """What a premise says: of a line of alternatives, the options that a line stands under."""
         if isinstance(ref, str):
             return self.facts[ref].relation
         relation = self.lines[ref].relation
-        if case is not None and case.line == ref and isinstance(relation, Relation):
-            return Relation((relation.options[case.option],))
+        if ref in options and isinstance(relation, Relation):
+            return Relation(tuple(relation.options[n] for n in sorted(options[ref])))
         return relation
 
     def _said_before(self, line: Line, above: Iterable[Line]) -> Iterator[Complaint]:
@@ -291,6 +404,7 @@ class _Reader:
             on_the_way |= under
             yield from self._end(end, under)
             yield from self._in_force(end, under)
+        yield from self._cases()
         for line in self.derivation.lines:
             if line.number not in on_the_way:
                 yield Complaint("leads-nowhere", line.number)
@@ -372,8 +486,10 @@ class _Reader:
         if line is None or isinstance(line.relation, Meaning):
             yield Complaint("answer-missing", end.line, end.item)
             return
-        if not any(_same(line.relation, each) for each in (end.answer,)):
+        if not _same(line.relation, end.answer):
             yield Complaint("not-the-answer", end.line, end.item)
+        if line.item != end.item and not self._parts_under(end.line) <= {end.part}:
+            yield Complaint("premise-of-another-part", end.line, end.item)
         if not end.shown:
             return
         told = _told(end.answer)
@@ -423,6 +539,59 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
         and line.relation.only[0].left.name in derivation.meanings
     }
     return Setting(oracle.roles, derivation.events, derivation.meanings, names, values)
+
+
+def _tells_an_axis(relation: Relation) -> bool:
+    """Whether a relation is of a line of centres and a direction."""
+    return any(
+        isinstance(each, Quantity) and each.kind == "line_of_centres"
+        for links in relation.options
+        for link in links
+        for each in (link.left, link.right)
+    )
+
+
+def means_something(meaning: Meaning, setting: Setting) -> bool:
+    """Whether there is what a letter is to stand for, whatever the letters in it are.
+
+    It is not made of the letter itself, nothing in it is divided by what may be zero, and no root
+    is taken of what may be negative. A sense is that of a component, along its axis.
+    """
+    if meaning.letter in letters(meaning.quantity):
+        return False
+    if meaning.sense is not None and not _is_sense(meaning):
+        return False
+    step = Step(setting, _NO_MOVE, (), ())
+    step.world.printed = False
+    signs = Signs(step.world, lambda: Oracle(setting.roles))
+    try:
+        value = step.world.value(meaning.quantity)
+        if meaning.vector != isinstance(value, Plane):
+            return False
+        for each in walk(meaning.quantity):
+            match each:
+                case Binary("/", _, below) if signs.of(step.world.scalar(below)) is None:
+                    return False
+                case Binary("^", _, power) if not isinstance(power, Number):
+                    return False
+                case Apply("sqrt", inside) if signs.of(step.world.scalar(inside)) != 1:
+                    return False
+                case Apply("arcsin" | "arccos"):
+                    return False
+    except NotComparableError:
+        return False
+    return True
+
+
+def _is_sense(meaning: Meaning) -> bool:
+    match meaning.quantity:
+        case Quantity("along" | "across", (_, axis)):
+            return _is_direction(axis) and _is_direction(meaning.sense)
+    return False
+
+
+def _is_direction(tree: Expression | None) -> bool:
+    return tree is not None and not isinstance(tree, Number | Degrees)
 
 
 def known_of_letters(ref: str, setting: Setting) -> Known | None:
@@ -502,7 +671,7 @@ def _same(line: Relation, answer: Relation) -> bool:
     if len(line.options) != 1 or len(line.only) < 2:
         return False
     links = line.only
-    if any(a.right != b.left for a, b in itertools.pairwise(links)):
+    if any(a.sign != "=" or a.right != b.left for a, b in itertools.pairwise(links)):
         return False
     whole = Link(links[0].left, links[-1].sign, links[-1].right)
     return _told(Relation(((whole,),))) == _told(answer)

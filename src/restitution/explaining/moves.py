@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
 from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign
-from restitution.explaining.principles import RECORDS
+from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Step
 from restitution.explaining.trees import settled
@@ -104,7 +104,12 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             own = Link(subject, link.sign, link.right)
         else:
             after, own, subject = step, link, link.left
-        if not _LINKS[after.move.id](after, own):
+        follows_ = _LINKS.get(after.move.id)
+        if follows_ is not None:
+            right = follows_(after, own)
+        else:
+            right = _WHOLE[after.move.id](after, Relation(((own,),)))
+        if not right:
             return False
         before = link
     return True
@@ -157,6 +162,10 @@ def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
         return False
     step.world.printed = False
     own = step.residual(line)
+    step.world.note_tangents(own)
+    if sign == "≈":
+        gap = _plus(own, _times(expected, CONSTANT(-1)))
+        return line.sign == sign and isinstance(gap, Quotient) and gap.vanishes
     if isinstance(expected, Plane) and isinstance(own, Quotient) and step.move.id == "rearrange":
         # What stands with i, or with j, on both sides.
         parts = (expected.x, expected.y)
@@ -184,7 +193,7 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
     """What the record of a move says."""
     record = RECORDS.get(step.move.record or "")
     event = step.setting.event(step.move.event)
-    if record is None or not record.serves(event):
+    if record is None or not record.serves(event) or not _take_part(step, record, event):
         return
     for relation in record.relations(event, step.move.bodies):
         for link in relation.only:
@@ -196,11 +205,20 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
             yield step.setting.settled(link)
 
 
+def _take_part(step: Step, record: Record, event: Event | None) -> bool:
+    """Whether the bodies of a move meet in its event, where the record is about who meets."""
+    if event is None or (record.kind != "principle" and record.where == "any"):
+        return True
+    return record.id in _OWN or set(step.move.bodies) <= set(event.bodies)
+
+
 def records_of(step: Step) -> Iterator[Link]:
     """What the record of a move says of its event and bodies, form by form."""
     for link in _templates(step, Link(_ZERO, "=", _ZERO)):
         yield link
-        if _one_signed(step, link) is not None:  # one of the two, as the components point
+        if (
+            isinstance(link.left, Apply) and _one_signed(step, link) is not None
+        ):  # one of the two, as the components point
             yield replace(link, right=Negate(link.right))
 
 
@@ -257,6 +275,8 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
     sign = _oriented(step, above)
+    if sign is None and isinstance(link.left, Quantity):
+        sign = 1  # the size of an impulse, where the axis points as bodies approach
     if sign is None:
         return False
     return _matches(step, line, left + right if sign == -1 else left - right)
@@ -277,6 +297,8 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
                 return right
             if ratio_ == "tan" and isinstance(right, Binary) and right.op == "/":
                 return right.left
+        case Link(Quantity("impulse", ()), "=", right) if not isinstance(right, Apply):
+            return right
     return None
 
 
@@ -720,6 +742,8 @@ def _matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: S
     """As `_matches`, with values put into the line too: an identity may keep either form."""
     if _matches(step, line, expected, sign):
         return True
+    if sign not in FLIPPED:
+        return False
     own = step.residual(line, rules)
     if sign == "=":
         return line.sign == "=" and step.is_multiple(own, expected) is not None
@@ -1001,20 +1025,26 @@ def _same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:
 
 
 def _by_oracle(step: Step, relation: Relation) -> bool:
-    """Whether a relation is proved by what is cited, and by that alone."""
+    """Whether a relation is proved by what is cited, and by that alone.
+
+    Of directions, and of decimals, there is nothing to prove in this way.
+    """
+    if any(link.sign not in FLIPPED for links in relation.options for link in links):
+        return False
     return step.oracle.proves(step.formula(relation))
 
 
 def _sign(step: Step, relation: Relation) -> bool:
     lines = [each for each in step.cited if isinstance(each.relation, Relation)]
-    if len(lines) + len(step.known) > _MOST_COMPARED:
+    if len(lines) + len(step.known) > MOST_COMPARED:
         return False
     if any(link.sign in ("≈", "=") for links in relation.options for link in links):
         return False
     return _by_oracle(step, relation)
 
 
-_MOST_COMPARED = 3
+MOST_COMPARED = 3
+"""So many lines and facts at most stand behind an inequality."""
 
 
 def _monotone(step: Step, relation: Relation) -> bool:
@@ -1188,13 +1218,15 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
         return None, None, False
     ((atom, count),) = turn.terms
     for each in step.known:
-        if each.ref.startswith("acute"):
-            own = step.world.turn(each.relation.only[0].left)
-            if len(own.terms) == 1 and own.terms[0][0] == atom and not own.degrees:
-                part = count / own.terms[0][1]
-                if part > 0:
-                    half = sp.Rational(part.numerator, part.denominator) * sp.pi / 2
-                    return sp.Integer(0), half, False
+        if not each.ref.startswith("acute"):
+            continue
+        own = step.world.turn(each.relation.only[0].left)
+        if not own.degrees and len(own.terms) == 1 and own.terms[0][0] == atom:
+            part = count / own.terms[0][1]  # of an angle that is acute
+            ends = sorted(
+                (sp.Integer(0), sp.Rational(part.numerator, part.denominator) * sp.pi / 2)
+            )
+            return ends[0], ends[1], False
     role = step.setting.role(getattr(atom, "name", ""))
     cited = any(getattr(atom, "name", "") in each.letters for each in step.known)
     if role.low is None or role.high is None or not cited:
@@ -1289,4 +1321,4 @@ _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
     "shown": _as_it_stands,
 }
 
-__all__ = ["FLIPPED", "follows", "records_of"]
+__all__ = ["FLIPPED", "MOST_COMPARED", "follows", "records_of"]

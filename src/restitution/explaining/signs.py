@@ -23,6 +23,7 @@ class Signs:
     world: World
     oracle: Callable[[], Oracle]
     _printed: set[PolyElement] | None = field(default=None)
+    _noted: int = 0
     _cited: frozenset[str] | None = field(default=None)
 
     def of(self, x: Quotient, sure: bool = True) -> Sign | None:
@@ -126,8 +127,8 @@ class Signs:
         return "+" if inside and not any(role.closed) else None
 
     def _is_printed(self, factor: PolyElement) -> bool:
-        if self._printed is None:
-            self._printed = set()
+        if self._printed is None or self._noted != len(self.world.denominators):
+            self._printed, self._noted = set(), len(self.world.denominators)
             for each in self.world.denominators:
                 for own, _ in factors_of(each)[1] if each else []:
                     self._printed |= {own, -own}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -138,6 +138,9 @@ class Setting:
         return tuple(name for name, kind in self.names.items() if kind == "sphere")
 
 
+_COMPONENTS = ("along", "across")
+
+
 def _is_angle(meaning: Meaning) -> bool:
     return meaning.angle is not None or (
         isinstance(meaning.quantity, Quantity)
@@ -181,13 +184,13 @@ class Step:
             self.setting.roles,
             self.setting.vectors,
             self.setting.angles,
-            dict(self._directions()),
+            _without_circles(self._directions()),
             {},
             self.identities,
             self.opaque,
             frozenset(self._nonnegative()),
         )
-        world.turns = dict(self._turns(world))
+        world.turns = _without_circles(self._turns(world))
         return world
 
     def _nonnegative(self) -> Iterator[str]:
@@ -250,13 +253,25 @@ class Step:
         match link:
             case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, wall)):
                 if wall is not None:
-                    yield Quantity("angle", (velocity, wall)), angle
+                    if self._is_up_to(world, angle, sp.pi / 2):
+                        yield Quantity("angle", (velocity, wall)), angle
                     return
                 given = Unit("i") if origin is None else origin
-                yield Quantity("angle", (velocity, given)), angle
-                for axis, direction in world.directions.items():
-                    if direction == given:
-                        yield Quantity("angle", (velocity, axis)), angle
+                if self._is_up_to(world, angle, sp.pi):
+                    yield Quantity("angle", (velocity, given)), angle
+                if self._is_up_to(world, angle, sp.pi / 2):
+                    for axis, direction in world.directions.items():
+                        if direction == given:
+                            yield Quantity("angle", (velocity, axis)), angle
+
+    def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:
+        """Whether an angle of the data is from zero to a bound, as angles of directions are."""
+        value = world.expression(world.scalar(angle), self.setting.roles)
+        oracle = Oracle(self.setting.roles)
+        return all(
+            oracle.decide(compared(a, "<=", b)).answer == "proved"
+            for a, b in ((sp.Integer(0), value), (value, most))
+        )
 
     # --- values put in --------------------------------------------------------------------------
 
@@ -288,8 +303,9 @@ class Step:
     ) -> Iterator[tuple[Expression, Expression]]:
         """Components of a velocity of which the size and an angle are cited.
 
-        At a wall a body comes towards it and goes away, and keeps its sense along it. On which
-        side of a line of centres it goes, an angle to it does not tell.
+        At a wall a body comes towards it and goes away, and keeps the sense along it that its
+        velocity before, as cited, has. On which side of a line of centres it goes, an angle to it
+        does not tell.
         """
         speeds, angles, directed = {}, {}, {}
         for each in cited:
@@ -319,11 +335,36 @@ class Step:
                 centres = Quantity("line_of_centres", (), event.number)
                 along = Quantity("along", (velocity, centres))
                 across = Quantity("across", (velocity, centres))
-                if event.wall and axis == Name(event.bodies[1]) and self._towards(event, rules):
-                    away = velocity.stage == event.number
+                if not event.wall or axis != Name(event.bodies[1]):
+                    continue
+                before = replace(velocity, stage=event.number - 1)
+                before = settled(before, self.setting.events)  # type: ignore[assignment]
+                away = velocity.stage == event.number
+                if velocity.arguments != (Name(event.bodies[0]),) or not (
+                    away or velocity == before
+                ):
+                    continue
+                if self._towards(event, rules):
                     yield along, Negate(sine) if away else sine
-                    if self._forward(velocity):
-                        yield across, cosine
+                sense = self._sense_along(Quantity("across", (before, centres)), rules)
+                if sense is not None:
+                    yield across, cosine if sense == 1 else Negate(cosine)
+
+    def _sense_along(self, component: Expression, rules: Rules) -> int | None:
+        """1 or −1 where a component, with what is cited put in, is never of the other sign."""
+        try:
+            value = rules.put_into(self.world.value(component))
+        except NotComparableError:
+            return None
+        assert isinstance(value, Quotient)
+        own = self.world.expression(value, self.setting.roles)
+        if own.has(*(x for x in own.free_symbols if x.name.startswith("q_"))):
+            return None
+        oracle = Oracle(self.setting.roles)
+        for sign in (1, -1):
+            if oracle.decide(compared(sign * own, ">=", sp.Integer(0))).answer == "proved":
+                return sign
+        return None
 
     def _towards(self, event: Event, rules: Rules) -> bool:
         """Whether the direction of an event at a wall is the one into it, as far as is cited."""
@@ -337,22 +378,6 @@ class Step:
         claim = compared(self.world.expression(value, self.setting.roles), ">=", sp.Integer(0))
         return Oracle(self.setting.roles).decide(claim).answer == "proved"
 
-    def _forward(self, velocity: Quantity) -> bool:
-        """Whether a body keeps to the sense along a wall in which its angle is measured.
-
-        Data may give an angle of more than 90°; it goes backwards then.
-        """
-        for link in self.links:
-            match link:
-                case Link(Quantity("velocity", bodies), "=", Polar(_, angle, _, wall)):
-                    if wall is None or bodies != velocity.arguments:
-                        continue
-                    cosine = self.world.scalar(Apply("cos", angle))
-                    value = self.world.expression(cosine, self.setting.roles)
-                    claim = compared(value, ">=", sp.Integer(0))
-                    return Oracle(self.setting.roles).decide(claim).answer == "proved"
-        return True
-
     @staticmethod
     def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
         if isinstance(each.relation, Meaning):
@@ -362,8 +387,10 @@ class Step:
 
     def _sense(self, meaning: Meaning) -> int:
         """−1 where a component is counted against the direction in which it is taken."""
-        if meaning.sense is None or not isinstance(meaning.quantity, Quantity):
+        if meaning.sense is None:
             return 1
+        if not (isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _COMPONENTS):
+            raise NotComparableError("the sense of what has none")
         axis = meaning.quantity.arguments[-1]
         if meaning.sense == axis:
             return 1
@@ -372,8 +399,13 @@ class Step:
         a, b = self.world.direction(axis), self.world.direction(meaning.sense)
         if a is None or b is None:
             raise NotComparableError("the sense of a letter")
+        if meaning.quantity.kind == "across":
+            a = Plane(-a.y, a.x)
         product_ = self.world.reduced(a.x * b.x + a.y * b.y)
-        return -1 if self.signs.of(product_) == -1 else 1
+        sign = self.world.reduced(a.x * b.y - a.y * b.x).vanishes and _plain_sign(self, product_)
+        if not sign:
+            raise NotComparableError("the sense of a letter")
+        return sign
 
     # --- what is known of signs -----------------------------------------------------------------
 
@@ -435,7 +467,12 @@ class Step:
     def _of_meaning(self, meaning: Meaning) -> list[Formula]:
         if meaning.vector or _is_angle(meaning):
             return []
-        return self._formulas(Link(Letter(meaning.letter), "=", meaning.quantity))
+        try:
+            sense = self._sense(meaning)
+        except NotComparableError:
+            return []
+        quantity = meaning.quantity if sense == 1 else Negate(meaning.quantity)
+        return self._formulas(Link(Letter(meaning.letter), "=", quantity))
 
     @cached_property
     def oracle(self) -> Oracle:
@@ -522,6 +559,37 @@ def _values(links: Sequence[Link]) -> Iterator[tuple[Expression, Expression]]:
     if subject is not None:
         assert last is not None
         yield subject, last
+
+
+def _without_circles(
+    pairs: Iterable[tuple[Expression, Expression]],
+) -> dict[Expression, Expression]:
+    """What stands for what, the last that is cited, but nothing for what it is made of itself."""
+    chosen: dict[Expression, Expression] = {}
+    for left, right in pairs:
+        others = {key: value for key, value in chosen.items() if key != left}
+        if not _leads_to(right, left, others):
+            chosen[left] = right
+    return chosen
+
+
+def _leads_to(tree: Expression, goal: Expression, by: Mapping[Expression, Expression]) -> bool:
+    pending, seen = [tree], set()
+    while pending:
+        for each in walk(pending.pop()):
+            own = Quantity("direction", (each,)) if isinstance(each, Name) else each
+            if goal in (each, own):
+                return True
+            for key in (each, own):
+                if key in by and key not in seen:
+                    seen.add(key)
+                    pending.append(by[key])
+    return False
+
+
+def _plain_sign(step: Step, x: Quotient) -> int:
+    """The sign of what is made of positive letters and numbers; 0 where that does not tell it."""
+    return Signs(step.world, lambda: Oracle(step.setting.silent)).of(x) or 0
 
 
 def is_direction(tree: Expression, setting: Setting) -> bool:

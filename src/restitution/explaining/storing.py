@@ -7,11 +7,10 @@ as LaTeX and as MathML.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 from restitution.errors import StatementError
 from restitution.explaining.derivation import (
-    MOVES,
     Case,
     Derivation,
     Event,
@@ -178,7 +177,7 @@ class _Reading:
         if value["version"] != VERSION:
             raise ValueError(f"its version is {value['version']}, not {VERSION}")
         self.value = value
-        self.names = dict(value["names"])
+        self.names = {_text(name): _text(kind) for name, kind in dict(value["names"]).items()}
 
     def derivation(self) -> Derivation:
         """The whole."""
@@ -187,24 +186,32 @@ class _Reading:
             tuple(self._fact(each) for each in value["facts"]),
             tuple(self._line(each) for each in value["lines"]),
             tuple(self._item(each) for each in value["items"]),
+            tuple(self._event(each) for each in value["events"]),
             tuple(
-                Event(each["n"], each["kind"], tuple(each["bodies"]), each["wall"])
-                for each in value["events"]
-            ),
-            tuple(
-                Case(each["n"], each["line"], each["option"], tuple(each["lines"]))
+                Case(
+                    _number(each["n"]),
+                    _number(each["line"]),
+                    _number(each["option"]),
+                    tuple(_number(line) for line in each["lines"]),
+                )
                 for each in value["cases"]
             ),
             tuple(
-                Route(each["item"], tuple(self._move(move) for move in each["moves"]))
+                Route(_text(each["item"]), tuple(self._move(move) for move in each["moves"]))
                 for each in value["others"]
             ),
         )
 
+    def _event(self, value: Mapping[str, Any]) -> Event:
+        bodies = tuple(_text(each) for each in value["bodies"])
+        kind = _one_of(value["kind"], Event, "kind")
+        return Event(_number(value["n"]), kind, bodies, _truth(value["wall"]))
+
     def _fact(self, value: Mapping[str, Any]) -> Fact:
-        place = None if value["place"] is None else Place(*value["place"])
+        place = None if value["place"] is None else Place(*map(_number, value["place"]))
         relation = read_relation(value["text"], self.names)
-        return Fact(value["id"], value["kind"], relation, value["part"], place)
+        kind = _one_of(value["kind"], Fact, "kind")
+        return Fact(_text(value["id"]), kind, relation, _text_or_none(value["part"]), place)
 
     def _line(self, value: Mapping[str, Any]) -> Line:
         text = value["text"]
@@ -214,43 +221,71 @@ class _Reading:
             else read_relation(text, self.names)
         )
         return Line(
-            value["n"],
-            value["item"],
+            _number(value["n"]),
+            _text_or_none(value["item"]),
             self._move(value),
-            tuple(value["premises"]),
+            tuple(e if isinstance(e, str) else _number(e) for e in value["premises"]),
             relation,
-            tuple(
-                Mark(
-                    each["kind"],
-                    each["number"],
-                    each["dependent"],
-                    each["star"],
-                    each["ft"],
-                    each["because"],
-                    tuple(each["on"]),
-                )
-                for each in value["marks"]
-            ),
-            value["shown"],
+            tuple(self._mark(each) for each in value["marks"]),
+            _one_of(value["shown"], Line, "shown"),
+        )
+
+    def _mark(self, value: Mapping[str, Any]) -> Mark:
+        return Mark(
+            _one_of(value["kind"], Mark, "kind"),
+            _number(value["number"]),
+            _truth(value["dependent"]),
+            _truth(value["star"]),
+            _truth(value["ft"]),
+            _text(value["because"]),
+            tuple(_number(each) for each in value["on"]),
         )
 
     def _move(self, value: Mapping[str, Any]) -> Move:
-        if value["move"] not in MOVES:
-            raise ValueError(f"there is no move {value['move']!r}")
         return Move(
-            value["move"],
-            value["record"],
-            value["event"],
-            tuple(value["bodies"]),
-            value["eliminated"],
+            _one_of(value["move"], Move, "id"),
+            _text_or_none(value["record"]),
+            None if value["event"] is None else _number(value["event"]),
+            tuple(_text(each) for each in value["bodies"]),
+            _text_or_none(value["eliminated"]),
         )
 
     def _item(self, value: Mapping[str, Any]) -> ItemEnd:
         return ItemEnd(
-            value["item"],
-            value["line"],
+            _text(value["item"]),
+            _number(value["line"]),
             read_relation(value["text"], self.names),
-            value["part"],
-            value["printed"],
-            value["case"],
+            _text_or_none(value["part"]),
+            _truth(value["printed"]),
+            None if value["case"] is None else _number(value["case"]),
         )
+
+
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{value!r} is no text")
+    return value
+
+
+def _text_or_none(value: object) -> str | None:
+    return None if value is None else _text(value)
+
+
+def _number(value: object) -> int:
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise TypeError(f"{value!r} is no whole number")
+    return value
+
+
+def _truth(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError(f"{value!r} is neither true nor false")
+    return value
+
+
+def _one_of(value: object, of: type, name: str) -> Any:
+    """A value of a field that takes one of several words."""
+    allowed = get_args(get_type_hints(of)[name])
+    if value not in allowed:
+        raise ValueError(f"{value!r} is none of {', '.join(allowed)}")
+    return value

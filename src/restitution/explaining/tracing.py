@@ -25,7 +25,7 @@ from restitution.explaining.algebra import (
 )
 from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.follower import known_of_letters, setting_of, settled_derivation
-from restitution.explaining.moves import follows, records_of
+from restitution.explaining.moves import MOST_COMPARED, follows, records_of
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Known, Step, is_direction
@@ -104,10 +104,26 @@ class Tracer:
         self.facts = [Cited(each.id, each.relation) for each in self.statement.facts]
         self.lines: list[Cited] = []
         self.lets: list[Cited] = []
+        self._angles: set[Expression] = set()
         self._numbers: list[_Numbers] | None = None
+        for each in (*self.facts, *self.lets):
+            self._speak_of(each.relation)
+
+    def _speak_of(self, relation: Relation | Meaning) -> None:
+        """Take note of the angles of which a line speaks: laws of others are left aside."""
+        new = {
+            self.setting.quantity(node)
+            for tree in trees_of(relation)
+            for node in walk(tree)
+            if isinstance(node, Quantity) and self.setting.of_angle(node) is not None
+        }
+        if not new <= self._angles:
+            self._angles |= new
+            self._numbers = None
 
     def add(self, number: int, relation: Relation | Meaning) -> None:
         """Take up a line: those that come can rest on it."""
+        self._speak_of(relation)
         if isinstance(relation, Meaning):
             quantity = self.setting.quantity(relation.quantity)
             meaning = replace(relation, quantity=quantity)
@@ -159,6 +175,7 @@ class Tracer:
     def trace(self, relation: Relation) -> Trace:
         """The move that gives a relation, or two of them, or none that was recognised."""
         relation = self._settled(relation)
+        self._speak_of(relation)
         for attempt in self._attempts(relation):
             try:
                 found = attempt()
@@ -196,6 +213,11 @@ class Tracer:
         links = relation.only
         if len(links) < 2 or any(a.right != b.left or b.sign != "=" for a, b in pairwise(links)):
             return None
+        for before, link in pairwise(links):
+            base = Cited(0, Relation(((Link(links[0].left, links[0].sign, before.right),),)))
+            own = Relation(((Link(links[0].left, links[0].sign, link.right),),))
+            if self._from_line(base, own) is None:
+                return None
         first = self.trace(Relation(((links[0],),)))
         whole = Relation(((Link(links[0].left, "=", links[-1].right),),))
         return first if first.kind != "unrecognised" else self.trace(whole)
@@ -257,7 +279,17 @@ class Tracer:
                     move = Move(kind, record.id, event.number, bodies)
                     step = Step(self.setting, move, tuple(self.facts), ())
                     for link in records_of(step):
-                        yield move, link
+                        if self._speaks_of(link):
+                            yield move, link
+
+    def _speaks_of(self, link: Link) -> bool:
+        """Whether all angles in a law are among those of which lines speak."""
+        return all(
+            node in self._angles
+            for tree in (link.left, link.right)
+            for node in walk(tree)
+            if isinstance(node, Quantity) and self.setting.of_angle(node) is not None
+        )
 
     def _bodies(self, record: Record, bodies: tuple[str, ...]) -> Iterable[tuple[str, ...]]:
         spheres = [each for each in bodies if self.setting.names.get(each) == "sphere"]
@@ -306,11 +338,13 @@ class Tracer:
     def _from_law(self, move: Move, law: Link, relation: Relation) -> Trace | None:
         for with_axes in (True, False):
             cited = self._relevant([law.left, law.right], relation, with_axes)
+            known = self._background(relation) if with_axes else ()
             if move.record in ("perpendicular", "parallel", "across-the-impulse"):
                 cited += [x for x in self.facts if x not in cited and _is_tie(x)]
-            step = Step(self.setting, move, tuple(cited), ())
-            if _tried(step, relation):
-                return Trace("move", (move,), self._needed(step, relation))
+            for own in ((), known) if known else ((),):
+                step = Step(self.setting, move, tuple(cited), own)
+                if _tried(step, relation):
+                    return Trace("move", (move,), self._needed(step, relation))
         return None
 
     def _relevant(
@@ -436,9 +470,12 @@ class Tracer:
         tries = [(each,) for each in near[:3]] + list(combinations(near[:3], 2))
         for chosen in tries:
             names = letters.union(*(_letters(each) for each in chosen))
-            step = Step(self.setting, Move("sign"), chosen, self._background_of(names))
-            if _tried(step, relation):
-                return Trace("move", (step.move,), self._needed(step, relation))
+            known = self._background_of(names)
+            room = min(len(known), MOST_COMPARED - len(chosen))
+            for own in combinations(known, room):
+                step = Step(self.setting, Move("sign"), chosen, own)
+                if _tried(step, relation):
+                    return Trace("move", (step.move,), self._needed(step, relation))
         return None
 
     def _background(self, relation: Relation) -> tuple[Known, ...]:
@@ -718,7 +755,8 @@ class _Numbers:
         level = 0 if own[0] is not None else 1
         sources = self.sources[level]
         lines = [each for each in reversed(sources) if each.move is None][:_NEAREST]
-        laws = [each for each in sources if each.move is not None]
+        # Which sign a ratio of components has, only the follower decides.
+        laws = [e for e in sources if e.move is not None and not isinstance(e.link.left, Apply)]
         principles = [each for each in laws if each.move is not None and each.move.id == "law"]
         for first, second in (
             *combinations(lines, 2),
@@ -736,6 +774,8 @@ class _Numbers:
             _linear(step.world, first.value) & _linear(step.world, own[level])
         ) or sorted(_linear(step.world, first.value))
         for number in shared:
+            if step.signs.of(_slope(first.value, number), sure=False) is None:
+                continue
             value = _solved_for(first.value, number)
             rules = Rules(step.world, [(number, 1, value)])
             try:
@@ -835,6 +875,12 @@ def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
         yield Link(links[0].left, links[0].sign, links[-1].right)
     else:
         yield from links[1:]
+
+
+def _slope(x: Quotient, number: int) -> Quotient:
+    """The factor of a generator in what is linear in it."""
+    lead = {(*m[:number], 0, *m[number + 1 :]): v for m, v in x.above.items() if m[number]}
+    return Quotient(x.above.ring.from_dict(lead), x.above.ring.one)
 
 
 _SKEW = CONSTANT(7919)

@@ -1,0 +1,397 @@
+"""What a follower has to refuse though it looks right, and what it must not refuse."""
+
+from __future__ import annotations
+
+import pytest
+from derivations import derivation_of, names_of, oracle_of
+
+from restitution.errors import StatementError
+from restitution.explaining.algebra import NotComparableError, World
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.storing import from_json, to_json
+from restitution.explaining.tracing import Tracer
+from restitution.language.reading import parse
+
+WHOLE = ("leads-nowhere", "fact-not-used", "answer-missing")
+
+SPHERES = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+A hits B: along i, e = 1/2
+find velocity(A)
+"""
+LETTERS = """
+sphere A: mass m, velocity U at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+find speed(A)
+"""
+PARTS = """
+sphere A: mass m, velocity U at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+part a
+given e = 1/2
+find velocity(A)
+part b
+find velocity(B)
+"""
+THREE = """
+wall W: along j
+sphere A: mass 2, velocity 3i + 4j
+sphere C: mass 1, velocity 5i + j
+A hits W: e = 1/2
+find velocity(A)
+"""
+PARALLEL = """
+wall W: along i
+wall X: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+P hits X: e = 2/3
+given angle(velocity(P), X) = theta
+find theta
+"""
+LEFT = """
+wall W: along i
+sphere P: velocity -3i - 4j
+P hits W: e = 1/2
+given angle(velocity(P), W) = theta
+find theta
+"""
+UPWARDS = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find impulse
+"""
+UNKNOWN_AXIS = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+A hits B
+given velocity(A) = i + 4j
+find e
+"""
+WALL = """
+wall W: along i
+sphere P: mass 1, velocity u at alpha to W
+P hits W
+given {}
+find alpha
+"""
+BACKWARDS = """
+wall W: along i
+sphere P: mass 1, velocity 3 at 120° to W
+P hits W: e = 1/2
+find velocity(P)
+"""
+
+
+def complaints(statement: str, working: str) -> list[str]:
+    """What is wrong with the lines of a working, by reason."""
+    problem = parse(statement)
+    found = follow(derivation_of(problem, working), oracle_of(problem))
+    return [each.reason for each in found if each.reason not in WHOLE]
+
+
+RESTITUTION = "law restitution 1 A B | velocity A, velocity B, axis 1, e 1"
+BOTH_SENSES = """
+1 a | law along-the-change 1 A | velocity A, given 1 | line_of_centres(1) parallel to i
+2 a | law along-the-change 1 A | velocity A, given 1 | line_of_centres(1) parallel to -i
+3 a | law unchanged 1 B | 1, velocity B | s(B, 1) = 1
+4 a | law unchanged 1 B | 2, velocity B | s(B, 1) = -1
+"""
+IMPULSE = """
+1 a | let | | let v = c(A, 1)
+2 a | law momentum 1 A B | mass A, mass B, velocity A, velocity B, axis 1, 1 | 1 = 2v + 3*c(B, 1)
+3 a | law restitution 1 A B | velocity A, velocity B, axis 1, e 1, 1 | c(B, 1) - v = -3
+4 a | combine c(B, 1) | 2, 3 | v = 2
+5 a | law impulse 1 A | mass A, velocity A, axis 1, 1, 4 | impulse(1) = {}
+"""
+SECOND_WALL = """
+1 a | let | | let V = speed(P, 2)
+2 a | law unchanged 1 P | velocity P, wall W, axis 1 | along(velocity(P, 1), i) = u cos(alpha)
+3 a | law unchanged 2 P | 2, 1, axis 2, given 1 | V cos(theta) = {}
+"""
+ALONG_A_WALL = """
+1 a | let | | let V = speed(P, 1)
+2 a | law unchanged 1 P | velocity P, axis 1, given 1, 1 | V cos(theta) = {}
+"""
+AGAINST = """
+1 a | let | | let q = along(velocity(A, 0), i) in the sense of -i
+2 a | sign | 1, velocity A | q {} 0
+"""
+DECIMAL = f"""
+1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2
+2 a | value | 1 | c(B, 1) - c(A, 1) ≈ 2
+3 a | fact | 2 | 1000(c(B, 1) - c(A, 1)) ≈ 2000
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "working", "expected"),
+    [
+        # two lines of one number would let a line rest on itself
+        (
+            SPHERES,
+            (
+                "1 a | let | | let v = c(A, 1)\n"
+                f"5 a | {RESTITUTION}, 1 | c(B, 1) - v = 2\n"
+                "4 a | rearrange | 5 | v = 7\n5 a | rearrange | 4 | v - 7 = 0"
+            ),
+            "number-twice",
+        ),
+        # a fact of another part, through a line
+        (
+            PARTS,
+            (
+                f"1 a | {RESTITUTION}, given 1 | c(B, 1) - c(A, 1) = 1/2 U cos(alpha)\n"
+                "2 b | rearrange | 1 | c(B, 1) = c(A, 1) + 1/2 U cos(alpha)\n"
+                "a: 1 c(B, 1) - c(A, 1) = 1/2 U cos(alpha)\n"
+                "b: 2 c(B, 1) = c(A, 1) + 1/2 U cos(alpha)"
+            ),
+            "premise-of-another-part",
+        ),
+        # directions are not proved by having nothing to prove
+        (SPHERES, "1 a | sign | | velocity(A, 1) parallel to i", "does-not-follow"),
+        (SPHERES, "1 a | complete | | speed(A, 1) ≈ 55", "does-not-follow"),
+        # letters for what there is not
+        (LETTERS, "1 a | let | | let q = sqrt(e - 2)", "does-not-follow"),
+        (LETTERS, "1 a | let | | let q = 1/(e - 1)", "does-not-follow"),
+        (SPHERES, "1 a | let | | let q = q^2 + 1", "does-not-follow"),
+        (SPHERES, "1 a | let | | let q = impulse(1) in the sense of j", "does-not-follow"),
+        (SPHERES, "1 a | let | | let vector R = speed(A, 1)", "does-not-follow"),
+        (SPHERES, AGAINST.format(">"), "does-not-follow"),
+        # a body that takes no part
+        (
+            THREE,
+            "1 a | law restitution-wall 1 C | | c(C, 0@1) = -restitution(1) c(C, 0@1)",
+            "does-not-follow",
+        ),
+        # half of an acute angle is acute, twice it need not be
+        (
+            WALL.format("sin(2alpha) = 1/2"),
+            "1 a | inverse | given 1, acute: alpha | alpha = 15°",
+            "does-not-follow",
+        ),
+        # the sense along a wall is that of the velocity before
+        (PARALLEL, SECOND_WALL.format("-u cos(alpha)"), "does-not-follow"),
+        (LEFT, ALONG_A_WALL.format("-3"), "does-not-follow"),
+        (UPWARDS, IMPULSE.format("-12"), "does-not-follow"),
+        (UNKNOWN_AXIS, BOTH_SENSES, "axis-turned"),
+        # a tangent that cancels divides by nothing
+        (
+            WALL.format("cos(2alpha) * u = cos(2alpha)"),
+            "1 a | rearrange | given 1 | u + 0*tan(2alpha) = 1",
+            "does-not-follow",
+        ),
+        # an angle to a wall is at most a right angle
+        (
+            BACKWARDS,
+            (
+                "1 a | define sum 1 P | velocity P"
+                " | deflection(P, 1) = 120° + angle(velocity(P, 1), W)"
+            ),
+            "does-not-follow",
+        ),
+        (SPHERES, DECIMAL, "does-not-follow"),
+        # circles among what is cited
+        (
+            WALL.format("beta = 2alpha, alpha = beta/2"),
+            "1 a | law unchanged 1 P | given 1, given 2, velocity P | cos(beta) = sin(alpha)",
+            "does-not-follow",
+        ),
+    ],
+)
+def test_what_only_looks_right_is_refused(statement: str, working: str, expected: str) -> None:
+    assert expected in complaints(statement, working)
+
+
+@pytest.mark.parametrize(
+    ("statement", "working"),
+    [
+        (SPHERES, AGAINST.format("<")),
+        (
+            SPHERES,
+            (
+                "1 a | let | | let q = c(A, 1) in the sense of -i\n"
+                "2 a | law momentum 1 A B | 1, velocity A, mass A, mass B, axis 1, velocity B"
+                " | 2 = -2q + 4*c(B, 1)"
+            ),
+        ),
+        (PARALLEL, SECOND_WALL.format("u cos(alpha)")),
+        (LEFT, ALONG_A_WALL.format("3")),
+        (UPWARDS, IMPULSE.format("12")),
+        (SPHERES, f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2 ≈ 2 [value]"),
+        (
+            WALL.format("sin(2alpha) = u cos(2alpha)"),
+            "1 a | rearrange | given 1 | tan(2alpha) = u",
+        ),
+    ],
+)
+def test_what_is_right_is_followed(statement: str, working: str) -> None:
+    assert complaints(statement, working) == []
+
+
+# --- cases ----------------------------------------------------------------------------------------
+
+EITHER = """
+wall W: along i
+sphere P: velocity p i - 4j
+P hits W: e = 1/2
+given speed(P) = 2sqrt(5)
+find p
+"""
+SQUARES = """
+1 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = p
+2 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 2
+3 a | define speed 1 P | given 1, 1, 2 | (2sqrt(5))^2 = p^2 + 2^2
+4 a | roots | 3 | p = 4 or p = -4
+"""
+
+
+@pytest.mark.parametrize(
+    ("cases", "expected"),
+    [
+        ("case 1: line 4 option 0 lines 5", "case-missing"),
+        ("case 1: line 4 option 0 lines 5\ncase 2: line 4 option 2 lines 6", "case-unknown"),
+        # a line that stands in both cases does not rest on one of them
+        ("case 1: line 4 option 0 lines 5\ncase 2: line 4 option 1 lines 5", "does-not-follow"),
+    ],
+)
+def test_cases_are_all_there_and_apart(cases: str, expected: str) -> None:
+    lines = f"{SQUARES}5 a | put | 1, 4 | along(velocity(P, 1), i) = 4\n"
+    ends = "a: 5 case 1 along(velocity(P, 1), i) = 4"
+    assert expected in complaints(EITHER, f"{lines}{cases}\n{ends}")
+
+
+# --- what is compared -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "equal"),
+    [
+        ("sqrt(x/y)", "sqrt(x y)/y", False),
+        ("sqrt((e - 1)/(2e - 3))", "sqrt((e - 1)(2e - 3))/(2e - 3)", False),
+        ("sqrt(x^2/y^4)", "abs(x)/y^2", True),
+        ("sqrt((2e - 1)/3)", "sqrt(3(2e - 1))/3", True),
+    ],
+)
+def test_a_root_is_not_negative(left: str, right: str, equal: bool) -> None:
+    world = World({})
+    gap = world.scalar(read_tree(left, {})) - world.scalar(read_tree(right, {}))
+    assert world.reduced(gap).vanishes == equal
+
+
+@pytest.mark.parametrize("text", ["((((10^16)^16)^16)^16)^16", "(1 + a + b + c + d + f + g)^16"])
+def test_what_is_too_long_is_refused_before_it_is_worked_out(text: str) -> None:
+    with pytest.raises(NotComparableError):
+        World({}).scalar(read_tree(text, {}))
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        (("lines", 0, "n"), []),
+        (("lines", 0, "n"), True),
+        (("lines", 0, "premises"), [["1"]]),
+        (("lines", 0, "bodies"), [{}]),
+        (("facts", 0, "id"), 3),
+        (("facts", 0, "kind"), "rumour"),
+        (("events", 0, "n"), "1"),
+        (("events", 0, "wall"), 1),
+        (("items", 0, "line"), None),
+        (("names",), {"A": 1}),
+    ],
+)
+def test_fields_of_the_wrong_kind_are_no_derivation(
+    path: tuple[str | int, ...], value: object
+) -> None:
+    working = f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2\na: 1 c(B, 1) - c(A, 1) = 2"
+    whole = to_json(derivation_of(parse(SPHERES), working))
+    from_json(whole)
+    at = whole
+    for key in path[:-1]:
+        at = at[key]  # type: ignore[index]
+    at[path[-1]] = value  # type: ignore[index]
+    with pytest.raises(StatementError):
+        from_json(whole)
+
+
+# --- lines of students ----------------------------------------------------------------------------
+
+WALL_IN_NUMBERS = """
+wall W: along j
+sphere P: mass 3, velocity 4i + 3j
+P hits W: e = 1/2
+find velocity(P)
+"""
+V_AND_W = """
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+"""
+AFTER = ("v = -1", "along(velocity(A, 1), j) = 4")
+LAWS = ("v + 2w = 1", "w - v = 2")
+
+
+@pytest.mark.parametrize(
+    ("statement", "text", "above", "law"),
+    [
+        (SPHERES, "2*3 - 2v = 4w + 4", (), "momentum"),
+        (SPHERES, "2(3 - v) = 4(w + 1)", (), "momentum"),
+        (SPHERES, "v = 1 - 2w", (), "momentum"),
+        (SPHERES, "2*3 - 4 = 2v - 4w", (), None),
+        (SPHERES, "3 - 1 = v + w", (), None),
+        (SPHERES, "1/2 = (w - v)/(3 + 1)", (), "restitution"),
+        (SPHERES, "0.5*(3 - (-1)) = w - v", (), "restitution"),
+        (SPHERES, "(v - w)/4 = 1/2", (), None),
+        (SPHERES, "along(velocity(A, 1), j) = 4", (), "unchanged"),
+        (SPHERES, "along(velocity(A, 1), j) = 1", (), None),
+        (SPHERES, "speed(A, 1)^2 = (-1)^2 + 4^2", AFTER, "speed"),
+        (SPHERES, "speed(A, 1)^2 = 15", AFTER, None),
+        (SPHERES, "energy(A, 1) = 17", AFTER, "energy"),
+        (SPHERES, "energy(A, 1) = 34", AFTER, None),
+        (SPHERES, "energy(0) = 29", (), "total"),
+        (SPHERES, "energy_lost(1) = 8", ("v = -1", "w = 1"), "energy-lost"),
+        (SPHERES, "energy_lost(1) = 12", ("v = -1", "w = 1"), None),
+        (SPHERES, "impulse(1) = 4*(w + 1)", (), "impulse"),
+        (SPHERES, "impulse(1) = 2*(3 + v)", (), None),
+        (SPHERES, "3v = -3", LAWS, "combine"),
+        (SPHERES, "v = 1", LAWS, None),
+        (LETTERS, "e = (w - v)/(U cos(alpha))", (), "restitution"),
+        (LETTERS, "U cos(alpha) = v + 2w", (), "momentum"),
+        (LETTERS, "U sin(alpha) = v + 2w", (), None),
+        (LETTERS, "v - w = e U cos(alpha)", (), None),
+        (
+            LETTERS,
+            "v = (1 - 2e)U cos(alpha)/3",
+            ("U cos(alpha) = v + 2w", "w - v = e U cos(alpha)"),
+            "combine",
+        ),
+        (WALL_IN_NUMBERS, "along(velocity(P, 1), i) = -1/2*4", (), "restitution-wall"),
+        (WALL_IN_NUMBERS, "along(velocity(P, 1), i) = 2", (), None),
+        (WALL_IN_NUMBERS, "along(velocity(P, 1), i) = -1/2*4 = -2", (), "restitution-wall"),
+        (WALL_IN_NUMBERS, "along(velocity(P, 1), i) = -1/2*4 = 2", (), None),
+        (WALL_IN_NUMBERS, "impulse(P, 1) = -18i", ("velocity(P, 1) = -2i + 3j",), "impulse-vector"),
+        (WALL_IN_NUMBERS, "impulse(P, 1) = 18i", ("velocity(P, 1) = -2i + 3j",), None),
+    ],
+)
+def test_lines_of_students_are_known_by_their_law(
+    statement: str, text: str, above: tuple[str, ...], law: str | None
+) -> None:
+    problem = parse(statement)
+    names = names_of(problem)
+    tracer = Tracer(derivation_of(problem, ""), oracle_of(problem))
+    if "A" in names:
+        for line in derivation_of(problem, V_AND_W).lines:
+            tracer.add(line.number, line.relation)
+    for number, each in enumerate(above, 3):
+        tracer.add(number, read_relation(each, names))
+    trace = tracer.trace(read_relation(text, names))
+    if law is None:
+        assert trace.kind == "unrecognised"
+    else:
+        assert trace.kind == "move"
+        assert trace.move is not None
+        assert law in (trace.move.record, trace.move.id)
