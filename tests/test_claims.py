@@ -56,7 +56,8 @@ def test_no_verdict_is_wrong(group: str) -> None:
 
 
 def test_hardly_one_is_undecided() -> None:
-    hardly_one_is_undecided(sample())
+    # Every claim of the sample is judged in the tests by group; a third of it tells the share.
+    hardly_one_is_undecided(sample()[::3])
 
 
 @pytest.mark.nightly

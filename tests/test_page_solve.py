@@ -15,7 +15,7 @@ from playwright.sync_api import expect
 
 from restitution import parse, solve
 from restitution.examples.topics import TOPICS
-from restitution.expression.quantities import SIGNATURES
+from restitution.expression.tree import QUANTITIES
 from restitution.expression.words import PROPERTY_WORDS
 from restitution.web.pages import GHOST
 from restitution.web.words import vocabulary
@@ -1037,7 +1037,7 @@ def test_the_choice_never_scrolls_sideways(opening):
 
 def test_the_vocabulary_is_that_of_the_language():
     words = vocabulary()
-    assert {each["word"] for each in words["quantities"]} == set(SIGNATURES)
+    assert {each["word"] for each in words["quantities"]} == set(QUANTITIES)
     described = [each for kind in words["properties"].values() for each in kind]
     known = " ".join(f"{each['word']} {each['about']}" for each in described)
     assert set(PROPERTY_WORDS) <= set(re.findall(r"\w+", known))
