@@ -8,7 +8,7 @@ step is one move long: that a line is true, or a consequence, does not make it r
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -16,31 +16,34 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
+from restitution.explaining.definitions import (
+    WORKED_OUT,
+    ZERO,
+    nothing,
+    places,
+    tie_of,
+    ties,
+)
 from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
+from restitution.explaining.senses import oriented
 from restitution.explaining.step import Cited, Step
-from restitution.explaining.trees import settled
 from restitution.expression.tree import (
     Apply,
-    AtTime,
     Binary,
     Degrees,
     Expression,
     Letter,
-    Name,
     Negate,
     Number,
     Quantity,
     walk,
 )
-from restitution.oracle import REAL, Oracle, Role, compared
+from restitution.oracle import REAL, Oracle, compared
 from restitution.oracle import Relation as Claim
 
 FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
-_ZERO = Number(Fraction(0))
-_HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
-_RIGHT_ANGLE = Degrees(Fraction(90))
 _RATIOS = ("sin", "cos", "tan")
 _IDENTITIES: Mapping[str, frozenset[Any]] = {
     "pythagoras": frozenset({"pythagoras"}),
@@ -198,10 +201,10 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
     for relation in record.relations(event, step.move.bodies):
         for link in relation.only:
             yield step.setting.settled(link)
-    for link in _OWN.get(record.id, _nothing)(step, event):
+    for link in WORKED_OUT.get(record.id, nothing)(step, event):
         yield step.setting.settled(link)
     if record.id in ("straight-line", "distance"):
-        for link in _places(step, event, line):
+        for link in places(step, event, line):
             yield step.setting.settled(link)
 
 
@@ -209,53 +212,17 @@ def _take_part(step: Step, record: Record, event: Event | None) -> bool:
     """Whether the bodies of a move meet in its event, where the record is about who meets."""
     if event is None or (record.kind != "principle" and record.where == "any"):
         return True
-    return record.id in _OWN or set(step.move.bodies) <= set(event.bodies)
+    return record.id in WORKED_OUT or set(step.move.bodies) <= set(event.bodies)
 
 
 def records_of(step: Step) -> Iterator[Link]:
     """What the record of a move says of its event and bodies, form by form."""
-    for link in _templates(step, Link(_ZERO, "=", _ZERO)):
+    for link in _templates(step, Link(ZERO, "=", ZERO)):
         yield link
         if (
             isinstance(link.left, Apply) and _one_signed(step, link) is not None
         ):  # one of the two, as the components point
             yield replace(link, right=Negate(link.right))
-
-
-def _places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
-    """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
-    for tree in (*walk(line.left), *walk(line.right)):
-        match tree:
-            case Quantity("position", _, AtTime()):
-                yield Link(tree, "=", _place_of(tree, event))
-            case Quantity("distance", (a, b), stage):
-                places = [
-                    _place_of(
-                        Quantity("position", (each,), _stage_of(step, each, stage))
-                        if isinstance(each, Name)
-                        else each,
-                        event,
-                    )
-                    for each in (a, b)
-                ]
-                yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
-
-
-def _stage_of(step: Step, body: Expression, stage: Any) -> Any:
-    """The stage of a place: a point has none."""
-    moves = isinstance(body, Name) and body.name in step.setting.spheres
-    return stage if moves else None
-
-
-def _place_of(place: Expression, event: Event | None) -> Expression:
-    """A place; at a time after an event, by the place and the velocity there."""
-    match place:
-        case Quantity("position", (body,), AtTime(time)) if event is not None:
-            since = Binary("-", time, Quantity("time", (), event.number))
-            velocity = Quantity("velocity", (body,), event.number)
-            start = Quantity("position", (body,), event.number)
-            return Binary("+", start, Binary("*", velocity, since))
-    return place
 
 
 def _is_template(step: Step, line: Link, link: Link) -> bool:
@@ -274,7 +241,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         return False
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
-    sign = _oriented(step, above)
+    sign = oriented(step, above)
     if sign is None and isinstance(link.left, Quantity):
         sign = 1  # the size of an impulse, where the axis points as bodies approach
     if sign is None:
@@ -302,55 +269,6 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
     return None
 
 
-def _oriented(step: Step, x: Quotient) -> int | None:
-    """The sign of a ratio of components; None where it is open.
-
-    What letters of the statement may be need not be cited: an acute angle is named as such. A
-    component that a working names is drawn in its sense, unless a line gives it a value of which
-    that is not certain.
-    """
-    from restitution.explaining.signs import Signs
-
-    oracle = Oracle(_drawn_roles(step))
-    sign = Signs(step.world, lambda: oracle).of(x)
-    if sign:
-        return sign
-    # e, say, may be zero
-    value = step.world.expression(x, oracle.roles)
-    for number in (1, -1):
-        if oracle.decide(Claim(number * value, ">=")).answer == "proved":
-            return number
-    return None
-
-
-def _drawn_roles(step: Step) -> Mapping[str, Role]:
-    """What letters may be, where components that a working names are drawn in their sense."""
-    from restitution.oracle.roles import POSITIVE
-
-    roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
-    angles = step.setting.angles & step.setting.meanings.keys()
-    roles |= {name: step.setting.roles.get(name, _acute()) for name in angles}
-    for name, value in step.setting.values.items():
-        if name not in angles and not _never_below(step, value, roles):
-            roles[name] = REAL
-    return roles
-
-
-def _never_below(step: Step, value: Expression, roles: Mapping[str, Role]) -> bool:
-    """Whether a value is certain not to be negative, whatever the letters in it are."""
-    try:
-        least = step.world.expression(step.world.scalar(value), roles)
-    except NotComparableError:
-        return False
-    return Oracle(roles).decide(Claim(least, ">=")).answer == "proved"
-
-
-def _acute() -> Any:
-    from restitution.oracle.roles import ACUTE
-
-    return ACUTE
-
-
 def _is_tied(step: Step, line: Link, template: Link) -> bool:
     """Of two directions: parallel or perpendicular, by cross or scalar product."""
     if line.sign != template.sign:
@@ -372,164 +290,14 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
     return chosen.is_multiple(own, expected) is not None
 
 
-# --- records that are worked out and not written down -------------------------------------------
-
-
-def _nothing(step: Step, event: Event | None) -> Iterable[Link]:
-    return ()
-
-
-def _axis(event: Event) -> Expression:
-    return Quantity("line_of_centres", (), event.number)
-
-
-def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
-    return Quantity(kind, (Quantity("velocity", (Name(body),), stage), _axis(event)))
-
-
-def _sum(terms: Sequence[Expression]) -> Expression:
-    total = terms[0]
-    for each in terms[1:]:
-        total = Binary("+", total, each)
-    return total
-
-
-def _squared(tree: Expression) -> Expression:
-    return Binary("^", tree, Number(Fraction(2)))
-
-
-def _deflections(step: Step, event: Event | None) -> Iterator[Link]:
-    """A deflection by the angles to the line of centres before and after, by the components.
-
-    Who goes on in the same sense along it turns by their difference, who goes back by what is
-    left of 180°.
-    """
-    body = next(iter(step.move.bodies), None)
-    if event is None or body not in event.bodies:
-        return
-    before, after = event.number - 1, event.number
-    rules = step.rules()
-    c, d = (
-        rules.put_into(
-            step.world.value(settled(_component("along", body, stage, event), step.setting.events))
-        )
-        for stage in (before, after)
-    )
-    if isinstance(c, Plane) or isinstance(d, Plane):
-        return
-    a, b = (
-        Quantity("angle", (Quantity("velocity", (Name(body),), stage), _axis(event)))
-        for stage in (before, after)
-    )
-    turned = Quantity("deflection", (Name(body),), event.number)
-    onward = _oriented(step, step.world.reduced(c * d)) if c.above and d.above else 1
-    if onward == -1:
-        half = Degrees(Fraction(180))
-        yield Link(turned, "=", Binary("-", Binary("-", half, a), b))
-    elif onward == 1:
-        wider = step.world.reduced(c * c - d * d)
-        sign = 1 if wider.vanishes else _oriented(step, wider)
-        if sign is not None:
-            yield Link(turned, "=", Binary("-", b, a) if sign == 1 else Binary("-", a, b))
-
-
-def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
-    """The square of a speed: by components of an event, by the vector, or as it is."""
-    velocity = Quantity("velocity", (Name(body),), stage)
-    if form == "components" and event is not None and body in event.bodies:
-        parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
-        return _sum([_squared(each) for each in parts])
-    if form == "along" and event is not None:
-        return _squared(_component("along", body, stage, event))
-    if form == "speed":
-        return _squared(Quantity("speed", (Name(body),), stage))
-    return Quantity("dot", (velocity, velocity))
-
-
-def _kinetic(form: str, body: str, stage: int, event: Event | None) -> Expression:
-    if form == "energy":
-        return Quantity("energy", (Name(body),), stage)
-    mass = Quantity("mass", (Name(body),))
-    return Binary("*", Binary("*", _HALF, mass), _squares(form, body, stage, event))
-
-
-def _total(step: Step, event: Event | None) -> Iterator[Link]:
-    """The energy of all spheres before an event and after it."""
-    number = 0 if event is None else event.number
-    for stage in {number, max(0, number - 1)}:
-        for form in ("components", "vectors", "speed", "energy"):
-            terms = [_kinetic(form, body, stage, event) for body in step.setting.spheres]
-            if terms:
-                yield Link(Quantity("energy", (), stage), "=", _sum(terms))
-
-
-def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
-    """The energy that all spheres lose from the beginning to the end of an event."""
-    if event is None:
-        return
-    for form in ("components", "vectors", "speed", "energy"):
-        terms = [
-            Binary("-", _kinetic(form, body, 0, None), _kinetic(form, body, event.number, event))
-            for body in step.setting.spheres
-        ]
-        yield Link(Quantity("total_energy_lost", (), event.number), "=", _sum(terms))
-    before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
-    lost = Binary("-", before, after)
-    yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
-
-
-def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
-    """The energy that the bodies of an event lose: whole, or by components along the line."""
-    if event is None:
-        return
-    spheres = [each for each in event.bodies if each in step.setting.spheres]
-    for form in ("components", "along", "vectors", "speed", "energy"):
-        terms = [
-            Binary(
-                "-",
-                _kinetic(form, body, event.number - 1, event),
-                _kinetic(form, body, event.number, event),
-            )
-            for body in spheres
-        ]
-        lost = _sum(terms)
-        yield Link(Quantity("energy_lost", (), event.number), "=", lost)
-        stages = (event.number - 1, event.number)
-        before, after = (Quantity("energy", (), stage) for stage in stages)
-        yield Link(Binary("-", before, after), "=", lost)
-
-
-def _tied(step: Step, event: Event | None) -> Iterator[Link]:
-    """What a cited right angle, or a cited common direction, says of components."""
-    relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
-    for link in step.links:
-        tie = _tie_of(link)
-        if tie is not None and tie[2] == relation:
-            yield from _tie(step, event, *tie)
-
-
-def _tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
-    """The two directions of which a relation says how they stand to each other."""
-    if link.sign in ("perpendicular to", "parallel to"):
-        return link.left, link.right, link.sign
-    if link.sign == "=" and link.right == _RIGHT_ANGLE:
-        match link.left:
-            case Quantity("angle", (left, right)):
-                return left, right, "perpendicular to"
-            case Quantity("deflection", (body,), int(stage)):
-                before, after = (Quantity("velocity", (body,), each) for each in (stage - 1, stage))
-                return before, after, "perpendicular to"
-    return None
-
-
 def _is_tie(step: Step, line: Link) -> bool:
     """Whether two directions stand to each other as a line says, by the components cited."""
-    tie = _tie_of(line)
+    tie = tie_of(line)
     event = step.setting.event(step.move.event)
     if tie is None or tie[2] != step.move.record + " to":  # type: ignore[operator]
         return False
     rules = step.rules()
-    for link in _tie(step, event, *tie):
+    for link in ties(step, event, *tie):
         own = step.setting.settled(link)
         before, after = step.residual(own), step.residual(own, rules)
         if before != after and isinstance(after, Quotient) and after.vanishes:
@@ -537,53 +305,10 @@ def _is_tie(step: Step, line: Link) -> bool:
     return False
 
 
-def _tie(
-    step: Step, event: Event | None, left: Expression, right: Expression, relation: str
-) -> Iterator[Link]:
-    kinds = ("along", "across")
-    for a, b in ((left, right), (right, left)):
-        for axis in () if event is None else (_axis(event),):
-            wall = len(event.bodies) > 1 and b == Name(event.bodies[1]) if event else False
-            if b == axis or wall:
-                square = (relation == "perpendicular to") != wall
-                yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", _ZERO)
-    for axes in (_axis(event),) if event is not None else ():
-        (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
-        if relation == "perpendicular to":
-            yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", _ZERO)
-        else:
-            yield Link(Binary("-", Binary("*", a, d), Binary("*", b, c)), "=", _ZERO)
-    if relation == "perpendicular to":
-        yield Link(Quantity("dot", (left, right)), "=", _ZERO)
-    else:
-        yield Link(_cross(left, right), "=", _ZERO)
-
-
-def _cross(left: Expression, right: Expression) -> Expression:
-    x, y = (tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right))
-    return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
-
-
-def _unit(axis: str) -> Expression:
-    from restitution.expression.tree import Unit
-
-    return Unit(axis)  # type: ignore[arg-type]
-
-
-_OWN: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
-    "difference": _deflections,
-    "total": _total,
-    "total-lost": _total_lost,
-    "energy-lost": _energy_lost,
-    "perpendicular": _tied,
-    "parallel": _tied,
-}
-
-
 def _define(step: Step, line: Link) -> bool:
     if step.move.record in ("component", "assemble"):
         return _is_resolved(step, line)
-    if step.move.record in ("perpendicular", "parallel") and _tie_of(line) is not None:
+    if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return _is_tie(step, line)
     return _law(step, line)
 

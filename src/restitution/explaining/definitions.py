@@ -1,0 +1,261 @@
+"""Definitions worked out for an event and its bodies: energies, ties, places, deflections."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from restitution.explaining.algebra import Plane
+from restitution.explaining.derivation import Event, Link
+from restitution.explaining.senses import oriented
+from restitution.explaining.step import Step
+from restitution.explaining.trees import settled
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Number,
+    Quantity,
+    walk,
+)
+
+ZERO = Number(Fraction(0))
+
+
+_HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
+
+
+RIGHT_ANGLE = Degrees(Fraction(90))
+
+
+def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
+    """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
+    for tree in (*walk(line.left), *walk(line.right)):
+        match tree:
+            case Quantity("position", _, AtTime()):
+                yield Link(tree, "=", _place_of(tree, event))
+            case Quantity("distance", (a, b), stage):
+                places = [
+                    _place_of(
+                        Quantity("position", (each,), _stage_of(step, each, stage))
+                        if isinstance(each, Name)
+                        else each,
+                        event,
+                    )
+                    for each in (a, b)
+                ]
+                yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
+
+
+def _stage_of(step: Step, body: Expression, stage: Any) -> Any:
+    """The stage of a place: a point has none."""
+    moves = isinstance(body, Name) and body.name in step.setting.spheres
+    return stage if moves else None
+
+
+def _place_of(place: Expression, event: Event | None) -> Expression:
+    """A place; at a time after an event, by the place and the velocity there."""
+    match place:
+        case Quantity("position", (body,), AtTime(time)) if event is not None:
+            since = Binary("-", time, Quantity("time", (), event.number))
+            velocity = Quantity("velocity", (body,), event.number)
+            start = Quantity("position", (body,), event.number)
+            return Binary("+", start, Binary("*", velocity, since))
+    return place
+
+
+def nothing(step: Step, event: Event | None) -> Iterable[Link]:
+    """Of the other records there is nothing to work out."""
+    return ()
+
+
+def axis_of(event: Event) -> Expression:
+    """The line of centres of an event."""
+    return Quantity("line_of_centres", (), event.number)
+
+
+def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
+    return Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis_of(event)))
+
+
+def _sum(terms: Sequence[Expression]) -> Expression:
+    total = terms[0]
+    for each in terms[1:]:
+        total = Binary("+", total, each)
+    return total
+
+
+def _squared(tree: Expression) -> Expression:
+    return Binary("^", tree, Number(Fraction(2)))
+
+
+def _deflections(step: Step, event: Event | None) -> Iterator[Link]:
+    """A deflection by the angles to the line of centres before and after, by the components.
+
+    Who goes on in the same sense along it turns by their difference, who goes back by what is
+    left of 180°.
+    """
+    body = next(iter(step.move.bodies), None)
+    if event is None or body not in event.bodies:
+        return
+    before, after = event.number - 1, event.number
+    rules = step.rules()
+    c, d = (
+        rules.put_into(
+            step.world.value(settled(_component("along", body, stage, event), step.setting.events))
+        )
+        for stage in (before, after)
+    )
+    if isinstance(c, Plane) or isinstance(d, Plane):
+        return
+    a, b = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), axis_of(event)))
+        for stage in (before, after)
+    )
+    turned = Quantity("deflection", (Name(body),), event.number)
+    onward = oriented(step, step.world.reduced(c * d)) if c.above and d.above else 1
+    if onward == -1:
+        half = Degrees(Fraction(180))
+        yield Link(turned, "=", Binary("-", Binary("-", half, a), b))
+    elif onward == 1:
+        wider = step.world.reduced(c * c - d * d)
+        sign = 1 if wider.vanishes else oriented(step, wider)
+        if sign is not None:
+            yield Link(turned, "=", Binary("-", b, a) if sign == 1 else Binary("-", a, b))
+
+
+def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
+    """The square of a speed: by components of an event, by the vector, or as it is."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    if form == "components" and event is not None and body in event.bodies:
+        parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
+        return _sum([_squared(each) for each in parts])
+    if form == "along" and event is not None:
+        return _squared(_component("along", body, stage, event))
+    if form == "speed":
+        return _squared(Quantity("speed", (Name(body),), stage))
+    return Quantity("dot", (velocity, velocity))
+
+
+def _kinetic(form: str, body: str, stage: int, event: Event | None) -> Expression:
+    if form == "energy":
+        return Quantity("energy", (Name(body),), stage)
+    mass = Quantity("mass", (Name(body),))
+    return Binary("*", Binary("*", _HALF, mass), _squares(form, body, stage, event))
+
+
+def _total(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy of all spheres before an event and after it."""
+    number = 0 if event is None else event.number
+    for stage in {number, max(0, number - 1)}:
+        for form in ("components", "vectors", "speed", "energy"):
+            terms = [_kinetic(form, body, stage, event) for body in step.setting.spheres]
+            if terms:
+                yield Link(Quantity("energy", (), stage), "=", _sum(terms))
+
+
+def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that all spheres lose from the beginning to the end of an event."""
+    if event is None:
+        return
+    for form in ("components", "vectors", "speed", "energy"):
+        terms = [
+            Binary("-", _kinetic(form, body, 0, None), _kinetic(form, body, event.number, event))
+            for body in step.setting.spheres
+        ]
+        yield Link(Quantity("total_energy_lost", (), event.number), "=", _sum(terms))
+    before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
+    lost = Binary("-", before, after)
+    yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
+
+
+def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that the bodies of an event lose: whole, or by components along the line."""
+    if event is None:
+        return
+    spheres = [each for each in event.bodies if each in step.setting.spheres]
+    for form in ("components", "along", "vectors", "speed", "energy"):
+        terms = [
+            Binary(
+                "-",
+                _kinetic(form, body, event.number - 1, event),
+                _kinetic(form, body, event.number, event),
+            )
+            for body in spheres
+        ]
+        lost = _sum(terms)
+        yield Link(Quantity("energy_lost", (), event.number), "=", lost)
+        stages = (event.number - 1, event.number)
+        before, after = (Quantity("energy", (), stage) for stage in stages)
+        yield Link(Binary("-", before, after), "=", lost)
+
+
+def _tied(step: Step, event: Event | None) -> Iterator[Link]:
+    """What a cited right angle, or a cited common direction, says of components."""
+    relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
+    for link in step.links:
+        tie = tie_of(link)
+        if tie is not None and tie[2] == relation:
+            yield from ties(step, event, *tie)
+
+
+def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
+    """The two directions of which a relation says how they stand to each other."""
+    if link.sign in ("perpendicular to", "parallel to"):
+        return link.left, link.right, link.sign
+    if link.sign == "=" and link.right == RIGHT_ANGLE:
+        match link.left:
+            case Quantity("angle", (left, right)):
+                return left, right, "perpendicular to"
+            case Quantity("deflection", (body,), int(stage)):
+                before, after = (Quantity("velocity", (body,), each) for each in (stage - 1, stage))
+                return before, after, "perpendicular to"
+    return None
+
+
+def ties(
+    step: Step, event: Event | None, left: Expression, right: Expression, relation: str
+) -> Iterator[Link]:
+    """What it says of components that two directions are perpendicular, or parallel."""
+    kinds = ("along", "across")
+    for a, b in ((left, right), (right, left)):
+        for axis in () if event is None else (axis_of(event),):
+            wall = len(event.bodies) > 1 and b == Name(event.bodies[1]) if event else False
+            if b == axis or wall:
+                square = (relation == "perpendicular to") != wall
+                yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", ZERO)
+    for axes in (axis_of(event),) if event is not None else ():
+        (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
+        if relation == "perpendicular to":
+            yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", ZERO)
+        else:
+            yield Link(Binary("-", Binary("*", a, d), Binary("*", b, c)), "=", ZERO)
+    if relation == "perpendicular to":
+        yield Link(Quantity("dot", (left, right)), "=", ZERO)
+    else:
+        yield Link(_cross(left, right), "=", ZERO)
+
+
+def _cross(left: Expression, right: Expression) -> Expression:
+    x, y = (tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right))
+    return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
+
+
+def _unit(axis: str) -> Expression:
+    from restitution.expression.tree import Unit
+
+    return Unit(axis)  # type: ignore[arg-type]
+
+
+WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
+    "difference": _deflections,
+    "total": _total,
+    "total-lost": _total_lost,
+    "energy-lost": _energy_lost,
+    "perpendicular": _tied,
+    "parallel": _tied,
+}
