@@ -17,7 +17,7 @@ from restitution.explain.markup import to_latex, to_markdown
 from restitution.explain.text import to_text
 from restitution.explain.typst import to_markup
 from restitution.explaining.algebra import NotComparableError, World
-from restitution.explaining.derivation import Derivation, Meaning, Move, Relation
+from restitution.explaining.derivation import Derivation, Event, Meaning, Move, Relation
 from restitution.explaining.facts import facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import (
@@ -27,6 +27,8 @@ from restitution.explaining.notation import (
     write_meaning,
     write_relation,
 )
+from restitution.explaining.principles import RECORDS
+from restitution.explaining.sentences import SENTENCES
 from restitution.explaining.storing import from_json, to_json
 from restitution.explaining.tracing import Tracer, explain_line
 from restitution.language.reading import parse
@@ -161,6 +163,27 @@ def test_facts_are_made_of_the_statement_alone() -> None:
         "given 1": ("speed(P, 1) < 4", "a"),
         "given 2": ("velocity(P, 1) = (0, 0)", "b"),
     }
+
+
+def test_records_know_what_they_need_and_what_is_said_of_them() -> None:
+    momentum = RECORDS["momentum"]
+    assert momentum.needs == {"along", "line_of_centres", "mass", "velocity"}
+    wall, spheres = Event(1, "impact", ("A", "W"), True), Event(1, "impact", ("A", "B"))
+    assert (RECORDS["unchanged"].topic(wall), RECORDS["unchanged"].topic(spheres)) == (
+        "unchanged-wall",
+        "unchanged",
+    )
+    for record in RECORDS.values():
+        for event in (wall, spheres):
+            topic = record.topic(event)
+            if record.serves(event) and topic is not None:
+                assert SENTENCES[f"{topic}.why"]
+                assert SENTENCES[f"{topic}.mistakes"]
+    for record in RECORDS.values():
+        if record.kind == "principle":
+            assert record.templates
+            assert record.gives
+            assert record.needs
 
 
 # --- JSON -----------------------------------------------------------------------------------------

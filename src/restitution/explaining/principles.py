@@ -15,7 +15,8 @@ from typing import Literal
 
 from restitution.explaining.derivation import Event, Relation
 from restitution.explaining.notation import read_relation
-from restitution.explaining.trees import renamed
+from restitution.explaining.trees import renamed, trees_of
+from restitution.expression.tree import Quantity, walk
 
 AXIS = "line_of_centres(1)"
 
@@ -53,6 +54,25 @@ class Record:
     cost: float = 1.0
     marks: tuple[str, ...] = ()
 
+    @property
+    def needs(self) -> frozenset[str]:
+        """The kinds of quantities of which the record speaks: all but one have to be known."""
+        return frozenset(
+            node.kind
+            for template in self.templates
+            for tree in trees_of(_read(template))
+            for node in walk(tree)
+            if isinstance(node, Quantity)
+        )
+
+    def topic(self, event: Event | None = None) -> str | None:
+        """The topic of the sentences on why the record holds, and on the usual mistakes.
+
+        None where a reader may not ask.
+        """
+        wall = event is not None and event.wall
+        return _TOPICS.get(self.id, (None, None))[0 if wall else 1]
+
     def serves(self, event: Event | None) -> bool:
         """Whether the record is about such an event."""
         if self.where == "any":
@@ -67,6 +87,27 @@ class Record:
         Forms that speak of more bodies than there are are left out.
         """
         return _relations(self.templates, event, bodies)
+
+
+# Of each record: at a wall, and between spheres.
+_TOPICS: Mapping[str, tuple[str | None, str | None]] = {
+    "unchanged": ("unchanged-wall", "unchanged"),
+    "restitution-wall": ("restitution", None),
+    "momentum": (None, "momentum"),
+    "restitution": (None, "restitution"),
+    "momentum-vector": (None, "momentum"),
+    "impulse-vector": ("impulse", "impulse"),
+    "impulse": ("impulse-wall", "impulse-spheres"),
+    "across-the-impulse": ("impulse-normal", "impulse-line"),
+    "along-the-change": ("impulse-normal", "impulse-line"),
+    "component": ("resolved-wall", "resolved-spheres"),
+    "sum": ("turned-wall", "turned"),
+    "difference": ("turned-wall", "turned"),
+    "scalar-angle": ("turned", "turned"),
+    "tan-deflection": ("turned", "turned"),
+    "energy-lost": ("loss-wall", "loss-spheres"),
+    "straight-line": ("flight", "flight"),
+}
 
 
 @cache
