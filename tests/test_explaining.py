@@ -17,7 +17,14 @@ from restitution.explain.markup import to_latex, to_markdown
 from restitution.explain.text import to_text
 from restitution.explain.typst import to_markup
 from restitution.explaining.algebra import NotComparableError, World
-from restitution.explaining.derivation import Derivation, Event, Meaning, Move, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Event,
+    Meaning,
+    Move,
+    Relation,
+    whole_of,
+)
 from restitution.explaining.facts import facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import (
@@ -75,6 +82,33 @@ def test_a_meaning_reads_back_as_it_was_written(text: str) -> None:
     meaning = read_meaning(text, NAMES)
     assert write_meaning(meaning) == text
     assert read_meaning(write_meaning(meaning), NAMES) == meaning
+
+
+@pytest.mark.parametrize(
+    ("chain", "whole"),
+    [
+        ("a = b = c", "a = c"),
+        ("a < b = c", "a < c"),
+        ("a = b < c", None),
+        ("a = b and a = c", None),
+    ],
+)
+def test_a_chain_says_what_its_ends_are_to_each_other(chain: str, whole: str | None) -> None:
+    expected = None if whole is None else read_relation(whole, NAMES).only[0]
+    assert whole_of(read_relation(chain, NAMES).only) == expected
+
+
+def test_no_equation_comes_of_a_chain_that_begins_with_less() -> None:
+    problem = parse("sphere A: mass 1, velocity v i\ngiven v < 3\nfind speed(A)")
+    working = """
+1 a | fact | given 1 | v < 3 = 6/2 [rearrange]
+2 a | rearrange | 1 | {}
+a: 2 v < 3
+"""
+    for line, refused in (("v = 3", True), ("2v < 6", False)):
+        derivation = derivation_of(problem, working.format(line))
+        told = [str(each) for each in follow(derivation, oracle_of(problem))]
+        assert ("line 2: does not follow" in told) == refused, told
 
 
 @pytest.mark.parametrize("text", ["v", "2 + ", "let 3 = v", "a == b", ""])

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from restitution.errors import StatementError
-from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Pair, Place
+from restitution.expression.tree import Expression, Name, Pair, Place, rational
 from restitution.mending import Note
 
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
@@ -37,21 +37,12 @@ def _exact(value: Any, *, place: bool = False) -> Any:
             names.add(value.strip())
         return read_expression(value, names=names)
     if isinstance(value, int | Fraction) and not isinstance(value, bool):
-        return _tree_of(Fraction(value))
+        return rational(Fraction(value))
     if type(value) is tuple and len(value) == 2:
         x, y = _exact(value[0]), _exact(value[1])
         if isinstance(x, Expression) and isinstance(y, Expression):
             return Pair(x, y)
     return value
-
-
-def _tree_of(value: Fraction) -> Expression:
-    if value < 0:
-        return Negate(_tree_of(-value))
-    whole = Number(Fraction(value.numerator))
-    return (
-        whole if value.denominator == 1 else Binary("/", whole, Number(Fraction(value.denominator)))
-    )
 
 
 def _convert(body: Any, quantities: tuple[str, ...], places: tuple[str, ...]) -> None:

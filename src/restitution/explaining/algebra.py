@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.oracle.roles import REAL, Role
 
@@ -467,7 +468,7 @@ class World:
 
     def _size_of(self, polynomial: PolyElement) -> Quotient:
         """The size of a polynomial, by those of its factors."""
-        number, factors = _factors(polynomial)
+        number, factors = factors_of(polynomial)
         ratio = Fraction(int(number.numerator), int(number.denominator))
         total = CONSTANT(abs(ratio))
         for factor, times in factors:
@@ -476,7 +477,7 @@ class World:
         return total
 
     def _root(self, inside: PolyElement) -> Quotient:
-        number, factors = _factors(inside)
+        number, factors = factors_of(inside)
         outside, rest = CONSTANT(1), _ring().one
         for factor, times in factors:
             if times // 2:
@@ -809,8 +810,6 @@ def _rational(tree: Expression) -> Fraction | None:
 
 
 def _arguments(tree: Expression) -> Iterable[Expression]:
-    from restitution.expression.tree import walk
-
     for each in walk(tree):
         if isinstance(each, Apply) and each.function in _TRIGONOMETRIC:
             yield each.argument
@@ -872,16 +871,13 @@ def large(used: tuple[int, ...], polynomial: PolyElement) -> PolyElement:
     return _ring().from_dict(result)
 
 
-def _factors(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+def factors_of(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
     """A number and irreducible factors with their powers."""
     used, (own,) = small(polynomial)
     if not used:
         return polynomial.LC, []
     number, factors = own.factor_list()
     return number, [(large(used, factor), times) for factor, times in factors]
-
-
-factors_of = _factors
 
 
 def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyElement]:

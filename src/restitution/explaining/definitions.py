@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    Unit,
     walk,
 )
 
@@ -246,8 +247,6 @@ def _cross(left: Expression, right: Expression) -> Expression:
 
 
 def _unit(axis: str) -> Expression:
-    from restitution.expression.tree import Unit
-
     return Unit(axis)  # type: ignore[arg-type]
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, get_args
 
 from restitution.explaining.marks import Marks
@@ -200,6 +201,18 @@ class Derivation:
             for each in self.lines
             if isinstance(each.relation, Meaning)
         }
+
+
+def whole_of(links: tuple[Link, ...]) -> Link | None:
+    """A chain as one link, from its first side to its last; None where links are no chain.
+
+    Behind the first, every link is an equation that begins where the one before it ends: so
+    ``a < b = c`` says that a < c.
+    """
+    first, *rest = links
+    if any(a.right != b.left or b.sign != "=" for a, b in pairwise(links)):
+        return None
+    return Link(first.left, first.sign, rest[-1].right) if rest else first
 
 
 def equation(left: Expression, right: Expression) -> Relation:

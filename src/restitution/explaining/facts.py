@@ -33,15 +33,12 @@ from restitution.problem import (
     Arrival,
     AtRest,
     Compare,
-    Find,
     Given,
     Impact,
     Kick,
     Let,
     Meets,
     Problem,
-    Show,
-    Step,
 )
 from restitution.problem import (
     Relation as Said,
@@ -273,7 +270,7 @@ class _Facts:
         except NotComparableError:
             return False
         oracle = Oracle(world.roles)
-        return oracle.decide(compared(value, "<=", 0)).answer == "proved" and (
+        return oracle.proves(compared(value, "<=", 0)) and (
             oracle.decide(compared(value, ">=", 0)).answer != "proved"
         )
 
@@ -429,21 +426,6 @@ class _Facts:
     ) -> Fact:
         relation = Relation(((Link(left, sign, settled(right, self.events)),),))
         return Fact(name, kind, relation, None, place)
-
-
-def settled_item(problem: Problem, tree: Expression, events: int) -> Expression:
-    """A tree of an item with stages as numbers, where so many events have been told."""
-    return _Facts(problem)._settled(tree, events)
-
-
-def asked(problem: Problem) -> Iterator[tuple[str | None, Step, int]]:
-    """What is asked: the part, the step, and the events told so far."""
-    events = 0
-    for part, step in problem.steps():
-        if isinstance(step, Impact | Kick | Arrival):
-            events += 1
-        elif isinstance(step, Find | Show):
-            yield part.label, step, events
 
 
 def _is_range(links: tuple[Link, ...]) -> bool:

@@ -7,7 +7,6 @@ step is one move long: that a line is true, or a consequence, does not make it r
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -24,7 +23,7 @@ from restitution.explaining.definitions import (
     tie_of,
     ties,
 )
-from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign
+from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Relation, Sign, whole_of
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
@@ -38,6 +37,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    rational,
     walk,
 )
 from restitution.oracle import REAL, Oracle, compared
@@ -219,9 +219,8 @@ def records_of(step: Step) -> Iterator[Link]:
     """What the record of a move says of its event and bodies, form by form."""
     for link in _templates(step, Link(ZERO, "=", ZERO)):
         yield link
-        if (
-            isinstance(link.left, Apply) and _one_signed(step, link) is not None
-        ):  # one of the two, as the components point
+        # Of a ratio, one of the two, as the components point.
+        if isinstance(link.left, Apply) and _one_signed(step, link) is not None:
             yield replace(link, right=Negate(link.right))
 
 
@@ -369,10 +368,9 @@ def _put(step: Step, line: Link) -> bool:
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
     """The links of a relation, and the first side of a chain with its last."""
     yield from links
-    if len(links) > 1 and all(
-        each.sign == "=" and before.right == each.left for before, each in itertools.pairwise(links)
-    ):
-        yield Link(links[0].left, "=", links[-1].right)
+    whole = whole_of(links)
+    if whole is not None and len(links) > 1:
+        yield whole
 
 
 def _rearrange(step: Step, line: Link) -> bool:
@@ -851,7 +849,7 @@ def _is_end(
 
 
 def _equal_in(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
-    return Oracle(step.roles).decide(Claim(a - b, "=")).answer == "proved"
+    return Oracle(step.roles).proves(Claim(a - b, "="))
 
 
 def _complete(step: Step, relation: Relation) -> bool:
@@ -913,17 +911,9 @@ def _scaled_angle(step: Step, link: Link, argument: Expression) -> Expression:
         return link.right
     a, b = step.world.turn(link.left), step.world.turn(argument)
     factor = b.terms[0][1] / a.terms[0][1]
-    scaled = Binary("*", _number(factor), link.right)
+    scaled = Binary("*", rational(factor), link.right)
     shift = b.degrees - a.degrees * factor
     return scaled if not shift else Binary("+", scaled, Degrees(shift))
-
-
-def _number(value: Fraction) -> Expression:
-    if value < 0:
-        return Negate(_number(-value))
-    if value.denominator == 1:
-        return Number(value)
-    return Binary("/", Number(Fraction(value.numerator)), Number(Fraction(value.denominator)))
 
 
 def _in_radians(step: Step, tree: Expression) -> sp.Expr:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from restitution.explaining.algebra import NotComparableError, Quotient
+from restitution.explaining.signs import Signs
 from restitution.explaining.step import Step
-from restitution.expression.tree import (
-    Expression,
-)
+from restitution.expression.tree import Expression
 from restitution.oracle import REAL, Oracle, Role
 from restitution.oracle import Relation as Claim
+from restitution.oracle.roles import ACUTE, POSITIVE
 
 
 def oriented(step: Step, x: Quotient) -> int | None:
@@ -21,8 +20,6 @@ def oriented(step: Step, x: Quotient) -> int | None:
     component that a working names is drawn in its sense, unless a line gives it a value of which
     that is not certain.
     """
-    from restitution.explaining.signs import Signs
-
     oracle = Oracle(drawn_roles(step))
     sign = Signs(step.world, lambda: oracle).of(x)
     if sign:
@@ -30,18 +27,16 @@ def oriented(step: Step, x: Quotient) -> int | None:
     # e, say, may be zero
     value = step.world.expression(x, oracle.roles)
     for number in (1, -1):
-        if oracle.decide(Claim(number * value, ">=")).answer == "proved":
+        if oracle.proves(Claim(number * value, ">=")):
             return number
     return None
 
 
 def drawn_roles(step: Step) -> Mapping[str, Role]:
     """What letters may be, where components that a working names are drawn in their sense."""
-    from restitution.oracle.roles import POSITIVE
-
     roles = {**step.setting.roles, **dict.fromkeys(step.setting.meanings, POSITIVE)}
     angles = step.setting.angles & step.setting.meanings.keys()
-    roles |= {name: step.setting.roles.get(name, _acute()) for name in angles}
+    roles |= {name: step.setting.roles.get(name, ACUTE) for name in angles}
     for name, value in step.setting.values.items():
         if name not in angles and not never_below(step, value, roles):
             roles[name] = REAL
@@ -54,10 +49,4 @@ def never_below(step: Step, value: Expression, roles: Mapping[str, Role]) -> boo
         least = step.world.expression(step.world.scalar(value), roles)
     except NotComparableError:
         return False
-    return Oracle(roles).decide(Claim(least, ">=")).answer == "proved"
-
-
-def _acute() -> Any:
-    from restitution.oracle.roles import ACUTE
-
-    return ACUTE
+    return Oracle(roles).proves(Claim(least, ">="))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from sympy import Rational, pi
 from sympy.polys.rings import PolyElement
 
 from restitution.explaining.algebra import Quotient, World, factors_of, without_common
@@ -120,8 +121,6 @@ class Signs:
         role = self.oracle().roles.get(getattr(atom, "name", ""), REAL)
         if role.low is None or role.high is None or role.kind != "angle":
             return None
-        from sympy import Rational, pi
-
         factor = Rational(count.numerator, count.denominator)
         inside = role.low * factor >= 0 and role.high * factor <= pi / 2
         return "+" if inside and not any(role.closed) else None

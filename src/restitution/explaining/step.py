@@ -269,8 +269,7 @@ class Step:
         value = world.expression(world.scalar(angle), self.setting.roles)
         oracle = Oracle(self.setting.roles)
         return all(
-            oracle.decide(compared(a, "<=", b)).answer == "proved"
-            for a, b in ((sp.Integer(0), value), (value, most))
+            oracle.proves(compared(a, "<=", b)) for a, b in ((sp.Integer(0), value), (value, most))
         )
 
     # --- values put in --------------------------------------------------------------------------
@@ -362,7 +361,7 @@ class Step:
             return None
         oracle = Oracle(self.setting.roles)
         for sign in (1, -1):
-            if oracle.decide(compared(sign * own, ">=", sp.Integer(0))).answer == "proved":
+            if oracle.proves(compared(sign * own, ">=", sp.Integer(0))):
                 return sign
         return None
 
@@ -376,7 +375,7 @@ class Step:
         if value == own or not isinstance(value, Quotient):
             return True
         claim = compared(self.world.expression(value, self.setting.roles), ">=", sp.Integer(0))
-        return Oracle(self.setting.roles).decide(claim).answer == "proved"
+        return Oracle(self.setting.roles).proves(claim)
 
     @staticmethod
     def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
@@ -478,10 +477,6 @@ class Step:
     def oracle(self) -> Oracle:
         """The oracle, under what is cited."""
         return Oracle(self.roles, self.facts)
-
-    @cached_property
-    def _plain_oracle(self) -> Oracle:
-        return Oracle(self.roles)
 
     @cached_property
     def signs(self) -> Signs:

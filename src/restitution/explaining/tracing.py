@@ -23,7 +23,15 @@ from restitution.explaining.algebra import (
     World,
     without_common,
 )
-from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    whole_of,
+)
 from restitution.explaining.follower import known_of_letters, setting_of, settled_derivation
 from restitution.explaining.moves import MOST_COMPARED, follows, records_of
 from restitution.explaining.principles import RECORDS, Record
@@ -211,7 +219,7 @@ class Tracer:
     def _chain(self, relation: Relation) -> Trace | None:
         """A chain is what its first link is, if the others are moves of their own."""
         links = relation.only
-        if len(links) < 2 or any(a.right != b.left or b.sign != "=" for a, b in pairwise(links)):
+        if len(links) < 2 or whole_of(links) is None:
             return None
         for before, link in pairwise(links):
             base = Cited(0, Relation(((Link(links[0].left, links[0].sign, before.right),),)))
@@ -870,11 +878,10 @@ def _solved_for(x: Quotient, number: int) -> Quotient:
 
 
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:
+    whole = whole_of(links)
     yield links[0]
-    if len(links) > 1 and all(a.right == b.left and b.sign == "=" for a, b in pairwise(links)):
-        yield Link(links[0].left, links[0].sign, links[-1].right)
-    else:
-        yield from links[1:]
+    if len(links) > 1:
+        yield from links[1:] if whole is None else (whole,)
 
 
 def _slope(x: Quotient, number: int) -> Quotient:

@@ -226,6 +226,16 @@ GREEK = (
 )
 
 
+def rational(value: Fraction) -> Expression:
+    """A rational number as people type it: a sign, a whole number, or one over another."""
+    if value < 0:
+        return Negate(rational(-value))
+    whole = Number(Fraction(value.numerator))
+    return (
+        whole if value.denominator == 1 else Binary("/", whole, Number(Fraction(value.denominator)))
+    )
+
+
 def children(node: Expression) -> tuple[Expression, ...]:
     """The expressions directly inside a node, in the order written."""
     found: list[Expression] = []
