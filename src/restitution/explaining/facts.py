@@ -79,6 +79,11 @@ def facts_of(problem: Problem) -> tuple[Fact, ...]:
     return tuple(maker.facts())
 
 
+def staged(problem: Problem, tree: Expression, events: int) -> Expression:
+    """A tree of a statement with the stages that are meant after some events."""
+    return _Facts(problem).settled(tree, events)
+
+
 class _Facts:
     """The facts of one problem."""
 
@@ -303,7 +308,7 @@ class _Facts:
             if isinstance(step, Impact | Kick | Arrival):
                 events += 1
             if isinstance(step, Let):
-                quantity = self._settled(step.expression, events)
+                quantity = self.settled(step.expression, events)
                 yield self._fact(f"let {step.letter}", quantity, Letter(step.letter), step.place)
             if not isinstance(step, Given):
                 continue
@@ -321,11 +326,11 @@ class _Facts:
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:
             case Compare(operands, operators):
-                trees = [self._settled(each, events) for each in operands]
+                trees = [self.settled(each, events) for each in operands]
                 for left, sign, right in zip(trees, operators, trees[1:], strict=False):
                     yield (Link(left, sign, right),)
             case Aligned(left, how, right):
-                a, b = (self._settled(each, events) for each in (left, right))
+                a, b = (self.settled(each, events) for each in (left, right))
                 if how == "opposite to":
                     b = Negate(b)
                 sign_: Sign = "perpendicular to" if how == "perpendicular to" else "parallel to"
@@ -335,7 +340,7 @@ class _Facts:
                 if link is not None:
                     yield (link,)
             case AtRest(body):
-                velocity = self._settled(Quantity("velocity", (body,), None), events)
+                velocity = self.settled(Quantity("velocity", (body,), None), events)
                 zero = Number(Fraction(0))
                 yield (Link(velocity, "=", Pair(zero, zero)),)
 
@@ -352,7 +357,7 @@ class _Facts:
             case _:
                 return None
         a, b = (
-            self._direction(self._settled(each, events), events)
+            self._direction(self.settled(each, events), events)
             for each in (relation.left, relation.right)
         )
         left = Quantity("along" if isinstance(b, Unit) else "dot", (a, b))
@@ -381,10 +386,10 @@ class _Facts:
     def _direction(self, tree: Expression, events: int) -> Expression:
         """The velocity of a sphere, where its name stands for a direction."""
         if isinstance(tree, Name) and tree.name not in self.walls:
-            return self._settled(Quantity("velocity", (tree,), None), events)
+            return self.settled(Quantity("velocity", (tree,), None), events)
         return tree
 
-    def _settled(self, tree: Expression, events: int) -> Expression:
+    def settled(self, tree: Expression, events: int) -> Expression:
         """A tree with the stage that *now* and *before* mean after some events."""
 
         def change(each: Expression) -> Expression:

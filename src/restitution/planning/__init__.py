@@ -1,0 +1,1 @@
+"""Workings are planned: Solution → Derivation."""

@@ -1,0 +1,51 @@
+"""Lines about angles: their ratios from one that is given."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.expression.tree import Apply, Letter
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.forms import tree_of
+
+if TYPE_CHECKING:
+    from restitution.planning.scene import Scene
+
+
+def range_of(scene: Scene, name: str) -> str:
+    """What is known of the range of an angle, as a premise says it."""
+    role = scene.model.unknowns.roles[name]
+    if role.low == 0 and role.high == sp.pi / 2 and not any(role.closed):
+        return f"acute: {name}"
+    signs = ["<=" if each else "<" for each in role.closed]
+    if role.low is None or role.high is None:
+        raise NotPlannedError(f"the range of {name} is open")
+    ends = [f"{int(sp.deg(each))}°" for each in (role.low, role.high)]
+    return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
+
+
+def write_ratios(scene: Scene, symbol: sp.Symbol) -> None:
+    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
+    fact = scene.ratio_facts[symbol.name]
+    (link,) = fact.relation.only
+    assert isinstance(link.left, Apply)
+    letter = Letter(symbol.name)
+    angle = scene.model.final[symbol]
+    given = link.left.function
+    scene.desk.know(link.left, scene.scalar(link.right), (fact.id,))
+    others = {
+        each: tidy(getattr(sp, each)(angle)) for each in ("sin", "cos", "tan") if each != given
+    }
+    shown = [each for each in ("sin", "cos") if each != given]
+    links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
+    number = scene.desk.write(
+        Move("triangle"), (fact.id, range_of(scene, symbol.name)), Relation((links,))
+    )
+    for each in shown:
+        scene.desk.know(Apply(each, letter), others[each], (number,))
+    if "tan" in others:
+        scene.desk.know(Apply("tan", letter), others["tan"], (number,))

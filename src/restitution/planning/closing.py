@@ -1,0 +1,222 @@
+"""An equation with one unknown becomes lines, by its shape."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Apply, Expression, Letter
+from restitution.planning.angles import range_of
+from restitution.planning.desk import NotPlannedError, Source, chain
+from restitution.planning.forms import tree_of
+from restitution.planning.impacts import residual
+from restitution.planning.scene import Scene
+
+
+def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
+    """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
+    for shape in _SHAPES:
+        source = shape(scene, number, symbol)
+        if source is not None:
+            return source
+    raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The line says what the unknown is."""
+    link = scene.desk.last_link(number)
+    if link.left != Letter(symbol.name) or link.sign != "=":
+        return None
+    value = scene.final(symbol)
+    if scene.model.identically_zero(_value(scene, link.right) - value):
+        return _known(scene, symbol, value, number)
+    return None
+
+
+def _value(scene: Scene, tree: Expression) -> sp.Expr:
+    from restitution.planning.impacts import scene_value
+
+    return scene_value(scene, tree)
+
+
+def _known(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
+    return scene.desk.know(Letter(symbol.name), value, (number,))
+
+
+def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Linear in the unknown: it is made the subject."""
+    above = _numerator(residual(scene, number))
+    if symbol in _inside_functions(above):
+        return None
+    poly = sp.Poly(above, symbol)
+    if poly.degree() != 1:
+        return None
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    line = scene.desk.write(
+        Move("rearrange"),
+        (number, *nonzero(scene, poly.nth(1))),
+        chain(Letter(symbol.name), (tree_of(value), None)),
+    )
+    return _known(scene, symbol, value, line)
+
+
+def _numerator(x: sp.Expr) -> sp.Expr:
+    return sp.expand(sp.fraction(sp.together(x))[0])
+
+
+def _inside_functions(x: sp.Expr) -> set[Any]:
+    return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
+
+
+def nonzero(scene: Scene, factor: sp.Expr) -> tuple[Ref, ...]:
+    """What has to be known for a factor not to vanish, beyond what is silent."""
+    refs: list[Ref] = []
+    for each in sp.Mul.make_args(sp.factor(factor)):
+        base = each.base if each.is_Pow else each
+        for function in base.atoms(sp.sin, sp.cos):
+            for angle in function.free_symbols:
+                refs.append(range_of(scene, angle.name))
+        for letter in sorted(base.free_symbols, key=lambda s: s.name):
+            role = scene.model.unknowns.roles.get(letter.name)
+            if role is not None and role.kind == "restitution" and base != letter:
+                refs.append(f"{letter.name} >= 0")
+    return tuple(dict.fromkeys(refs))
+
+
+def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """A quadratic: its roots, and those that are excluded."""
+    above = _numerator(residual(scene, number))
+    if symbol in _inside_functions(above):
+        return None
+    return _by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
+
+
+def _by_roots(
+    scene: Scene,
+    number: int,
+    above: sp.Expr,
+    generator: sp.Expr,
+    subject: Expression,
+    symbol: sp.Symbol,
+) -> Source | None:
+    factors = [
+        (base, power)
+        for base, power in sp.factor_list(above)[1]
+        if base.has(generator)
+    ]
+    if not factors or any(sp.Poly(base, generator).degree() > 2 for base, _ in factors):
+        return None
+    roots: list[sp.Expr] = []
+    for base, _ in factors:
+        roots += [tidy(each) for each in sp.roots(sp.Poly(base, generator))]
+    roots = list(dict.fromkeys(roots))
+    target = tidy(scene.final(symbol) if generator == symbol else generator.func(scene.final(symbol)))
+    admitted = [each for each in roots if scene.model.sign(each - target) == 0]
+    if len(admitted) != 1:
+        return None
+    (value,) = admitted
+    roots.sort(key=lambda each: each is not value)
+    line = scene.desk.write(
+        Move("roots"),
+        (number,),
+        Relation(tuple((Link(subject, "=", tree_of(each)),) for each in roots)),
+    )
+    if len(roots) > 1:
+        line = scene.desk.write(
+            Move("reject"),
+            (line, *_exclusion(scene, symbol, generator, [each for each in roots if each is not value])),
+            chain(subject, (tree_of(value), None)),
+        )
+    if generator == symbol:
+        return _known(scene, symbol, value, line)
+    return scene.desk.know(subject, value, (line,))
+
+
+def _exclusion(
+    scene: Scene, symbol: sp.Symbol, generator: sp.Expr, dropped: Sequence[sp.Expr]
+) -> tuple[Ref, ...]:
+    """By what the roots that are dropped are excluded."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is None:
+        raise NotPlannedError(f"nothing is known of {symbol}")
+    if role.kind == "positive":
+        return ()
+    if role.kind == "angle":
+        return (range_of(scene, symbol.name),)
+    if role.kind != "restitution":
+        raise NotPlannedError(f"nothing excludes a value of {symbol}")
+    refs: list[Ref] = []
+    for each in dropped:
+        low = scene.model.sign(each) < 0
+        refs.append(f"{symbol.name} >= 0" if low else f"{symbol.name} <= 1")
+    return tuple(dict.fromkeys(refs))
+
+
+def _ratio(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """An angle that stands in one ratio, or in its sine and cosine of one degree."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is None or role.kind != "angle":
+        return None
+    own = residual(scene, number)
+    functions = {each for each in own.atoms(sp.Function) if symbol in each.free_symbols}
+    if any(each.args != (symbol,) for each in functions):
+        return None
+    found = {type(each) for each in functions}
+    t = sp.Symbol("_t", real=True)
+    if found == {sp.sin, sp.cos}:
+        cosine = sp.cos(symbol)
+        above = _numerator(own)
+        mixed = sp.Poly(above, sp.sin(symbol), cosine)
+        degrees = {sum(each) for each in mixed.monoms()}
+        if len(degrees) != 1:
+            return None
+        put = sp.expand(above.subs(sp.sin(symbol), t * cosine) / cosine ** degrees.pop())
+        kind: Callable[..., Any] = sp.tan
+    elif len(found) == 1 and found <= {sp.sin, sp.cos, sp.tan}:
+        (kind,) = found
+        put = _numerator(own.subs(kind(symbol), t))
+    else:
+        return None
+    subject = Apply(kind.__name__, Letter(symbol.name))
+    above = _numerator(put)
+    poly = sp.Poly(above, t)
+    target = tidy(kind(scene.final(symbol)))
+    if poly.degree() == 1:
+        line = scene.desk.write(
+            Move("rearrange"),
+            (number, *nonzero(scene, poly.nth(1))),
+            chain(subject, (tree_of(tidy(-poly.nth(0) / poly.nth(1))), None)),
+        )
+    else:
+        again = above.subs(t, kind(symbol))
+        if kind is sp.tan:
+            again = sp.expand(again)
+        source = _by_roots(scene, number, again, kind(symbol), subject, symbol)
+        if source is None:
+            return None
+        (line,) = source.refs  # type: ignore[assignment]
+    scene.desk.know(subject, target, (line,))
+    return inverse(scene, line, symbol)
+
+
+def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
+    """The angle by its ratio."""
+    value = scene.final(symbol)
+    number = scene.desk.write(
+        Move("inverse"),
+        (line, range_of(scene, symbol.name)),
+        chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None)),
+    )
+    return _known(scene, symbol, value, number)
+
+
+_SHAPES: tuple[Callable[[Scene, int, sp.Symbol], Source | None], ...] = (
+    _already,
+    _ratio,
+    _linear,
+    _quadratic,
+)

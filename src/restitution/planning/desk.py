@@ -1,0 +1,139 @@
+"""A working while it is written: its lines, what is known by them, and what each rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from restitution.explaining.derivation import (
+    Event,
+    Fact,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    Sign,
+)
+from restitution.expression.tree import Expression
+
+
+class NotPlannedError(Exception):
+    """A question, or a shape of equation, for which there is no plan."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A value that is known, as an expression or a vector of them, and what it rests on."""
+
+    value: Any
+    refs: tuple[Ref, ...] = ()
+
+
+def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
+    """Premises without repetitions: facts first, in the order named, then lines by number."""
+    refs = list(dict.fromkeys(ref for group in groups for ref in group))
+    return (
+        *(each for each in refs if isinstance(each, str)),
+        *sorted(each for each in refs if isinstance(each, int)),
+    )
+
+
+def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | None = None) -> Link:
+    """``left sign right``."""
+    return Link(left, sign, right, by)
+
+
+def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relation:
+    """``first = a = b``, in which each later link has its own move; what repeats is left out."""
+    links: list[Link] = []
+    last = first
+    for tree, by in steps:
+        if links and tree == last:
+            continue
+        links.append(Link(last, "=", tree, by if links else None))
+        last = tree
+    return Relation((tuple(links),))
+
+
+@dataclass
+class Desk:
+    """The lines of a working so far."""
+
+    events: tuple[Event, ...]
+    facts: tuple[Fact, ...]
+    lines: list[Line] = field(default_factory=list)
+    ends: list[ItemEnd] = field(default_factory=list)
+    item: str | None = None
+    part: str | None = None
+    _sources: dict[Expression, list[Source]] = field(default_factory=dict)
+    _parts: dict[Ref, frozenset[str]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for each in self.facts:
+            self._parts[each.id] = frozenset(() if each.part is None else (each.part,))
+
+    # --- lines -------------------------------------------------------------------------------
+
+    def write(
+        self,
+        move: Move,
+        premises: Iterable[Ref],
+        relation: Relation | Meaning,
+        shown: Literal["line", "inline", "silent"] = "line",
+    ) -> int:
+        """Writes a line, and returns its number. One that stands already is not written again."""
+        refs = together(premises)
+        for each in self.lines:
+            if each.relation == relation and self.holds(each.number):
+                return each.number
+        number = len(self.lines) + 1
+        self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
+        self._parts[number] = frozenset(part for ref in refs for part in self._of(ref))
+        return number
+
+    def line(self, number: int) -> Line:
+        """The line with a number."""
+        return self.lines[number - 1]
+
+    def relation(self, number: int) -> Relation:
+        """What a line says; it must not be one that introduces a letter."""
+        own = self.line(number).relation
+        assert isinstance(own, Relation)
+        return own
+
+    def last_link(self, number: int) -> Link:
+        """A line as one link, from its first side to its last."""
+        links = self.relation(number).only
+        return Link(links[0].left, links[0].sign, links[-1].right)
+
+    def _of(self, ref: Ref) -> frozenset[str]:
+        return self._parts.get(ref, frozenset())
+
+    def holds(self, ref: Ref) -> bool:
+        """Whether what a line rests on is in force in the part that is written."""
+        own = {self.part} if self.part is not None else set()
+        return self._of(ref) <= own
+
+    # --- values ------------------------------------------------------------------------------
+
+    def know(self, quantity: Expression, value: Any, refs: Iterable[Ref]) -> Source:
+        """From here on a quantity, a letter, or a ratio of an angle has a value."""
+        source = Source(value, tuple(refs))
+        self._sources.setdefault(quantity, []).append(source)
+        return source
+
+    def known(self, quantity: Expression) -> Source | None:
+        """The latest value of a quantity, or of a letter, that is in force; None without one."""
+        for each in reversed(self._sources.get(quantity, [])):
+            if all(self.holds(ref) for ref in each.refs):
+                return each
+        return None
+
+    def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
+        """The last line of an item."""
+        self.ends.append(ItemEnd(item, line, answer, self.part, shown))

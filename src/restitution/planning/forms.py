@@ -1,0 +1,220 @@
+"""Trees of the lines of a working: from values in their textbook form, and put together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pi,
+    Unit,
+)
+from restitution.render import layout as lay
+from restitution.vector import Vector
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+
+
+class UnwrittenError(Exception):
+    """A value has no form in which a line could say it."""
+
+
+def number(value: int | Fraction) -> Expression:
+    """A rational number as a tree."""
+    exact = Fraction(value)
+    if exact < 0:
+        return Negate(number(-exact))
+    if exact.denominator == 1:
+        return Number(exact)
+    return Binary("/", Number(Fraction(exact.numerator)), Number(Fraction(exact.denominator)))
+
+
+def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expression:
+    """The tree of a value, with its terms and factors in the order that textbooks use.
+
+    A vector has its components with **i** and **j**; an ``angle`` is in degrees. Raises
+    UnwrittenError where a line cannot say the value.
+    """
+    if isinstance(value, Vector | tuple):
+        return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
+    own = sp.sympify(value, strict=True)
+    own = own if as_it_is else tidy(own)
+    names = {tuple(_parted(each.name)): each.name for each in own.free_symbols}
+    return _from_layout(lay.from_sympy(own, degrees=angle), names)
+
+
+def _parted(name: str) -> tuple[str, str]:
+    laid = lay.letter(name)
+    return laid.name, laid.subscript
+
+
+def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
+    def of(each: Any) -> Expression:
+        return _from_layout(each, names)
+
+    match layout:
+        case lay.Number(digits):
+            return Number(Fraction(digits))
+        case lay.Letter("pi", ""):
+            return Pi()
+        case lay.Letter(name, subscript):
+            return Letter(names.get((name, subscript), name))
+        case lay.Sum(terms):
+            return _sum_of([(sign, of(each)) for sign, each in terms])
+        case lay.Product(factors):
+            return product(*(of(each) for each in factors))
+        case lay.Fraction(above, below):
+            return Binary("/", of(above), of(below))
+        case lay.Root(inside, 2):
+            return Apply("sqrt", of(inside))
+        case lay.Power(base, exponent):
+            return Binary("^", of(base), of(exponent))
+        case lay.Function(name, argument, exponent):
+            applied = Apply(name, of(argument))
+            return applied if exponent is None else Binary("^", applied, of(exponent))
+        case lay.Brackets(inside, "||"):
+            return Apply("abs", of(inside))
+        case lay.Brackets(inside):
+            return of(inside)
+        case lay.Degrees(inside):
+            degrees = of(inside)
+            if isinstance(degrees, Number):
+                return Degrees(degrees.value)
+            match degrees:
+                case Binary("/", Number(above), Number(below)):
+                    return Degrees(above / below)
+    raise UnwrittenError(layout)
+
+
+def _sum_of(terms: list[tuple[str, Expression]]) -> Expression:
+    (sign, first), *rest = terms
+    total = first if sign == "+" else Negate(first)
+    for sign, each in rest:
+        total = Binary("+" if sign == "+" else "-", total, each)
+    return total
+
+
+# --- putting together --------------------------------------------------------------------------
+
+
+def is_zero(tree: Expression) -> bool:
+    """Whether a tree is the number 0, perhaps of a vector."""
+    return isinstance(tree, Number) and not tree.value
+
+
+def product(*factors: Expression) -> Expression:
+    """Factors side by side: without ones, with its sign in front, and 0 if one of them is 0."""
+    minus = False
+    kept: list[Expression] = []
+    for each in factors:
+        while isinstance(each, Negate):
+            minus, each = not minus, each.operand
+        if is_zero(each):
+            return ZERO
+        if each != ONE:
+            kept.append(each)
+    total: Expression = kept[0] if kept else ONE
+    for each in kept[1:]:
+        total = Binary("*", total, each)
+    return Negate(total) if minus else total
+
+
+def total(terms: Iterable[Expression]) -> Expression:
+    """Terms added up: zeros are left out, what is negative is subtracted."""
+    own: Expression | None = None
+    for each in terms:
+        if is_zero(each):
+            continue
+        if own is None:
+            own = each
+        elif isinstance(each, Negate):
+            own = Binary("-", own, each.operand)
+        else:
+            own = Binary("+", own, each)
+    return ZERO if own is None else own
+
+
+def negative(tree: Expression) -> Expression:
+    """A tree with the other sign."""
+    if is_zero(tree):
+        return tree
+    if isinstance(tree, Negate):
+        return tree.operand
+    return Negate(tree)
+
+
+def difference(left: Expression, right: Expression) -> Expression:
+    """One less another; a sum that is taken away stands in brackets."""
+    if is_zero(right):
+        return left
+    if is_zero(left):
+        return negative(right)
+    if isinstance(right, Negate):
+        return Binary("+", left, right.operand)
+    return Binary("-", left, right)
+
+
+def vector(x: Expression, y: Expression) -> Expression:
+    """``x i + y j``, without a part that is 0."""
+    return total((product(x, Unit("i")), product(y, Unit("j"))))
+
+
+def square(tree: Expression) -> Expression:
+    """A tree squared."""
+    if isinstance(tree, Negate):
+        tree = tree.operand
+    return Binary("^", tree, Number(Fraction(2)))
+
+
+def swept(tree: Expression) -> Expression:
+    """A tree without terms that are 0, factors that are 1, and signs that cancel.
+
+    Nothing is multiplied out and no numbers are put together.
+    """
+
+    def change(each: Expression) -> Expression:
+        match each:
+            case Negate(operand):
+                return negative(operand)
+            case Binary("*", left, right):
+                return product(left, right)
+            case Binary("+", left, right):
+                return total((left, right))
+            case Binary("-", left, right):
+                return difference(left, right)
+            case Binary("/", left, right):
+                return _quotient(left, right)
+            case Binary("^", left, right):
+                if right == ONE:
+                    return left
+                return square(left) if right == Number(Fraction(2)) else each
+        return each
+
+    return rebuilt(tree, change)
+
+
+def _quotient(above: Expression, below: Expression) -> Expression:
+    if is_zero(above):
+        return ZERO
+    if below == ONE:
+        return above
+    if isinstance(above, Negate) and isinstance(below, Negate):
+        return Binary("/", above.operand, below.operand)
+    if isinstance(above, Negate):
+        return Negate(Binary("/", above.operand, below))
+    if isinstance(below, Negate):
+        return Negate(Binary("/", above, below.operand))
+    return Binary("/", above, below)

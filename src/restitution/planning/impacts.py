@@ -1,0 +1,242 @@
+"""Lines about impacts: components before and after, and the laws that tie them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Meaning, Move
+from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.scene import Scene
+from restitution.problem import Impact
+from restitution.vector import Vector
+
+# --- components ----------------------------------------------------------------------------------
+
+
+def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
+    """A component of a velocity just before the impact of a frame."""
+    return in_direction(scene, kind, body, frame.number - 1, frame)
+
+
+def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
+    """A component, after ``stage`` events, in one of the directions of a frame."""
+    last = scene.last_event(body, stage)
+    tree = frame.component(kind, body, last)
+    known = scene.desk.known(tree)
+    if known is not None:
+        return _put(scene, known)
+    direction = frame.direction(kind)
+    if last == 0:
+        initial = scene.initial(body)
+        return _put(scene, Source(tidy(initial.value.dot(direction)), initial.refs))
+    own = scene.frame(last)
+    for each in ("along", "across"):
+        sign = _parallel(scene, own.direction(each), direction)
+        if sign:
+            source = after(scene, each, body, own)
+            refs = together(source.refs, *((own.refs, frame.refs) if own is not frame else ()))
+            return _put(scene, Source(sign * source.value, refs))
+    return _resolved(scene, kind, body, last, frame)
+
+
+def _put(scene: Scene, source: Source) -> Source:
+    value, refs = scene.put(source.value)
+    return Source(value, together(source.refs, refs))
+
+
+def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
+    """1 or −1 where two unit vectors are parallel, 0 where they are not."""
+    if tidy(a.cross(b)) != 0:
+        return 0
+    return 1 if scene.model.sign(a.dot(b)) > 0 else -1
+
+
+def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
+    """A component of a velocity of which the components in other directions are known."""
+    own = scene.frame(stage)
+    parts = [after(scene, each, body, own) for each in ("along", "across")]
+    direction = frame.direction(kind)
+    shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
+    put = [_put(scene, each) for each in parts]
+    value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
+    terms = [
+        product(tree_of(a.value), tree_of(b)) for a, b in zip(put, shares, strict=True) if a.value
+    ]
+    refs = together(*(each.refs for each in put), own.refs, frame.refs)
+    quantity = frame.component(kind, body, stage)
+    number = scene.desk.write(
+        Move("define", "component", frame.number, (body,)),
+        refs,
+        chain(quantity, (swept(total(terms)), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
+    """A component just after the impact of a frame, by the law, or by the letter that names it."""
+    quantity = frame.component(kind, body, frame.number)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        return known
+    given = _given_after(scene, kind, body, frame)
+    if given is not None:
+        return given
+    if kind == "across":
+        return unchanged(scene, body, frame)
+    if frame.wall is not None:
+        return rebound(scene, body, frame)
+    return named(scene, body, frame)
+
+
+def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | None:
+    """A component of a velocity after an impact that is given as a vector."""
+    velocity = Quantity("velocity", (Name(body),), frame.number)
+    for each in scene.given:
+        if each.link.sign == "=" and each.link.left == velocity:
+            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
+            own = tidy(value.dot(frame.direction(kind)))
+            return Source(own, (each.fact.id,))
+    return None
+
+
+def named(scene: Scene, body: str, frame: Frame) -> Source:
+    """The letter for a component along the line of centres after an impact, introduced here."""
+    symbol = scene.model.components[frame.number, body].symbol
+    quantity = frame.component("along", body, frame.number)
+    meaning = Meaning(symbol.name, quantity, frame.sense)
+    number = scene.desk.write(Move("let"), (), meaning)
+    return scene.desk.know(quantity, frame.letter_sign * symbol, (number,))
+
+
+def component_letter(scene: Scene, body: str, frame: Frame) -> sp.Symbol:
+    """The letter of the model for a component along the line of centres."""
+    return scene.model.components[frame.number, body].symbol
+
+
+# --- laws ------------------------------------------------------------------------------------------
+
+
+def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
+    """The component across the line of centres, or parallel to a wall, is the same after."""
+    source = before(scene, "across", body, frame)
+    quantity = frame.component("across", body, frame.number)
+    number = scene.desk.write(
+        Move("law", "unchanged", frame.number, (body,)),
+        together(source.refs, frame.refs),
+        chain(quantity, (tree_of(source.value), None)),
+    )
+    return scene.desk.know(quantity, source.value, (number,))
+
+
+def rebound(scene: Scene, body: str, frame: Frame) -> Source:
+    """The component perpendicular to a wall after an impact: −e times the one before."""
+    source = before(scene, "along", body, frame)
+    e = scene.coefficient(frame.number)
+    quantity = frame.component("along", body, frame.number)
+    value = tidy(-e.value * source.value)
+    number = scene.desk.write(
+        Move("law", "restitution-wall", frame.number, (body,)),
+        together(source.refs, frame.refs, e.refs),
+        chain(
+            quantity,
+            (product(tree_of(e.value), negative(tree_of(source.value))), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    own = component_letter(scene, body, frame)
+    scene.desk.know(Letter(own.name), frame.letter_sign * value, (number,))
+    return scene.desk.know(quantity, value, (number,))
+
+
+def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
+    """A law at a wall as an equation, where the component after it is known."""
+    quantity = frame.component(kind, body, frame.number)
+    known = scene.desk.known(quantity) or _given_after(scene, kind, body, frame)
+    if known is None:
+        raise NotPlannedError(f"the component of {body} after event {frame.number}")
+    later, earlier = _put(scene, known), before(scene, kind, body, frame)
+    refs = together(later.refs, earlier.refs, frame.refs)
+    if kind == "across":
+        move = Move("law", "unchanged", frame.number, (body,))
+        return scene.desk.write(
+            move, refs, chain(tree_of(later.value), (tree_of(earlier.value), None))
+        )
+    e = scene.coefficient(frame.number)
+    move = Move("law", "restitution-wall", frame.number, (body,))
+    left, right = tree_of(later.value), tree_of(earlier.value)
+    if scene.model.sign(later.value) < 0:
+        left, right = negative(left), negative(right)
+    relation = chain(left, (product(tree_of(e.value), negative(right)), None))
+    return scene.desk.write(move, together(refs, e.refs), relation)
+
+
+def momentum(scene: Scene, frame: Frame) -> int:
+    """Conservation of momentum along the line of centres."""
+    sides: list[list[Expression]] = [[], []]
+    refs: list[Any] = []
+    for body in scene.spheres(frame.number):
+        mass = scene.mass(body)
+        refs += mass.refs
+        ends = (before(scene, "along", body, frame), _now(scene, body, frame))
+        for side, source in zip(sides, ends, strict=True):
+            refs += source.refs
+            side.append(product(tree_of(mass.value), tree_of(source.value)))
+    left, right = (swept(total(each)) for each in sides)
+    return scene.desk.write(
+        Move("law", "momentum", frame.number, scene.bodies(frame.number)),
+        together(refs, frame.refs),
+        chain(left, (right, None)),
+    )
+
+
+def restitution(scene: Scene, frame: Frame) -> int:
+    """Newton's law of restitution between two spheres."""
+    first, second = scene.bodies(frame.number)
+    step = scene.model.happening(frame.number).step
+    assert isinstance(step, Impact)
+    e = scene.coefficient(frame.number)
+    early = [before(scene, "along", each, frame) for each in (first, second)]
+    late = [_now(scene, each, frame) for each in (first, second)]
+    refs = together(e.refs, *(each.refs for each in (*early, *late)), frame.refs)
+    v, w = (tree_of(each.value) for each in late)
+    u, x = (tree_of(each.value) for each in early)
+    approach = difference(u, x)
+    if scene.model.sign(early[0].value - early[1].value) < 0:
+        v, w, approach = w, v, difference(x, u)
+    return scene.desk.write(
+        Move("law", "restitution", frame.number, (first, second)),
+        refs,
+        chain(difference(w, v), (product(tree_of(e.value), approach), None)),
+    )
+
+
+def _now(scene: Scene, body: str, frame: Frame) -> Source:
+    """A component after an impact: its value if it is known, else its letter."""
+    return _put(scene, after(scene, "along", body, frame))
+
+
+def residual(scene: Scene, number: int) -> sp.Expr:
+    """A line as an expression that is zero."""
+    own = scene.desk.last_link(number)
+    return scene_value(scene, own.left) - scene_value(scene, own.right)
+
+
+def scene_value(scene: Scene, tree: Expression) -> sp.Expr:
+    """The value of a tree of a line, with the letters of components as letters."""
+    letters = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    evaluator = type(scene.model.story.evaluator(scene.events))(
+        scene.model.story.field,
+        lambda name: letters.get(name, scene.model.unknowns.letter(name)),
+    )
+    return sp.sympify(evaluator.scalar(tree), strict=True)
+
+
+def link_of(left: Expression, right: Expression) -> Any:
+    """An equation as a link."""
+    return link(left, right)

@@ -1,0 +1,128 @@
+"""What is asked: the last lines of each item, once everything in it is known."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.planning.angles import range_of
+from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.forms import swept, tree_of
+from restitution.planning.order import Solver
+from restitution.planning.quantities import Formula, formula
+from restitution.planning.scene import Scene
+from restitution.problem import Compare, Extremum, Range, Show, Value
+from restitution.solve.solution import ItemResult
+from restitution.vector import Vector
+
+
+def write_item(
+    scene: Scene, solver: Solver, item: Any, result: ItemResult, asked: Expression, name: str
+) -> None:
+    """Writes the lines of an item. Raises NotPlannedError where there is no plan for it."""
+    match item:
+        case Value():
+            _value(scene, solver, item, asked, name)
+        case Show(subject=None, relation=Compare(figures=None)):
+            _show(scene, solver, item, asked, name)
+        case Range() | Extremum() | Show():
+            raise NotPlannedError(type(item).__name__)
+
+
+def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: str) -> None:
+    if item.percentage:
+        raise NotPlannedError("a percentage")
+    solver.determine(_goals(scene, asked))
+    match asked:
+        case Letter(letter):
+            known = scene.desk.known(asked)
+            if known is None:
+                raise NotPlannedError(f"{letter} is open")
+            (line,) = (each for each in known.refs if isinstance(each, int))
+            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        case Quantity("angle"):
+            line, value = write_angle(scene, asked)
+            scene.desk.end(name, line, chain(asked, (value, None)))
+        case Quantity():
+            own = formula(scene, asked)
+            line = write_formula(scene, own)
+            scene.desk.end(name, line, chain(asked, (tree_of(own.value), None)))
+        case _:
+            raise NotPlannedError("an expression of several quantities")
+
+
+def _right(scene: Scene, line: int) -> Expression:
+    return scene.desk.last_link(line).right
+
+
+def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
+    value = scene.value(tree)
+    if isinstance(value, Vector):
+        return [sp.sympify(each, strict=True) for each in value]
+    if hasattr(value, "measure"):
+        return [sp.sympify(each, strict=True) for each in (value.y / value.x,)]
+    return [sp.sympify(value, strict=True)]
+
+
+def write_formula(scene: Scene, own: Formula) -> int:
+    """A quantity by its definition, and what that comes to."""
+    final = tree_of(own.value)
+    right = swept(own.right)
+    if isinstance(own.value, Vector):
+        number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
+        if right != final:
+            number = scene.desk.write(
+                Move("rearrange"), (number,), chain(own.left, (final, None))
+            )
+    else:
+        if _trivial(own.right, final):
+            right = final
+        number = scene.desk.write(
+            own.move, own.refs, chain(own.left, (right, None), (final, "rearrange"))
+        )
+    scene.desk.know(own.quantity, own.value, (number,))
+    return number
+
+
+def _trivial(right: Expression, final: Expression) -> bool:
+    """Whether a root is that of one square."""
+    from restitution.expression.tree import Binary
+
+    match right:
+        case Apply("sqrt", Binary("^", base, _)):
+            return base == final
+    return False
+
+
+def write_angle(scene: Scene, asked: Quantity) -> tuple[int, Expression]:
+    """An angle by its tangent: the line that says what it is, and its value."""
+    own = formula(scene, asked)
+    right = swept(own.right)
+    final = tree_of(own.value)
+    line = scene.desk.write(
+        own.move, own.refs, chain(own.left, (right, None), (final, "rearrange"))
+    )
+    measure = tree_of(tidy(sp.atan(own.value)), angle=True, as_it_is=True)
+    letter = angle_letter(scene, asked)
+    del letter
+    number = scene.desk.write(
+        Move("inverse"), (line, "0° <= x <= 90°"), chain(asked, (measure, None))
+    )
+    return number, measure
+
+
+def angle_letter(scene: Scene, asked: Quantity) -> str:
+    """A letter for an angle that is asked for."""
+    taken = set(scene.model.unknowns.roles)
+    return next(each for each in ("beta", "theta", "phi", "psi") if each not in taken)
+
+
+def _show(scene: Scene, solver: Solver, item: Show, asked: Expression, name: str) -> None:
+    assert isinstance(item.relation, Compare)
+    raise NotPlannedError("a show")
+
+

@@ -1,0 +1,303 @@
+"""In which order the equations of a route are written: laws express, known facts express, the rest
+closes.
+
+A law expresses the components after an impact. A fact expresses one only where that is its only
+unknown and it holds no letter that is asked; else it is the last equation of its block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import Letter
+from restitution.planning.closing import close
+from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.forms import tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.givens import candidate, write_given
+from restitution.planning.impacts import (
+    after,
+    closing_at_wall,
+    momentum,
+    rebound,
+    residual,
+    restitution,
+    _given_after,
+)
+from restitution.planning.routes import Candidate, Routes, points
+from restitution.planning.scene import GivenEquation, Scene
+
+_LAWS = {"momentum": momentum, "restitution": restitution}
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law of an impact as an equation of a route."""
+
+    kind: str
+    number: int
+    candidate: Candidate
+
+
+class Solver:
+    """Writes what a goal needs: the equations of its route, in the order of a teacher."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.laws = [*self._laws(), *self._across()]
+        self.givens = {each.fact.id: each for each in scene.given}
+        self.used: set[str] = set()
+
+    def _laws(self) -> Iterable[Law]:
+        model = self.scene.model
+        for law in model.laws:
+            wall = model.frames[law.number].wall is not None
+            kind = "wall" if wall else law.kind
+            cost = 1.0 if wall else 2.0
+            own = Candidate(f"{kind} {law.number}", cost, (law.residual,))
+            yield Law(kind, law.number, own)
+
+    def _across(self) -> Iterable[Law]:
+        """Components across that are given after an impact."""
+        for each in self.scene.given:
+            left = each.link.left
+            if each.link.sign != "=" or getattr(left, "kind", None) != "velocity":
+                continue
+            # The fact stands for the components that it gives.
+        return ()
+
+    # --- routes ------------------------------------------------------------------------------------
+
+    def determine(self, goals: Sequence[sp.Expr]) -> None:
+        """Writes lines until everything in some values is known."""
+        scene = self.scene
+        open_ = {symbol for each in goals for symbol in scene.unknown(each)}
+        if not open_:
+            return
+        route = self.route(goals)
+        left = list(route)
+        while left:
+            step = self._next(left)
+            if step is None:
+                raise NotPlannedError(f"no order of {[each.id for each in left]}")
+            for each in step:
+                left.remove(each)
+        rest = {symbol for each in goals for symbol in scene.unknown(each)}
+        if rest & {each.symbol for each in scene.model.components.values()}:
+            raise NotPlannedError(f"{rest} are open")
+
+    def route(self, goals: Sequence[sp.Expr]) -> tuple[Candidate, ...]:
+        """The cheapest equations that determine some values."""
+        scene = self.scene
+        candidates = [
+            Candidate(own.id, own.cost, tuple(scene.put(each)[0] for each in own.residuals))
+            for own in (
+                *(each.candidate for each in self.laws),
+                *(candidate(each) for each in scene.given),
+            )
+            if own.id not in self.used
+        ]
+        put = [scene.put(each)[0] for each in goals]
+        unknowns = frozenset(
+            s for each in candidates for x in each.residuals for s in scene.unknown(x)
+        ) | frozenset(s for x in put for s in scene.unknown(x))
+        routes = Routes(candidates, points(scene.model), unknowns).cheapest(put)
+        if not routes:
+            raise NotPlannedError(f"nothing determines {goals}")
+        return routes[0]
+
+    # --- order -------------------------------------------------------------------------------------
+
+    def _next(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Writes the next equation or block; returns what was used."""
+        for test in (self._fact_expresses, self._wall, self._block, self._single, self._closing):
+            used = test(left)
+            if used:
+                self.used |= {each.id for each in used}
+                return used
+        return None
+
+    def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
+        return frozenset(s for x in own.residuals for s in self.scene.unknown(x))
+
+    def _law(self, own: Candidate) -> Law | None:
+        return next((each for each in self.laws if each.candidate.id == own.id), None)
+
+    @property
+    def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:
+        return {
+            each.symbol: (each.number, each.body)
+            for each in self.scene.model.components.values()
+        }
+
+    def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A fact with one unknown, which is a component."""
+        for own in left:
+            given = self.givens.get(own.id)
+            open_ = self._open(own)
+            if given is None:
+                continue
+            if getattr(given.link.left, "kind", None) == "velocity" and given.link.sign == "=":
+                self._take_velocity(given)
+                return (own,)
+            if len(open_) != 1:
+                continue
+            (symbol,) = open_
+            if symbol in self._letters or len(given.residuals) == 1 and self._is_value(given):
+                number = write_given(self.scene, given)
+                close(self.scene, number, symbol)
+                return (own,)
+        return None
+
+    def _is_value(self, given: GivenEquation) -> bool:
+        return isinstance(given.link.left, Letter)
+
+    def _take_velocity(self, given: GivenEquation) -> None:
+        """The components of a velocity that is given are known from now on."""
+        scene = self.scene
+        for (number, body), component in scene.model.components.items():
+            frame = scene.frame(number)
+            source = _given_after(scene, "along", body, frame)
+            if source is not None and source.refs == (given.fact.id,):
+                value = frame.letter_sign * source.value
+                scene.desk.know(Letter(component.symbol.name), value, source.refs)
+                scene.desk.know(
+                    frame.component("along", body, number), source.value, source.refs
+                )
+
+    def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """At a wall the component after follows at once."""
+        for own in left:
+            law = self._law(own)
+            if law is None or law.kind != "wall":
+                continue
+            frame = self.scene.frame(law.number)
+            (body,) = self.scene.spheres(law.number)
+            symbol = self.scene.model.components[law.number, body].symbol
+            if symbol in self._open(own) and not self._earlier(law):
+                rebound(self.scene, body, frame)
+                return (own,)
+        return None
+
+    def _earlier(self, law: Law) -> bool:
+        """Whether a component before an impact is still to be worked out."""
+        return any(
+            number < law.number
+            for symbol, (number, _) in self._letters.items()
+            if symbol in self._open(law.candidate)
+        )
+
+    def _block(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Momentum with restitution: two lines, from which the components follow."""
+        for own in left:
+            law = self._law(own)
+            if law is None or law.kind != "momentum" or self._earlier(law):
+                continue
+            other = next((each for each in left if each.id == f"restitution {law.number}"), None)
+            if other is None:
+                continue
+            after_ = self._after(law.number)
+            open_ = (self._open(own) | self._open(other)) & after_.keys()
+            if len(open_) == 2:
+                self._pair(law.number, after_)
+                return (own, other)
+        return None
+
+    def _after(self, number: int) -> dict[sp.Symbol, str]:
+        return {s: body for s, (n, body) in self._letters.items() if n == number}
+
+    def _pair(self, number: int, bodies: dict[sp.Symbol, str]) -> None:
+        scene = self.scene
+        frame = scene.frame(number)
+        for body in scene.spheres(number):
+            after(scene, "along", body, frame)
+        lines = momentum(scene, frame), restitution(scene, frame)
+        residuals = [residual(scene, each) for each in lines]
+        symbols = list(bodies)
+        values = _two_by_two(residuals, symbols)
+        for symbol in symbols:
+            self._express(frame, lines, symbol, symbols, values)
+
+    def _express(
+        self,
+        frame: Frame,
+        lines: tuple[int, int],
+        symbol: sp.Symbol,
+        symbols: Sequence[sp.Symbol],
+        values: dict[sp.Symbol, sp.Expr],
+    ) -> None:
+        scene = self.scene
+        value = tidy(values[symbol])
+        (other,) = (each for each in symbols if each != symbol)
+        known = scene.desk.known(Letter(other.name))
+        relation = chain(Letter(symbol.name), (tree_of(value), None))
+        if known is not None and not value.free_symbols:
+            line = scene.desk.write(Move("put"), (lines[1], *known.refs), relation)
+        else:
+            move = Move("combine", eliminated=other.name)
+            line = scene.desk.write(move, lines, relation)
+        scene.desk.know(Letter(symbol.name), value, (line,))
+
+    def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A law of two spheres with one component open after it: that is expressed."""
+        for own in sorted(left, key=lambda each: len(self._open(each))):
+            law = self._law(own)
+            if law is None or law.kind == "wall" or self._earlier(law):
+                continue
+            open_ = self._open(own)
+            later = [s for s in open_ if s in self._after(law.number)]
+            if len(later) != 1:
+                continue
+            number = _LAWS[law.kind](self.scene, self.scene.frame(law.number))
+            (symbol,) = later
+            value = tidy(_solved(residual(self.scene, number), symbol))
+            line = self.scene.desk.write(
+                Move("rearrange"), (number,), chain(Letter(symbol.name), (tree_of(value), None))
+            )
+            self.scene.desk.know(Letter(symbol.name), value, (line,))
+            return (own,)
+        return None
+
+    def _closing(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """An equation with one unknown letter."""
+        for own in left:
+            open_ = self._open(own)
+            if len(open_) != 1:
+                continue
+            (symbol,) = open_
+            given = self.givens.get(own.id)
+            law = self._law(own)
+            if given is not None:
+                number = write_given(self.scene, given)
+            elif law is not None and law.kind == "wall":
+                (body,) = self.scene.spheres(law.number)
+                number = closing_at_wall(self.scene, body, self.scene.frame(law.number), "along")
+            elif law is not None:
+                number = _LAWS[law.kind](self.scene, self.scene.frame(law.number))
+            else:
+                continue
+            close(self.scene, number, symbol)
+            return (own,)
+        return None
+
+
+def _two_by_two(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """Two linear equations in two unknowns, by determinants."""
+    rows = [[sp.diff(each, s) for s in symbols] for each in residuals]
+    rest = [sp.expand(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]
+    (a, b), (c, d) = rows
+    whole = sp.expand(a * d - b * c)
+    return {
+        symbols[0]: sp.together(sp.expand(rest[0] * d - b * rest[1]) / whole),
+        symbols[1]: sp.together(sp.expand(a * rest[1] - rest[0] * c) / whole),
+    }
+
+
+def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    slope = sp.diff(residual_, symbol)
+    return -residual_.subs(symbol, 0) / slope

@@ -1,0 +1,67 @@
+"""A solution to its derivation: part by part, item by item."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from restitution.components import model, protected_letters
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.facts import events_of, facts_of, staged
+from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.forms import UnwrittenError
+from restitution.planning.items import write_item
+from restitution.planning.order import Solver
+from restitution.planning.scene import Scene
+from restitution.problem import Arrival, Find, Impact, Kick, Part, Problem, Show
+from restitution.solve.solution import PartSolution, Solution
+
+
+def plan(solution: Solution) -> Derivation:
+    """The working of a question as a derivation.
+
+    Raises NotPlannedError for what is not planned, with the reason.
+    """
+    problem = solution.problem
+    desk = Desk(events_of(problem), facts_of(problem))
+    try:
+        for part in solution.parts.values():
+            _write_part(solution, part, desk)
+    except UnwrittenError as error:
+        raise NotPlannedError(f"no line says {error}") from error
+    return Derivation(desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events)
+
+
+def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> None:
+    if not part.items:
+        return
+    if part.error is not None or any(each.error is not None for each in part.items):
+        raise NotPlannedError("an item without an answer")
+    if len(part.branches) != 1:
+        raise NotPlannedError("several solutions")
+    problem = solution.problem
+    told = model(problem, part.part, part.branches[0], part.roles, protected_letters(part.part))
+    desk.part = part.part.label
+    scene = Scene(problem, part.part, part, told, desk)
+    solver = Solver(scene)
+    for index, ((item, now), result) in enumerate(
+        zip(_asked(problem, part.part), part.items, strict=True), 1
+    ):
+        name = f"{part.part.label or ''}{index}"
+        desk.item = name
+        asked = None if isinstance(item, Show) else staged(problem, item.expression, now)
+        write_item(scene, solver, item, result, asked, name)  # type: ignore[arg-type]
+
+
+def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:
+    """The items and shows of a part, each with the number of events told before it."""
+    now = 0
+    found: list[tuple[object, int]] = []
+    for each in problem.parts[: problem.parts.index(part) + 1]:
+        for step in each.steps:
+            if isinstance(step, Impact | Kick | Arrival):
+                now += 1
+            elif each is part and isinstance(step, Find):
+                found += [(item, now) for item in step.items]
+            elif each is part and isinstance(step, Show):
+                found.append((step, now))
+    return found

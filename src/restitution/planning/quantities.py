@@ -1,0 +1,354 @@
+"""What is asked or given, by its definition, with the components put in that are known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Number,
+    Quantity,
+    Unit,
+)
+from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.forms import (
+    difference,
+    is_zero,
+    negative,
+    number,
+    product,
+    square,
+    total,
+    tree_of,
+    vector,
+)
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import in_direction
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A definition with values put in: ``left`` is the quantity, a power or a ratio of it.
+
+    ``value`` is what the right side is worth; ``of`` makes the left side of any tree that stands
+    for the quantity.
+    """
+
+    move: Move
+    of: Callable[[Expression], Expression]
+    quantity: Expression
+    right: Expression
+    value: Any
+    refs: tuple[Ref, ...]
+
+    @property
+    def left(self) -> Expression:
+        """The left side, of the quantity itself."""
+        return self.of(self.quantity)
+
+
+def _itself(tree: Expression) -> Expression:
+    return tree
+
+
+def formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The definition by which a quantity is worked out. Raises NotPlannedError without one."""
+    own = _FORMULAS.get(quantity.kind)
+    if own is None:
+        raise NotPlannedError(f"no definition of {quantity.kind}")
+    return own(scene, quantity)
+
+
+# --- velocities --------------------------------------------------------------------------------------
+
+
+def body_and_stage(scene: Scene, velocity: Expression) -> tuple[str, int]:
+    """The body of a velocity, and the last event that changed it."""
+    match velocity:
+        case Quantity("velocity" | "speed" | "direction", (Name(body),), int(stage)):
+            return body, scene.last_event(body, stage)
+    raise NotPlannedError(f"{velocity} is no velocity of a body")
+
+
+def frame_after(scene: Scene, body: str, stage: int) -> Frame:
+    """The frame in which a velocity is known: of its impact, or of the next of an initial one."""
+    if stage:
+        return scene.frame(stage)
+    for number in range(1, scene.events + 1):
+        if body in scene.bodies(number) and number in scene.model.frames:
+            return scene.frame(number)
+    raise NotPlannedError(f"{body} meets nothing")
+
+
+def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> list[Source]:
+    """The components of a velocity, along and across, with all known values put in."""
+    own = frame or frame_after(scene, body, stage)
+    return [in_direction(scene, kind, body, stage, own) for kind in ("along", "across")]
+
+
+def named_refs(frame: Frame) -> tuple[Ref, ...]:
+    """The axis, where components are named by the line of centres."""
+    return frame.refs if isinstance(frame.along, Quantity) else ()
+
+
+def _velocity(scene: Scene, quantity: Quantity) -> Formula:
+    body, stage = body_and_stage(scene, quantity)
+    frame = frame_after(scene, body, stage)
+    along, across = parts(scene, body, stage, frame)
+    value = frame.n * along.value + frame.t * across.value
+    refs = together(along.refs, across.refs, named_refs(frame))
+    aligned = frame.across is not None or frame.n in (Vector(1, 0), Vector(0, 1))
+    if aligned:
+        right = vector(tree_of(value.x), tree_of(value.y))
+    else:
+        right = total(
+            product(tree_of(own.value), _unit_tree(direction))
+            for own, direction in ((along, frame.n), (across, frame.t))
+        )
+    move = Move("define", "assemble", stage or None, (body,))
+    return Formula(move, _itself, quantity, right, Vector(*map(tidy, value)), refs)
+
+
+def _unit_tree(direction: Vector) -> Expression:
+    """A unit vector as a whole number of **i** and **j** over its length."""
+    x, y = direction
+    length = sp.sqrt(x**2 + y**2)
+    scale = sp.ilcm(*(sp.fraction(sp.sympify(each))[1] for each in (x, y)))
+    if length != 1 or not scale.is_Integer or not (x * scale).is_Integer:
+        return vector(tree_of(x), tree_of(y))
+    whole = vector(tree_of(x * scale), tree_of(y * scale))
+    return whole if scale == 1 else Binary("/", whole, tree_of(scale))
+
+
+def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of a speed by its components: as a tree, as a value, and what it rests on."""
+    frame = frame_after(scene, body, stage)
+    own = parts(scene, body, stage, frame)
+    refs = together(*(each.refs for each in own))
+    tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
+    return tree, sum(each.value**2 for each in own), refs
+
+
+def _speed(scene: Scene, quantity: Quantity) -> Formula:
+    body, stage = body_and_stage(scene, quantity)
+    tree, value, refs = squares(scene, body, stage)
+    move = Move("define", "speed", stage or None, (body,))
+    size = tidy(sp.sqrt(tidy(sp.expand(value))))
+    return Formula(move, _itself, quantity, Apply("sqrt", tree), size, refs)
+
+
+def _component(scene: Scene, quantity: Quantity) -> Formula:
+    velocity, direction = quantity.arguments
+    body, stage = body_and_stage(scene, velocity)
+    frame = frame_after(scene, body, stage)
+    wanted = scene.model.story.direction(direction, scene.events)
+    if quantity.kind == "across":
+        wanted = wanted.turned_left()
+    size = scene.model.story.size(wanted)
+    unit = Vector(tidy(wanted.x / size), tidy(wanted.y / size))
+    own = parts(scene, body, stage, frame)
+    shares = [tidy(each.dot(unit)) for each in (frame.n, frame.t)]
+    used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
+    right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
+    value = tidy(sum(a.value * b for a, b in used))
+    refs = together(*(a.refs for a, _ in used), named_refs(frame))
+    return Formula(
+        Move("define", "component", stage or None, (body,)), _itself, quantity, right, value, refs
+    )
+
+
+# --- angles ------------------------------------------------------------------------------------------
+
+
+def tangent(tree: Expression) -> Expression:
+    """The tangent of an angle."""
+    return Apply("tan", tree)
+
+
+def _angle(scene: Scene, quantity: Quantity) -> Formula:
+    velocity, line = quantity.arguments
+    body, stage = body_and_stage(scene, velocity)
+    frame = frame_after(scene, body, stage)
+    along, across = parts(scene, body, stage, frame)
+    if isinstance(line, Name) and line.name == frame.wall:
+        above, below = along, across
+    elif isinstance(line, Quantity) and line.kind == "line_of_centres":
+        above, below = across, along
+    elif isinstance(line, Unit) and line in (frame.along, frame.across):
+        above, below = (across, along) if line == frame.along else (along, across)
+    elif isinstance(line, Unit) and frame.n in (Vector(1, 0), Vector(0, 1)):
+        own = Vector(1, 0) if line.axis == "i" else Vector(0, 1)
+        above, below = (across, along) if frame.n == own else (along, across)
+    else:
+        raise NotPlannedError(f"an angle to {line}")
+    trees = []
+    for each in (above, below):
+        tree = tree_of(each.value)
+        trees.append(negative(tree) if scene.model.sign(each.value) < 0 else tree)
+    if is_zero(trees[1]):
+        raise NotPlannedError("a right angle")
+    value = tidy(above.value / below.value)
+    value = -value if scene.model.sign(value) < 0 else value
+    refs = together(above.refs, below.refs)
+    return Formula(
+        Move("define", "tan", frame.number, (body,)),
+        tangent,
+        quantity,
+        Binary("/", *trees),
+        tidy(value),
+        refs,
+    )
+
+
+# --- impulses and energies -----------------------------------------------------------------------------
+
+
+def _impulse(scene: Scene, quantity: Quantity) -> Formula:
+    event = quantity.stage
+    if not isinstance(event, int) or event not in scene.model.frames:
+        raise NotPlannedError("an impulse of a blow")
+    if quantity.arguments:
+        return _impulse_vector(scene, quantity, event)
+    frame = scene.frame(event)
+    spheres = scene.spheres(event)
+    body = spheres[0]
+    for each in spheres[1:]:
+        if in_direction(scene, "along", each, event - 1, frame).value == 0:
+            body = each
+    early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+    change = late.value - early.value
+    mass = scene.mass(body)
+    trees = tree_of(late.value), tree_of(early.value)
+    change_tree = difference(*trees)
+    if scene.model.sign(change) < 0:
+        change_tree = difference(trees[1], trees[0])
+        change = -change
+    if frame.wall is not None and scene.model.sign(late.value) > 0:
+        change_tree = total((trees[0], negative(trees[1])))
+    elif frame.wall is not None:
+        change_tree = total((trees[1], negative(trees[0])))
+    return Formula(
+        Move("law", "impulse", event, (body,)),
+        _itself,
+        quantity,
+        product(tree_of(mass.value), change_tree),
+        tidy(mass.value * change),
+        together(mass.refs, early.refs, late.refs, frame.refs),
+    )
+
+
+def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
+    (name,) = quantity.arguments
+    assert isinstance(name, Name)
+    body = name.name
+    mass = scene.mass(body)
+    late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))
+    change = Binary("-", tree_of(late.value), tree_of(early.value))
+    value = Vector(*(tidy(mass.value * each) for each in late.value - early.value))
+    return Formula(
+        Move("law", "impulse-vector", event, (body,)),
+        _itself,
+        quantity,
+        product(tree_of(mass.value), change),
+        value,
+        together(mass.refs, late.refs, early.refs),
+    )
+
+
+def velocity_source(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector, from the data or from a line."""
+    last = scene.last_event(body, stage)
+    quantity = Quantity("velocity", (Name(body),), last)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        return known
+    if last == 0:
+        source = scene.initial(body)
+        value, refs = scene.put(source.value)
+        return Source(value, together(source.refs, refs))
+    for each in scene.given:
+        if each.link.left == quantity and each.link.sign == "=":
+            return Source(scene.value(each.link.right), (each.fact.id,))
+    own = _velocity(scene, quantity)
+    return Source(own.value, own.refs)
+
+
+_HALF = number(1), number(2)
+
+
+def half(tree: Expression) -> Expression:
+    """Half of a tree."""
+    return Binary("*", Binary("/", *_HALF), tree)
+
+
+def _energy(scene: Scene, quantity: Quantity) -> Formula:
+    assert isinstance(quantity.stage, int)
+    names = [each.name for each in quantity.arguments if isinstance(each, Name)]
+    bodies = names or list(scene.model.story.spheres)
+    terms, values, refs = [], [], []
+    for body in bodies:
+        stage = scene.last_event(body, quantity.stage)
+        tree, value, own = squares(scene, body, stage)
+        mass = scene.mass(body)
+        terms.append(_kinetic(tree_of(mass.value), tree))
+        values.append(mass.value * value / 2)
+        refs += [*mass.refs, *own]
+    move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
+    return Formula(
+        move, _itself, quantity, total(terms), tidy(sp.expand(sum(values))), together(refs)
+    )
+
+
+def _kinetic(mass: Expression, speed_squared: Expression) -> Expression:
+    if is_zero(speed_squared):
+        return speed_squared
+    return product(Binary("/", *_HALF), mass, speed_squared)
+
+
+def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
+    """Components across the line do not change, so that they cancel."""
+    event = quantity.stage
+    assert isinstance(event, int)
+    frame = scene.frame(event)
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = [*frame.refs]
+    for body in scene.spheres(event):
+        early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+        mass = scene.mass(body)
+        squared = [square(tree_of(e.value)) if e.value != 0 else Number(number(0).value) for e in (early, late)]  # type: ignore[union-attr]
+        change = difference(*squared)
+        terms.append(product(Binary("/", *_HALF), tree_of(mass.value), change))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        refs += [*mass.refs, *early.refs, *late.refs]
+    return Formula(
+        Move("define", "energy-lost", event, scene.spheres(event)),
+        _itself,
+        quantity,
+        total(terms),
+        tidy(sp.expand(sum(values))),
+        together(refs),
+    )
+
+
+_FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
+    "velocity": _velocity,
+    "speed": _speed,
+    "along": _component,
+    "across": _component,
+    "angle": _angle,
+    "impulse": _impulse,
+    "energy": _energy,
+    "energy_lost": _energy_lost,
+}

@@ -1,0 +1,247 @@
+"""One part of a question, ready to be written: values in letters, frames, facts as equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from restitution.components import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Ref
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    walk,
+)
+from restitution.planning.desk import Desk, NotPlannedError, Source, together
+from restitution.planning.forms import tree_of
+from restitution.planning.frames import Frame, frame_of
+from restitution.problem import Part, Problem
+from restitution.solve import facts as solve_facts
+from restitution.solve.conditions import Equation
+from restitution.solve.solution import PartSolution
+from restitution.vector import Vector
+
+_RATIOS = (sp.sin, sp.cos, sp.tan)
+
+
+@dataclass(frozen=True)
+class GivenEquation:
+    """A given fact as an equation: ``residuals`` are zero."""
+
+    fact: Fact
+    link: Link
+    residuals: tuple[sp.Expr, ...]
+
+
+@dataclass
+class Scene:
+    """A part, its story in the letters of components, and the desk on which it is written."""
+
+    problem: Problem
+    part: Part
+    solution: PartSolution
+    model: Model
+    desk: Desk
+    frames: dict[int, Frame] = field(default_factory=dict)
+
+    # --- the story -----------------------------------------------------------------------------
+
+    @cached_property
+    def facts(self) -> dict[str, Fact]:
+        """The facts of the question by id."""
+        return {each.id: each for each in self.desk.facts}
+
+    @property
+    def events(self) -> int:
+        """How many events are told."""
+        return len(self.model.story.happenings)
+
+    def frame(self, number: int) -> Frame:
+        """The frame of an impact."""
+        if number not in self.frames:
+            self.frames[number] = frame_of(self.model, self.facts, number)
+        return self.frames[number]
+
+    def bodies(self, number: int) -> tuple[str, ...]:
+        """The bodies in an event."""
+        return self.model.happening(number).bodies
+
+    def spheres(self, number: int) -> tuple[str, ...]:
+        """The spheres in an event."""
+        return tuple(each for each in self.bodies(number) if each in self.model.story.spheres)
+
+    def last_event(self, body: str, stage: int) -> int:
+        """The latest event of a body up to a stage; 0 where there is none."""
+        latest = self.model.story.latest(body, stage)
+        return 0 if latest is None else latest.number
+
+    def value(self, tree: Expression) -> Any:
+        """What a tree is worth, in letters: a number, a Vector or an Angle."""
+        return self.model.story.evaluator(self.events).value(tree)
+
+    def scalar(self, tree: Expression) -> sp.Expr:
+        """What a tree is worth, as a number; angles in radians."""
+        return sp.sympify(self.model.story.evaluator(self.events).scalar(tree), strict=True)
+
+    def velocity(self, body: str, stage: int) -> Vector:
+        """A velocity, in letters."""
+        return self.model.story.velocity(body, stage)
+
+    # --- what is unknown -------------------------------------------------------------------------
+
+    def final(self, symbol: sp.Symbol) -> sp.Expr:
+        """The value of an unknown in the data."""
+        return self.model.final[symbol]
+
+    def unknown(self, value: Any) -> frozenset[sp.Symbol]:
+        """The unknowns in a value that have no value on the desk yet."""
+        put, _ = self.put(value)
+        parts = put if isinstance(put, Vector) else (put,)
+        return frozenset(
+            symbol
+            for each in parts
+            for symbol in sp.sympify(each, strict=True).free_symbols
+            if symbol in self.model.final and not self._by_ratios(symbol)
+        )
+
+    def _by_ratios(self, symbol: sp.Symbol) -> bool:
+        """Whether an angle is known by the ratios that the data give."""
+        return self._ratio_fact(symbol) is not None
+
+    def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]:
+        """A value with everything put in that stands on the desk, and what that rests on."""
+        if isinstance(value, Vector):
+            x, y = (self.put(each) for each in value)
+            return Vector(x[0], y[0]), together(x[1], y[1])
+        own = sp.sympify(value, strict=True)
+        refs: list[Ref] = []
+        for _ in range(6):
+            changes: dict[sp.Basic, sp.Expr] = {}
+            for symbol in own.free_symbols:
+                source = self.desk.known(Letter(symbol.name))
+                if source is not None:
+                    changes[symbol] = source.value
+                    refs += source.refs
+            for each in own.atoms(*_RATIOS):
+                source = self._ratio(each)
+                if source is not None:
+                    changes[each] = source.value
+                    refs += source.refs
+            if not changes:
+                break
+            own = own.xreplace(changes)
+        return tidy(own), together(refs)
+
+    def _ratio(self, ratio: sp.Expr) -> Source | None:
+        """The number that a sine, cosine or tangent is by the data, written down when wanted."""
+        (argument,) = ratio.args
+        if not argument.is_Symbol:
+            return None
+        tree = Apply(type(ratio).__name__, Letter(argument.name))
+        known = self.desk.known(tree)
+        if known is None and self._ratio_fact(argument) is not None:
+            from restitution.planning.angles import write_ratios
+
+            write_ratios(self, argument)
+            known = self.desk.known(tree)
+        return known
+
+    def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
+        """The fact that gives a sine, cosine or tangent of an angle as a number."""
+        return self.ratio_facts.get(symbol.name)  # type: ignore[attr-defined]
+
+    @cached_property
+    def ratio_facts(self) -> Mapping[str, Fact]:
+        """Facts such as tan α = 3/4, by the letter."""
+        found: dict[str, Fact] = {}
+        for fact in self.desk.facts:
+            if fact.kind != "given" or not self.desk.holds(fact.id):
+                continue
+            match fact.relation.options:
+                case (((Link(Apply("sin" | "cos" | "tan", Letter(name)), "=", right)),),):
+                    if not self.scalar(right).free_symbols:
+                        found[name] = fact
+        return found
+
+    # --- facts -----------------------------------------------------------------------------------
+
+    @cached_property
+    def given(self) -> tuple[GivenEquation, ...]:
+        """The given equations in force, but for ratios of angles in numbers."""
+        found: list[GivenEquation] = []
+        ratios = {each.id for each in self.ratio_facts.values()}
+        for fact in self.desk.facts:
+            if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
+                continue
+            (link,) = fact.relation.only
+            residuals = tuple(self._residuals(link))
+            if residuals:
+                found.append(GivenEquation(fact, link, residuals))
+        return tuple(found)
+
+    def _residuals(self, link: Link) -> Iterable[sp.Expr]:
+        story = self.model.story
+        if link.sign == "=":
+            left, right = self.value(link.left), self.value(link.right)
+            for each in solve_facts.equal(story, left, right, None):
+                if isinstance(each, Equation):
+                    yield sp.sympify(each.value, strict=True)
+        elif link.sign in ("perpendicular to", "parallel to"):
+            a, b = (story.direction(each, self.events) for each in (link.left, link.right))
+            yield a.dot(b) if link.sign == "perpendicular to" else a.cross(b)
+
+    # --- data --------------------------------------------------------------------------------------
+
+    def data(self, name: str) -> Source:
+        """A fact of the statement as a value: ``mass A``, ``e 1``."""
+        fact = self.facts.get(name)
+        if fact is None:
+            raise NotPlannedError(f"{name} is not given")
+        (link,) = fact.relation.only
+        value = self.value(link.right)
+        put, refs = self.put(value)
+        return Source(put, together((name,), refs))
+
+    def mass(self, body: str) -> Source:
+        """The mass of a sphere."""
+        return self.data(f"mass {body}")
+
+    def coefficient(self, number: int) -> Source:
+        """The coefficient of restitution of an event."""
+        return self.data(f"e {number}")
+
+    def initial(self, body: str) -> Source:
+        """The velocity of a sphere at the start."""
+        name = f"velocity {body}"
+        fact = self.facts.get(name)
+        if fact is None:
+            raise NotPlannedError(f"the velocity of {body} at the start is not given")
+        (link,) = fact.relation.only
+        walls = [
+            f"wall {each.name}"
+            for each in walk(link.right)
+            if isinstance(each, Name) and f"wall {each.name}" in self.facts
+        ]
+        return Source(self.velocity(body, 0), (name, *walls))
+
+    def tree(self, value: Any) -> Expression:
+        """The tree of a value."""
+        return tree_of(value)
+
+    def velocity_tree(self, body: str, stage: int) -> Quantity:
+        """The velocity of a body after so many events, by the last that changed it."""
+        return Quantity("velocity", (Name(body),), self.last_event(body, stage))
+
+
+def opposite(tree: Expression) -> Expression:
+    """The other sense of a direction."""
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
