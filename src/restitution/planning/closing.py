@@ -103,18 +103,16 @@ def _by_roots(
     subject: Expression,
     symbol: sp.Symbol,
 ) -> Source | None:
-    factors = [
-        (base, power)
-        for base, power in sp.factor_list(above)[1]
-        if base.has(generator)
-    ]
+    factors = [(base, power) for base, power in sp.factor_list(above)[1] if base.has(generator)]
     if not factors or any(sp.Poly(base, generator).degree() > 2 for base, _ in factors):
         return None
     roots: list[sp.Expr] = []
     for base, _ in factors:
         roots += [tidy(each) for each in sp.roots(sp.Poly(base, generator))]
     roots = list(dict.fromkeys(roots))
-    target = tidy(scene.final(symbol) if generator == symbol else generator.func(scene.final(symbol)))
+    target = tidy(
+        scene.final(symbol) if generator == symbol else generator.func(scene.final(symbol))
+    )
     admitted = [each for each in roots if scene.model.sign(each - target) == 0]
     if len(admitted) != 1:
         return None
@@ -128,7 +126,12 @@ def _by_roots(
     if len(roots) > 1:
         line = scene.desk.write(
             Move("reject"),
-            (line, *_exclusion(scene, symbol, generator, [each for each in roots if each is not value])),
+            (
+                line,
+                *_exclusion(
+                    scene, symbol, generator, [each for each in roots if each is not value]
+                ),
+            ),
             chain(subject, (tree_of(value), None)),
         )
     if generator == symbol:

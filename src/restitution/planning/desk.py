@@ -28,10 +28,19 @@ class NotPlannedError(Exception):
 
 @dataclass(frozen=True)
 class Source:
-    """A value that is known, as an expression or a vector of them, and what it rests on."""
+    """A value that is known, as an expression or a vector of them, and what it rests on.
+
+    ``axis`` is what a component rests on beside that, where it is named by the line of centres.
+    """
 
     value: Any
     refs: tuple[Ref, ...] = ()
+    axis: tuple[Ref, ...] = ()
+
+    @property
+    def whole(self) -> tuple[Ref, ...]:
+        """All that it rests on."""
+        return together(self.refs, self.axis)
 
 
 def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
@@ -77,7 +86,7 @@ class Desk:
         for each in self.facts:
             self._parts[each.id] = frozenset(() if each.part is None else (each.part,))
 
-    # --- lines -------------------------------------------------------------------------------
+    # --- lines ----------------------------------------------------------------------------------
 
     def write(
         self,
@@ -119,7 +128,7 @@ class Desk:
         own = {self.part} if self.part is not None else set()
         return self._of(ref) <= own
 
-    # --- values ------------------------------------------------------------------------------
+    # --- values ---------------------------------------------------------------------------------
 
     def know(self, quantity: Expression, value: Any, refs: Iterable[Ref]) -> Source:
         """From here on a quantity, a letter, or a ratio of an angle has a value."""

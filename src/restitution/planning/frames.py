@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import sympy as sp
+
 from restitution.components import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Ref
@@ -40,6 +42,17 @@ class Frame:
             return Quantity("along", (velocity, self.across))
         return Quantity("across", (velocity, self.along))
 
+    @property
+    def unit_free(self) -> tuple[Ref, ...]:
+        """The axis, where components are named by it."""
+        return self.refs if isinstance(self.along, Quantity) else ()
+
+    def names_axis(self, kind: str) -> tuple[Ref, ...]:
+        """The axis, where a component of that kind is not named by it: a law needs it then."""
+        return (
+            self.refs if (kind == "across" and self.across) or isinstance(self.along, Unit) else ()
+        )
+
     def direction(self, kind: str) -> Vector:
         """The direction in which a component counts as positive."""
         return self.n if kind == "along" else self.t
@@ -52,14 +65,16 @@ class Frame:
 
 def frame_of(model: Model, facts: dict[str, Fact], number: int) -> Frame:
     """The frame of an impact. Raises NotPlannedError where its line is not among the data."""
-    own = model.frames[number]
+    own = model.frames.get(number)
+    if own is None:
+        raise NotPlannedError(f"event {number} is no impact")
     fact = facts.get(f"axis {number}")
     if fact is None or own.by_values or own.angle is not None:
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     refs = (fact.id,)
     told = fact.relation.only[0].right
     if own.axis is not None:
-        i, j = (Vector(own.n.x * 0 + x, own.n.y * 0 + y) for x, y in ((1, 0), (0, 1)))
+        i, j = (Vector(sp.Integer(x), sp.Integer(y)) for x, y in ((1, 0), (0, 1)))
         n, t = (i, j) if own.axis == "i" else (j, i)
         unit = Unit(own.axis)
         other = Unit("j" if own.axis == "i" else "i")

@@ -5,16 +5,14 @@ from __future__ import annotations
 from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import (
     Expression,
-    Letter,
     Name,
-    Number,
     Quantity,
     has_quantity,
     walk,
 )
 from restitution.planning.desk import NotPlannedError, chain, link, together
-from restitution.planning.forms import square, swept, total, product, tree_of
-from restitution.planning.impacts import closing_at_wall, in_direction
+from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
+from restitution.planning.impacts import in_direction
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -60,7 +58,6 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
     if own.move.record == "speed":
-        body, stage = body_and_stage(scene, own.quantity)
         right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
         relation = chain(square(left), (swept(right), None))
     else:
@@ -103,27 +100,24 @@ def _tie(scene: Scene, each: GivenEquation) -> int:
             raise NotPlannedError("a tie to a direction in the plane")
         kind = "along" if (record == "perpendicular") != wall else "across"
         own = in_direction(scene, kind, body, stage, frame)
-        relation = chain(tree_of(own.value), (Number(own.value * 0 + 0), None))  # type: ignore[arg-type]
         return scene.desk.write(
-            move, together((each.fact.id,), own.refs), Relation(((_zero(tree_of(own.value)),),))
+            move, together((each.fact.id,), own.whole), Relation(((_zero(tree_of(own.value)),),))
         )
     sources = [
         [in_direction(scene, kind, name, when, frame) for kind in ("along", "across")]
         for name, when in moving
     ]
     (a, b), (c, d) = sources
-    refs = together((each.fact.id,), *(s.refs for own in sources for s in own), frame.refs)
+    refs = together((each.fact.id,), *(s.whole for own in sources for s in own))
     if record == "perpendicular":
-        tree = total(
-            product(tree_of(p.value), tree_of(q.value)) for p, q in ((a, c), (b, d))
-        )
+        tree = total(product(tree_of(p.value), tree_of(q.value)) for p, q in ((a, c), (b, d)))
         return scene.desk.write(move, refs, Relation(((_zero(tree),),)))
     first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in ((a, d), (b, c)))
     return scene.desk.write(move, refs, Relation(((link(first, second),),)))
 
 
 def _zero(tree: Expression) -> Link:
-    return link(tree, Number(0))  # type: ignore[arg-type]
+    return link(tree, ZERO)
 
 
 def _directed(scene: Scene, tree: Expression) -> tuple[str, int] | None:
@@ -142,12 +136,18 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
     own = each.link
     for side in (own.left, own.right):
         for node in walk(side):
-            if not isinstance(node, Quantity) or node.kind in ("mass", "position") or node in values:
+            if (
+                not isinstance(node, Quantity)
+                or node.kind in ("mass", "position")
+                or node in values
+            ):
                 continue
             if not isinstance(node.stage, int):
                 continue
             made = formula(scene, node)
-            number = scene.desk.write(made.move, made.refs, chain(made.left, (swept(made.right), None)))
+            number = scene.desk.write(
+                made.move, made.refs, chain(made.left, (swept(made.right), None))
+            )
             values[node] = made.right
             refs.append(number)
     from restitution.explaining.trees import rebuilt
@@ -155,6 +155,6 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
     left, right = (
         swept(rebuilt(side, lambda node: values.get(node, node))) for side in (own.left, own.right)
     )
-    return scene.desk.write(Move("put"), together((each.fact.id,), refs), chain(left, (right, None)))
-
-
+    return scene.desk.write(
+        Move("put"), together((each.fact.id,), refs), chain(left, (right, None))
+    )

@@ -16,7 +16,7 @@ from restitution.planning.scene import Scene
 from restitution.problem import Impact
 from restitution.vector import Vector
 
-# --- components ----------------------------------------------------------------------------------
+# --- components ---------------------------------------------------------------------------------
 
 
 def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
@@ -34,20 +34,23 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     direction = frame.direction(kind)
     if last == 0:
         initial = scene.initial(body)
-        return _put(scene, Source(tidy(initial.value.dot(direction)), initial.refs))
+        value = tidy(initial.value.dot(direction))
+        return _put(scene, Source(value, initial.refs, frame.refs))
     own = scene.frame(last)
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)
         if sign:
             source = after(scene, each, body, own)
-            refs = together(source.refs, *((own.refs, frame.refs) if own is not frame else ()))
-            return _put(scene, Source(sign * source.value, refs))
+            axis = source.axis
+            if own.component(each, body, last) != tree:
+                axis = together(axis, own.unit_free, frame.unit_free)
+            return _put(scene, Source(sign * source.value, source.refs, axis))
     return _resolved(scene, kind, body, last, frame)
 
 
 def _put(scene: Scene, source: Source) -> Source:
     value, refs = scene.put(source.value)
-    return Source(value, together(source.refs, refs))
+    return Source(value, together(source.refs, refs), source.axis)
 
 
 def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
@@ -68,7 +71,7 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     terms = [
         product(tree_of(a.value), tree_of(b)) for a, b in zip(put, shares, strict=True) if a.value
     ]
-    refs = together(*(each.refs for each in put), own.refs, frame.refs)
+    refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     quantity = frame.component(kind, body, stage)
     number = scene.desk.write(
         Move("define", "component", frame.number, (body,)),
@@ -101,7 +104,7 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
         if each.link.sign == "=" and each.link.left == velocity:
             value = scene.model.story.evaluator(scene.events).vector(each.link.right)
             own = tidy(value.dot(frame.direction(kind)))
-            return Source(own, (each.fact.id,))
+            return Source(own, (each.fact.id,), frame.refs)
     return None
 
 
@@ -119,7 +122,7 @@ def component_letter(scene: Scene, body: str, frame: Frame) -> sp.Symbol:
     return scene.model.components[frame.number, body].symbol
 
 
-# --- laws ------------------------------------------------------------------------------------------
+# --- laws --------------------------------------------------------------------------------------
 
 
 def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
@@ -128,7 +131,7 @@ def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
     quantity = frame.component("across", body, frame.number)
     number = scene.desk.write(
         Move("law", "unchanged", frame.number, (body,)),
-        together(source.refs, frame.refs),
+        together(source.whole, frame.names_axis("across")),
         chain(quantity, (tree_of(source.value), None)),
     )
     return scene.desk.know(quantity, source.value, (number,))
@@ -142,7 +145,7 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     value = tidy(-e.value * source.value)
     number = scene.desk.write(
         Move("law", "restitution-wall", frame.number, (body,)),
-        together(source.refs, frame.refs, e.refs),
+        together(source.whole, frame.names_axis("along"), e.refs),
         chain(
             quantity,
             (product(tree_of(e.value), negative(tree_of(source.value))), None),
@@ -161,7 +164,7 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     if known is None:
         raise NotPlannedError(f"the component of {body} after event {frame.number}")
     later, earlier = _put(scene, known), before(scene, kind, body, frame)
-    refs = together(later.refs, earlier.refs, frame.refs)
+    refs = together(later.whole, earlier.whole, frame.names_axis(kind))
     if kind == "across":
         move = Move("law", "unchanged", frame.number, (body,))
         return scene.desk.write(
@@ -185,12 +188,12 @@ def momentum(scene: Scene, frame: Frame) -> int:
         refs += mass.refs
         ends = (before(scene, "along", body, frame), _now(scene, body, frame))
         for side, source in zip(sides, ends, strict=True):
-            refs += source.refs
+            refs += source.whole
             side.append(product(tree_of(mass.value), tree_of(source.value)))
     left, right = (swept(total(each)) for each in sides)
     return scene.desk.write(
         Move("law", "momentum", frame.number, scene.bodies(frame.number)),
-        together(refs, frame.refs),
+        together(refs, frame.names_axis("along")),
         chain(left, (right, None)),
     )
 
@@ -203,7 +206,7 @@ def restitution(scene: Scene, frame: Frame) -> int:
     e = scene.coefficient(frame.number)
     early = [before(scene, "along", each, frame) for each in (first, second)]
     late = [_now(scene, each, frame) for each in (first, second)]
-    refs = together(e.refs, *(each.refs for each in (*early, *late)), frame.refs)
+    refs = together(e.refs, *(each.whole for each in (*early, *late)), frame.names_axis("along"))
     v, w = (tree_of(each.value) for each in late)
     u, x = (tree_of(each.value) for each in early)
     approach = difference(u, x)

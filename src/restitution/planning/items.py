@@ -7,10 +7,9 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.derivation import Move
 from restitution.expression.tree import Apply, Expression, Letter, Quantity
-from restitution.planning.angles import range_of
-from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, formula
@@ -75,9 +74,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
-            number = scene.desk.write(
-                Move("rearrange"), (number,), chain(own.left, (final, None))
-            )
+            number = scene.desk.write(Move("rearrange"), (number,), chain(own.left, (final, None)))
     else:
         if _trivial(own.right, final):
             right = final
@@ -124,5 +121,3 @@ def angle_letter(scene: Scene, asked: Quantity) -> str:
 def _show(scene: Scene, solver: Solver, item: Show, asked: Expression, name: str) -> None:
     assert isinstance(item.relation, Compare)
     raise NotPlannedError("a show")
-
-

@@ -8,26 +8,26 @@ unknown and it holds no letter that is asked; else it is the last equation of it
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
-from restitution.expression.tree import Letter
+from restitution.explaining.derivation import Link, Move
+from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import candidate, write_given
 from restitution.planning.impacts import (
+    _given_after,
     after,
     closing_at_wall,
     momentum,
     rebound,
     residual,
     restitution,
-    _given_after,
 )
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
@@ -42,6 +42,7 @@ class Law:
     kind: str
     number: int
     candidate: Candidate
+    body: str | None = None
 
 
 class Solver:
@@ -63,15 +64,30 @@ class Solver:
             yield Law(kind, law.number, own)
 
     def _across(self) -> Iterable[Law]:
-        """Components across that are given after an impact."""
-        for each in self.scene.given:
-            left = each.link.left
-            if each.link.sign != "=" or getattr(left, "kind", None) != "velocity":
-                continue
-            # The fact stands for the components that it gives.
-        return ()
+        """Components across that are given after an impact: they tie letters of the data."""
+        model = self.scene.model
+        for number, frame in model.frames.items():
+            for body in self.scene.spheres(number):
+                given = self._given_velocity(body, number)
+                if given is None:
+                    continue
+                own = self.scene.frame(number)
+                after_ = self.scene.value(given.link.right).dot(own.t)
+                before_ = self.scene.velocity(body, number - 1).dot(own.t)
+                residual_ = tidy(after_ - before_)
+                if residual_ != 0:
+                    id_ = f"unchanged {number} {body}"
+                    yield Law("unchanged", number, Candidate(id_, 1.0, (residual_,)), body)
+            del frame
 
-    # --- routes ------------------------------------------------------------------------------------
+    def _given_velocity(self, body: str, number: int) -> GivenEquation | None:
+        velocity = Quantity("velocity", (Name(body),), number)
+        for each in self.scene.given:
+            if each.link.sign == "=" and each.link.left == velocity:
+                return each
+        return None
+
+    # --- routes ---------------------------------------------------------------------------------
 
     def determine(self, goals: Sequence[sp.Expr]) -> None:
         """Writes lines until everything in some values is known."""
@@ -98,7 +114,7 @@ class Solver:
             Candidate(own.id, own.cost, tuple(scene.put(each)[0] for each in own.residuals))
             for own in (
                 *(each.candidate for each in self.laws),
-                *(candidate(each) for each in scene.given),
+                *(self._of_given(each) for each in scene.given),
             )
             if own.id not in self.used
         ]
@@ -111,11 +127,29 @@ class Solver:
             raise NotPlannedError(f"nothing determines {goals}")
         return routes[0]
 
-    # --- order -------------------------------------------------------------------------------------
+    def _of_given(self, each: GivenEquation) -> Candidate:
+        """A given fact; of a velocity only the component along the line of centres."""
+        own = candidate(each)
+        match each.link:
+            case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
+                if stage in self.scene.model.frames:
+                    frame = self.scene.frame(stage)
+                    gap = self.scene.velocity(body, stage) - self.scene.value(right)
+                    return replace(own, residuals=(tidy(gap.dot(frame.n)),))
+        return own
+
+    # --- order ----------------------------------------------------------------------------------
 
     def _next(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """Writes the next equation or block; returns what was used."""
-        for test in (self._fact_expresses, self._wall, self._block, self._single, self._closing):
+        for test in (
+            self._velocity_given,
+            self._wall,
+            self._fact_expresses,
+            self._block,
+            self._single,
+            self._closing,
+        ):
             used = test(left)
             if used:
                 self.used |= {each.id for each in used}
@@ -131,24 +165,27 @@ class Solver:
     @property
     def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:
         return {
-            each.symbol: (each.number, each.body)
-            for each in self.scene.model.components.values()
+            each.symbol: (each.number, each.body) for each in self.scene.model.components.values()
         }
 
+    def _velocity_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A velocity that is given is known at once."""
+        for own in left:
+            given = self.givens.get(own.id)
+            if given is not None and given.link.sign == "=" and _is_velocity(given.link.left):
+                self._take_velocity(given)
+                return (own,)
+        return None
+
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
-        """A fact with one unknown, which is a component."""
+        """A fact with one unknown, which is a component, or a letter that it names."""
         for own in left:
             given = self.givens.get(own.id)
             open_ = self._open(own)
-            if given is None:
-                continue
-            if getattr(given.link.left, "kind", None) == "velocity" and given.link.sign == "=":
-                self._take_velocity(given)
-                return (own,)
-            if len(open_) != 1:
+            if given is None or len(open_) != 1:
                 continue
             (symbol,) = open_
-            if symbol in self._letters or len(given.residuals) == 1 and self._is_value(given):
+            if symbol in self._letters or self._is_value(given):
                 number = write_given(self.scene, given)
                 close(self.scene, number, symbol)
                 return (own,)
@@ -166,9 +203,6 @@ class Solver:
             if source is not None and source.refs == (given.fact.id,):
                 value = frame.letter_sign * source.value
                 scene.desk.know(Letter(component.symbol.name), value, source.refs)
-                scene.desk.know(
-                    frame.component("along", body, number), source.value, source.refs
-                )
 
     def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """At a wall the component after follows at once."""
@@ -247,7 +281,7 @@ class Solver:
         """A law of two spheres with one component open after it: that is expressed."""
         for own in sorted(left, key=lambda each: len(self._open(each))):
             law = self._law(own)
-            if law is None or law.kind == "wall" or self._earlier(law):
+            if law is None or law.kind not in _LAWS or self._earlier(law):
                 continue
             open_ = self._open(own)
             later = [s for s in open_ if s in self._after(law.number)]
@@ -274,9 +308,10 @@ class Solver:
             law = self._law(own)
             if given is not None:
                 number = write_given(self.scene, given)
-            elif law is not None and law.kind == "wall":
-                (body,) = self.scene.spheres(law.number)
-                number = closing_at_wall(self.scene, body, self.scene.frame(law.number), "along")
+            elif law is not None and law.kind not in _LAWS:
+                body = law.body or self.scene.spheres(law.number)[0]
+                kind = "along" if law.kind == "wall" else "across"
+                number = closing_at_wall(self.scene, body, self.scene.frame(law.number), kind)
             elif law is not None:
                 number = _LAWS[law.kind](self.scene, self.scene.frame(law.number))
             else:
@@ -286,7 +321,13 @@ class Solver:
         return None
 
 
-def _two_by_two(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def _is_velocity(tree: object) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
+
+
+def _two_by_two(
+    residuals: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr]:
     """Two linear equations in two unknowns, by determinants."""
     rows = [[sp.diff(each, s) for s in symbols] for each in residuals]
     rest = [sp.expand(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]

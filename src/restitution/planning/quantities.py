@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Number,
+    Polar,
     Quantity,
     Unit,
 )
@@ -70,7 +71,7 @@ def formula(scene: Scene, quantity: Quantity) -> Formula:
     return own(scene, quantity)
 
 
-# --- velocities --------------------------------------------------------------------------------------
+# --- velocities --------------------------------------------------------------------------------
 
 
 def body_and_stage(scene: Scene, velocity: Expression) -> tuple[str, int]:
@@ -85,9 +86,9 @@ def frame_after(scene: Scene, body: str, stage: int) -> Frame:
     """The frame in which a velocity is known: of its impact, or of the next of an initial one."""
     if stage:
         return scene.frame(stage)
-    for number in range(1, scene.events + 1):
-        if body in scene.bodies(number) and number in scene.model.frames:
-            return scene.frame(number)
+    for event in range(1, scene.events + 1):
+        if body in scene.bodies(event) and event in scene.model.frames:
+            return scene.frame(event)
     raise NotPlannedError(f"{body} meets nothing")
 
 
@@ -97,17 +98,12 @@ def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> li
     return [in_direction(scene, kind, body, stage, own) for kind in ("along", "across")]
 
 
-def named_refs(frame: Frame) -> tuple[Ref, ...]:
-    """The axis, where components are named by the line of centres."""
-    return frame.refs if isinstance(frame.along, Quantity) else ()
-
-
 def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
     frame = frame_after(scene, body, stage)
     along, across = parts(scene, body, stage, frame)
     value = frame.n * along.value + frame.t * across.value
-    refs = together(along.refs, across.refs, named_refs(frame))
+    refs = together(along.refs, across.refs, frame.unit_free)
     aligned = frame.across is not None or frame.n in (Vector(1, 0), Vector(0, 1))
     if aligned:
         right = vector(tree_of(value.x), tree_of(value.y))
@@ -124,20 +120,35 @@ def _unit_tree(direction: Vector) -> Expression:
     """A unit vector as a whole number of **i** and **j** over its length."""
     x, y = direction
     length = sp.sqrt(x**2 + y**2)
-    scale = sp.ilcm(*(sp.fraction(sp.sympify(each))[1] for each in (x, y)))
-    if length != 1 or not scale.is_Integer or not (x * scale).is_Integer:
+    if length != 1 or not all(sp.sympify(each, strict=True).is_Rational for each in (x, y)):
         return vector(tree_of(x), tree_of(y))
+    scale = sp.Integer(sp.ilcm(x.q, y.q))
     whole = vector(tree_of(x * scale), tree_of(y * scale))
     return whole if scale == 1 else Binary("/", whole, tree_of(scale))
 
 
 def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The square of a speed by its components: as a tree, as a value, and what it rests on."""
+    if not stage:
+        return _initial_square(scene, body)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
     refs = together(*(each.refs for each in own))
     tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
     return tree, sum(each.value**2 for each in own), refs
+
+
+def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of the speed at the start, by its size or by its components."""
+    fact = f"velocity {body}"
+    initial = scene.initial(body)
+    (link,) = scene.facts[fact].relation.only
+    if isinstance(link.right, Polar):
+        size, refs = scene.put(scene.scalar(link.right.size))
+        return square(tree_of(size)), size**2, together((fact,), refs)
+    value, refs = scene.put(initial.value)
+    tree = total(square(tree_of(each)) for each in value if each != 0)
+    return tree, sum(each**2 for each in value), together((fact,), refs)
 
 
 def _speed(scene: Scene, quantity: Quantity) -> Formula:
@@ -162,13 +173,13 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
     used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
     right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
     value = tidy(sum(a.value * b for a, b in used))
-    refs = together(*(a.refs for a, _ in used), named_refs(frame))
+    refs = together(*(a.refs for a, _ in used), frame.unit_free)
     return Formula(
         Move("define", "component", stage or None, (body,)), _itself, quantity, right, value, refs
     )
 
 
-# --- angles ------------------------------------------------------------------------------------------
+# --- angles ------------------------------------------------------------------------------------
 
 
 def tangent(tree: Expression) -> Expression:
@@ -200,7 +211,7 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         raise NotPlannedError("a right angle")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
-    refs = together(above.refs, below.refs)
+    refs = together(above.whole, below.whole)
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,
@@ -211,7 +222,7 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
     )
 
 
-# --- impulses and energies -----------------------------------------------------------------------------
+# --- impulses and energies ---------------------------------------------------------------------
 
 
 def _impulse(scene: Scene, quantity: Quantity) -> Formula:
@@ -244,7 +255,7 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
         quantity,
         product(tree_of(mass.value), change_tree),
         tidy(mass.value * change),
-        together(mass.refs, early.refs, late.refs, frame.refs),
+        together(mass.refs, early.whole, late.whole, frame.names_axis("along")),
     )
 
 
@@ -323,15 +334,18 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
     frame = scene.frame(event)
     terms: list[Expression] = []
     values: list[Any] = []
-    refs: list[Any] = [*frame.refs]
+    refs: list[Any] = [*frame.names_axis("along")]
     for body in scene.spheres(event):
         early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
         mass = scene.mass(body)
-        squared = [square(tree_of(e.value)) if e.value != 0 else Number(number(0).value) for e in (early, late)]  # type: ignore[union-attr]
+        squared = [
+            square(tree_of(e.value)) if e.value != 0 else Number(number(0).value)
+            for e in (early, late)
+        ]  # type: ignore[union-attr]
         change = difference(*squared)
         terms.append(product(Binary("/", *_HALF), tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
-        refs += [*mass.refs, *early.refs, *late.refs]
+        refs += [*mass.refs, *early.whole, *late.whole]
     return Formula(
         Move("define", "energy-lost", event, scene.spheres(event)),
         _itself,

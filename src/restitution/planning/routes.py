@@ -112,7 +112,7 @@ def _weighted(terms: object) -> dict[sp.Symbol, float]:
     return total
 
 
-# --- sets of equations -----------------------------------------------------------------------------
+# --- sets of equations -------------------------------------------------------------------------
 
 
 @dataclass
@@ -198,9 +198,7 @@ class Routes:
                 kept = without
         return tuple(kept)
 
-    def _spans(
-        self, chosen: Sequence[int], wanted: Sequence[Sequence[Sequence[float]]]
-    ) -> bool:
+    def _spans(self, chosen: Sequence[int], wanted: Sequence[Sequence[Sequence[float]]]) -> bool:
         for n in range(len(self.points)):
             basis = _reduced([row for k in chosen for row in self.rows[k][n]])
             if not all(_within(row, basis) for row in wanted[n]):

@@ -53,7 +53,7 @@ class Scene:
     desk: Desk
     frames: dict[int, Frame] = field(default_factory=dict)
 
-    # --- the story -----------------------------------------------------------------------------
+    # --- the story ------------------------------------------------------------------------------
 
     @cached_property
     def facts(self) -> dict[str, Fact]:
@@ -96,7 +96,7 @@ class Scene:
         """A velocity, in letters."""
         return self.model.story.velocity(body, stage)
 
-    # --- what is unknown -------------------------------------------------------------------------
+    # --- what is unknown ------------------------------------------------------------------------
 
     def final(self, symbol: sp.Symbol) -> sp.Expr:
         """The value of an unknown in the data."""
@@ -172,7 +172,7 @@ class Scene:
                         found[name] = fact
         return found
 
-    # --- facts -----------------------------------------------------------------------------------
+    # --- facts ----------------------------------------------------------------------------------
 
     @cached_property
     def given(self) -> tuple[GivenEquation, ...]:
@@ -199,7 +199,7 @@ class Scene:
             a, b = (story.direction(each, self.events) for each in (link.left, link.right))
             yield a.dot(b) if link.sign == "perpendicular to" else a.cross(b)
 
-    # --- data --------------------------------------------------------------------------------------
+    # --- data -----------------------------------------------------------------------------------
 
     def data(self, name: str) -> Source:
         """A fact of the statement as a value: ``mass A``, ``e 1``."""
