@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.components import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Expression, Letter
@@ -110,33 +111,49 @@ def _by_roots(
     for base, _ in factors:
         roots += [tidy(each) for each in sp.roots(sp.Poly(base, generator))]
     roots = list(dict.fromkeys(roots))
-    target = tidy(
-        scene.final(symbol) if generator == symbol else generator.func(scene.final(symbol))
-    )
-    admitted = [each for each in roots if scene.model.sign(each - target) == 0]
-    if len(admitted) != 1:
+    kept = [each for each in roots if _is_reached(scene, each, generator, symbol)]
+    if not kept:
         return None
-    (value,) = admitted
-    roots.sort(key=lambda each: each is not value)
+    wanted = [each for each in kept if _is_value(scene.model, each, generator, symbol)]
+    if len(wanted) != 1:
+        return None
+    (value,) = wanted
+    roots.sort(key=lambda each: each not in kept)
     line = scene.desk.write(
-        Move("roots"),
-        (number,),
-        Relation(tuple((Link(subject, "=", tree_of(each)),) for each in roots)),
+        Move("roots"), (number,), Relation(tuple(_option(subject, each) for each in roots))
     )
-    if len(roots) > 1:
+    dropped = [each for each in roots if each not in kept]
+    if dropped:
         line = scene.desk.write(
             Move("reject"),
-            (
-                line,
-                *_exclusion(
-                    scene, symbol, generator, [each for each in roots if each is not value]
-                ),
-            ),
-            chain(subject, (tree_of(value), None)),
+            (line, *_exclusion(scene, symbol, generator, dropped)),
+            Relation(tuple(_option(subject, each) for each in kept)),
         )
+    if len(kept) > 1:
+        if scene.desk.split is not None:
+            raise NotPlannedError("solutions that part twice")
+        scene.desk.split = line, kept.index(value)
     if generator == symbol:
         return _known(scene, symbol, value, line)
     return scene.desk.know(subject, value, (line,))
+
+
+def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
+    return (Link(subject, "=", tree_of(value)),)
+
+
+def _is_value(model: Model, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a root is what the unknown is by a solution."""
+    final = model.final[symbol]
+    target = final if generator == symbol else generator.func(final)
+    return model.sign(root - target) == 0
+
+
+def _is_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a root is that of some solution of the part."""
+    return any(
+        _is_value(model, root, generator, symbol) for model in scene.others or (scene.model,)
+    )
 
 
 def _exclusion(
@@ -202,6 +219,7 @@ def _ratio(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         if source is None:
             return None
         (line,) = source.refs  # type: ignore[assignment]
+        target = source.value
     scene.desk.know(subject, target, (line,))
     return inverse(scene, line, symbol)
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from restitution.explaining.derivation import (
+    Case,
     Event,
     Fact,
     ItemEnd,
@@ -71,14 +72,20 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
 
 @dataclass
 class Desk:
-    """The lines of a working so far."""
+    """The lines of a working so far.
+
+    ``split`` is the line of alternatives, and which of them, under which the lines stand that come
+    now; None where all solutions are still one.
+    """
 
     events: tuple[Event, ...]
     facts: tuple[Fact, ...]
     lines: list[Line] = field(default_factory=list)
     ends: list[ItemEnd] = field(default_factory=list)
+    cases: list[Case] = field(default_factory=list)
     item: str | None = None
     part: str | None = None
+    split: tuple[int, int] | None = None
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
     _parts: dict[Ref, frozenset[str]] = field(default_factory=dict)
 
@@ -142,6 +149,19 @@ class Desk:
             if all(self.holds(ref) for ref in each.refs):
                 return each
         return None
+
+    # --- solutions apart ---------------------------------------------------------------------
+
+    def fork(self) -> Desk:
+        """A copy, on which another solution goes on."""
+        return replace(
+            self,
+            lines=list(self.lines),
+            ends=list(self.ends),
+            cases=list(self.cases),
+            _sources={each: list(own) for each, own in self._sources.items()},
+            _parts=dict(self._parts),
+        )
 
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item."""

@@ -42,7 +42,10 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
             if known is None:
                 raise NotPlannedError(f"{letter} is open")
             (line,) = (each for each in known.refs if isinstance(each, int))
-            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+            relation = scene.desk.relation(line)
+            if len(relation.options) == 1:
+                relation = chain(asked, (_right(scene, line), None))
+            scene.desk.end(name, line, relation)
         case Quantity("angle"):
             line, value = write_angle(scene, asked)
             scene.desk.end(name, line, chain(asked, (value, None)))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.facts import events_of, facts_of, staged
+from restitution.planning.cases import joined
 from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.forms import UnwrittenError
 from restitution.planning.items import write_item
@@ -25,31 +26,44 @@ def plan(solution: Solution) -> Derivation:
     desk = Desk(events_of(problem), facts_of(problem))
     try:
         for part in solution.parts.values():
-            _write_part(solution, part, desk)
+            desk = _write_part(solution, part, desk)
     except UnwrittenError as error:
         raise NotPlannedError(f"no line says {error}") from error
-    return Derivation(desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events)
+    return Derivation(
+        desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events, tuple(desk.cases)
+    )
 
 
-def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> None:
+def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
+    """The desk with the lines of a part."""
     if not part.items:
-        return
+        return desk
     if part.error is not None or any(each.error is not None for each in part.items):
         raise NotPlannedError("an item without an answer")
-    if len(part.branches) != 1:
-        raise NotPlannedError("several solutions")
+    if not part.branches:
+        raise NotPlannedError("no solution")
     problem = solution.problem
-    told = model(problem, part.part, part.branches[0], part.roles, protected_letters(part.part))
     desk.part = part.part.label
-    scene = Scene(problem, part.part, part, told, desk)
+    protected = protected_letters(part.part)
+    models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
+    drafts = []
+    for told in models:
+        draft = desk.fork()
+        others = tuple(models) if len(models) > 1 else ()
+        _write_items(Scene(problem, part.part, part, told, draft, others))
+        drafts.append(draft)
+    return drafts[0] if len(drafts) == 1 else joined(desk, drafts)
+
+
+def _write_items(scene: Scene) -> None:
     solver = Solver(scene)
-    for index, ((item, now), result) in enumerate(
-        zip(_asked(problem, part.part), part.items, strict=True), 1
-    ):
-        name = f"{part.part.label or ''}{index}"
-        desk.item = name
-        asked = None if isinstance(item, Show) else staged(problem, item.expression, now)
-        write_item(scene, solver, item, result, asked, name)  # type: ignore[arg-type]
+    label = scene.part.label
+    asked = _asked(scene.problem, scene.part)
+    for index, ((item, now), result) in enumerate(zip(asked, scene.solution.items, strict=True), 1):
+        name = f"{label or ''}{index}"
+        scene.desk.item = name
+        tree = None if isinstance(item, Show) else staged(scene.problem, item.expression, now)  # type: ignore[attr-defined]
+        write_item(scene, solver, item, result, tree, name)  # type: ignore[arg-type]
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:

@@ -44,13 +44,17 @@ class GivenEquation:
 
 @dataclass
 class Scene:
-    """A part, its story in the letters of components, and the desk on which it is written."""
+    """A part, its story in the letters of components, and the desk on which it is written.
+
+    ``others`` are the models of all solutions of the part, where there are several.
+    """
 
     problem: Problem
     part: Part
     solution: PartSolution
     model: Model
     desk: Desk
+    others: tuple[Model, ...] = ()
     frames: dict[int, Frame] = field(default_factory=dict)
 
     # --- the story ------------------------------------------------------------------------------
