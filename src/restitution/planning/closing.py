@@ -73,7 +73,17 @@ def _inside_functions(x: sp.Expr) -> set[Any]:
     return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
 
 
-def nonzero(scene: Scene, factor: sp.Expr) -> tuple[Ref, ...]:
+def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:
+    """What has to be known for the root of a square to be this, beyond what is silent."""
+    odd = [
+        each
+        for each in sp.Mul.make_args(size)
+        if not (each.is_Pow and (each.exp.is_even or each.exp == sp.Rational(1, 2)))
+    ]
+    return nonzero(scene, sp.Mul(*odd), alone=True)
+
+
+def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref, ...]:
     """What has to be known for a factor not to vanish, beyond what is silent."""
     refs: list[Ref] = []
     for each in sp.Mul.make_args(sp.factor(factor)):
@@ -83,7 +93,7 @@ def nonzero(scene: Scene, factor: sp.Expr) -> tuple[Ref, ...]:
                 refs.append(range_of(scene, angle.name))
         for letter in sorted(base.free_symbols, key=lambda s: s.name):
             role = scene.model.unknowns.roles.get(letter.name)
-            if role is not None and role.kind == "restitution" and base != letter:
+            if role is not None and role.kind == "restitution" and (alone or base != letter):
                 refs.append(f"{letter.name} >= 0")
     return tuple(dict.fromkeys(refs))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Expression,
     Name,
@@ -10,7 +10,7 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
@@ -108,12 +108,21 @@ def _tie(scene: Scene, each: GivenEquation) -> int:
         for name, when in moving
     ]
     (a, b), (c, d) = sources
-    refs = together((each.fact.id,), *(s.whole for own in sources for s in own))
+    pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
+    refs = together((each.fact.id,), *(_needed(*pair) for pair in pairs))
     if record == "perpendicular":
-        tree = total(product(tree_of(p.value), tree_of(q.value)) for p, q in ((a, c), (b, d)))
+        tree = total(product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
         return scene.desk.write(move, refs, Relation(((_zero(tree),),)))
-    first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in ((a, d), (b, c)))
+    first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
     return scene.desk.write(move, refs, Relation(((link(first, second),),)))
+
+
+def _needed(*factors: Source) -> tuple[Ref, ...]:
+    """What a product rests on: where a factor is 0, on that alone."""
+    for each in factors:
+        if each.value == 0:
+            return each.whole
+    return together(*(each.whole for each in factors))
 
 
 def _zero(tree: Expression) -> Link:

@@ -112,6 +112,9 @@ def named(scene: Scene, body: str, frame: Frame) -> Source:
     """The letter for a component along the line of centres after an impact, introduced here."""
     symbol = scene.model.components[frame.number, body].symbol
     quantity = frame.component("along", body, frame.number)
+    fact = f"let {symbol.name}"
+    if fact in scene.facts:
+        return scene.desk.know(quantity, frame.letter_sign * symbol, (fact,))
     meaning = Meaning(symbol.name, quantity, frame.sense)
     number = scene.desk.write(Move("let"), (), meaning)
     return scene.desk.know(quantity, frame.letter_sign * symbol, (number,))

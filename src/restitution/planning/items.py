@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Quantity
-from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.closing import not_negative
+from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, formula
@@ -36,7 +38,10 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
     if item.percentage:
         raise NotPlannedError("a percentage")
     solver.determine(_goals(scene, asked))
+    named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
+        case Letter() if named is not None:
+            _named(scene, asked, named, name)
         case Letter(letter):
             known = scene.desk.known(asked)
             if known is None:
@@ -47,7 +52,7 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
                 relation = chain(asked, (_right(scene, line), None))
             scene.desk.end(name, line, relation)
         case Quantity("angle"):
-            line, value = write_angle(scene, asked)
+            line, value = write_angle(scene, formula(scene, asked))
             scene.desk.end(name, line, chain(asked, (value, None)))
         case Quantity():
             own = formula(scene, asked)
@@ -55,6 +60,25 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
             scene.desk.end(name, line, chain(asked, (tree_of(own.value), None)))
         case _:
             raise NotPlannedError("an expression of several quantities")
+
+
+def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
+    """A letter by which the statement calls a quantity."""
+    quantity = fact.relation.only[0].left
+    if not isinstance(quantity, Quantity):
+        raise NotPlannedError("a letter for an expression of quantities")
+    known = scene.desk.known(asked)
+    if known is not None:
+        (line,) = (each for each in known.refs if isinstance(each, int))
+        scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        return
+    own = formula(scene, quantity)
+    own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
+    if quantity.kind == "angle":
+        line, value = write_angle(scene, own)
+    else:
+        line, value = write_formula(scene, own), tree_of(own.value)
+    scene.desk.end(name, line, chain(asked, (value, None)))
 
 
 def _right(scene: Scene, line: int) -> Expression:
@@ -79,10 +103,13 @@ def write_formula(scene: Scene, own: Formula) -> int:
         if right != final:
             number = scene.desk.write(Move("rearrange"), (number,), chain(own.left, (final, None)))
     else:
+        refs = own.refs
+        if isinstance(right, Apply) and right.function == "sqrt":
+            refs = together(refs, not_negative(scene, own.value))
         if _trivial(own.right, final):
             right = final
         number = scene.desk.write(
-            own.move, own.refs, chain(own.left, (right, None), (final, "rearrange"))
+            own.move, refs, chain(own.left, (right, None), (final, "rearrange"))
         )
     scene.desk.know(own.quantity, own.value, (number,))
     return number
@@ -98,27 +125,18 @@ def _trivial(right: Expression, final: Expression) -> bool:
     return False
 
 
-def write_angle(scene: Scene, asked: Quantity) -> tuple[int, Expression]:
+def write_angle(scene: Scene, own: Formula) -> tuple[int, Expression]:
     """An angle by its tangent: the line that says what it is, and its value."""
-    own = formula(scene, asked)
     right = swept(own.right)
     final = tree_of(own.value)
     line = scene.desk.write(
         own.move, own.refs, chain(own.left, (right, None), (final, "rearrange"))
     )
     measure = tree_of(tidy(sp.atan(own.value)), angle=True, as_it_is=True)
-    letter = angle_letter(scene, asked)
-    del letter
     number = scene.desk.write(
-        Move("inverse"), (line, "0° <= x <= 90°"), chain(asked, (measure, None))
+        Move("inverse"), (line, "0° <= x <= 90°"), chain(own.quantity, (measure, None))
     )
     return number, measure
-
-
-def angle_letter(scene: Scene, asked: Quantity) -> str:
-    """A letter for an angle that is asked for."""
-    taken = set(scene.model.unknowns.roles)
-    return next(each for each in ("beta", "theta", "phi", "psi") if each not in taken)
 
 
 def _show(scene: Scene, solver: Solver, item: Show, asked: Expression, name: str) -> None:

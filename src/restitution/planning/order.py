@@ -53,6 +53,9 @@ class Solver:
         self.laws = [*self._laws(), *self._across()]
         self.givens = {each.fact.id: each for each in scene.given}
         self.used: set[str] = set()
+        # Components of which the laws are written, and which nothing has asked for yet.
+        self.waiting: dict[sp.Symbol, tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]] = {}
+        self.goals: Sequence[sp.Expr] = ()
 
     def _laws(self) -> Iterable[Law]:
         model = self.scene.model
@@ -92,6 +95,8 @@ class Solver:
     def determine(self, goals: Sequence[sp.Expr]) -> None:
         """Writes lines until everything in some values is known."""
         scene = self.scene
+        self.goals = goals
+        self._express_waiting(goals)
         open_ = {symbol for each in goals for symbol in scene.unknown(each)}
         if not open_:
             return
@@ -103,6 +108,7 @@ class Solver:
                 raise NotPlannedError(f"no order of {[each.id for each in left]}")
             for each in step:
                 left.remove(each)
+            self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
         rest = {symbol for each in goals for symbol in scene.unknown(each)}
         if rest & {each.symbol for each in scene.model.components.values()}:
             raise NotPlannedError(f"{rest} are open")
@@ -251,22 +257,21 @@ class Solver:
         for body in scene.spheres(number):
             after(scene, "along", body, frame)
         lines = momentum(scene, frame), restitution(scene, frame)
-        residuals = [residual(scene, each) for each in lines]
-        symbols = list(bodies)
-        values = _two_by_two(residuals, symbols)
-        for symbol in symbols:
-            self._express(frame, lines, symbol, symbols, values)
+        for symbol in bodies:
+            self.waiting[symbol] = frame, lines, tuple(bodies)
 
-    def _express(
-        self,
-        frame: Frame,
-        lines: tuple[int, int],
-        symbol: sp.Symbol,
-        symbols: Sequence[sp.Symbol],
-        values: dict[sp.Symbol, sp.Expr],
-    ) -> None:
+    def _express_waiting(self, values: Sequence[sp.Expr]) -> None:
+        """Expresses the components in some values of which the laws are written."""
+        wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
+        for symbol in [each for each in self.waiting if each in wanted]:
+            self._express(symbol)
+
+    def _express(self, symbol: sp.Symbol) -> None:
+        """A component from both laws: by leaving out the other, or by putting in its number."""
         scene = self.scene
-        value = tidy(values[symbol])
+        _frame, lines, symbols = self.waiting.pop(symbol)
+        residuals = [residual(scene, each) for each in lines]
+        value = tidy(_two_by_two(residuals, symbols)[symbol])
         (other,) = (each for each in symbols if each != symbol)
         known = scene.desk.known(Letter(other.name))
         relation = chain(Letter(symbol.name), (tree_of(value), None))

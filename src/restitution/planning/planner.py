@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from restitution.components import model, protected_letters
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.planning.cases import joined
 from restitution.planning.desk import Desk, NotPlannedError
@@ -29,8 +30,39 @@ def plan(solution: Solution) -> Derivation:
             desk = _write_part(solution, part, desk)
     except UnwrittenError as error:
         raise NotPlannedError(f"no line says {error}") from error
-    return Derivation(
-        desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events, tuple(desk.cases)
+    return pruned(
+        Derivation(desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events, tuple(desk.cases))
+    )
+
+
+def pruned(derivation: Derivation) -> Derivation:
+    """The same working without lines on which no item rests, numbered anew."""
+    lines = {each.number: each for each in derivation.lines}
+    pending = [each.line for each in derivation.items] + [e.line for e in derivation.cases]
+    kept: set[int] = set()
+    while pending:
+        number = pending.pop()
+        if number not in kept:
+            kept.add(number)
+            pending += [ref for ref in lines[number].premises if isinstance(ref, int)]
+    numbers = {old: new for new, old in enumerate(sorted(kept), 1)}
+
+    def renumbered(line: Line) -> Line:
+        premises = tuple(numbers[e] if isinstance(e, int) else e for e in line.premises)
+        return replace(line, number=numbers[line.number], premises=premises)
+
+    return replace(
+        derivation,
+        lines=tuple(renumbered(each) for each in derivation.lines if each.number in kept),
+        items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
+        cases=tuple(
+            replace(
+                each,
+                line=numbers[each.line],
+                lines=tuple(numbers[n] for n in each.lines if n in kept),
+            )
+            for each in derivation.cases
+        ),
     )
 
 
