@@ -12,16 +12,20 @@ from restitution.errors import MissingError, RestitutionError, TimeLimitError
 from restitution.exact import tidy
 from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
 from restitution.explain.backwards import is_told_backwards, steps_backwards
+from restitution.explain.derived import explanation_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.geometry import to_be_found
 from restitution.explain.marks import again, settled
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
+from restitution.explaining.derivation import Derivation
 from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Quantity, has_quantity, letters
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
 from restitution.problem import Part, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -78,6 +82,9 @@ def _too_late(seconds: float) -> TimeLimitError:
 
 
 def _explained(solution: Solution, part: str | None) -> Explanation:
+    planned = _planned(solution)
+    if planned is not None:
+        return _printed(solution, planned, part)
     carried: Carried = {}
     told: list[PartExplanation] = []
     warnings = list(solution.warnings)
@@ -88,6 +95,32 @@ def _explained(solution: Solution, part: str | None) -> Explanation:
             told.append(made)
             warnings += [str(say("amiss.line", line=line)) for line in dropped]
     return Explanation(solution.problem.title, tuple(told), tuple(warnings), solution)
+
+
+def _planned(solution: Solution) -> Derivation | None:
+    """The working as a derivation; None where there is no plan for some item."""
+    try:
+        return plan(solution)
+    except NotPlannedError:
+        return None
+
+
+def _printed(solution: Solution, derivation: Derivation, part: str | None) -> Explanation:
+    """A derivation in steps and rows."""
+    steps = {
+        each.label: each.steps for each in explanation_of(derivation, solution.problem).parts
+    }
+    parts = tuple(
+        PartExplanation(
+            label,
+            tuple(_question(item) for item in each.items),
+            steps.get(label, ()),
+            tuple(_answers(item) for item in each.items),
+        )
+        for label, each in solution.parts.items()
+        if part is None or label == part
+    )
+    return Explanation(solution.problem.title, parts, tuple(solution.warnings), solution)
 
 
 def _part(

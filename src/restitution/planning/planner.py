@@ -9,6 +9,7 @@ from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.planning.cases import joined
+from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.forms import UnwrittenError
 from restitution.planning.items import write_item
@@ -83,6 +84,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         _write_items(Scene(problem, part.part, part, told, draft, others))
+        require_true(told, draft.lines[len(desk.lines) :], draft.lines)
         drafts.append(draft)
     return drafts[0] if len(drafts) == 1 else joined(desk, drafts)
 

@@ -1,0 +1,183 @@
+"""Lines tried in numbers: no line is shown that is not true at the numbers of its solution."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from typing import Any
+
+from restitution.components import Model
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Line, Link, Meaning, Relation
+from restitution.expression.evaluate import Angle, Evaluator
+from restitution.expression.tree import Binary, Expression, Negate, Quantity
+from restitution.planning.desk import NotPlannedError
+from restitution.solve import quantities
+from restitution.vector import Vector
+
+# Two sides that agree to this share of the larger are equal in doubles.
+_ROUNDING = 1e-8
+# What is printed with ≈ has at least three figures.
+_PRINTED = 6e-3
+
+
+class Floats:
+    """Double precision, for the evaluation of trees."""
+
+    exact = False
+    pi = math.pi
+    zero = 0.0
+
+    def number(self, value: Fraction) -> float:
+        return float(value)
+
+    def sqrt(self, x: float) -> float:
+        return math.sqrt(x) if x > 0 else 0.0
+
+    def abs(self, x: float) -> float:
+        return abs(x)
+
+    def power(self, x: float, y: float) -> float:
+        return float(x**y)
+
+    def cos_sin(self, x: float) -> tuple[float, float]:
+        return math.cos(x), math.sin(x)
+
+    def arctan2(self, y: float, x: float) -> float:
+        return math.atan2(y, x)
+
+    def arc(self, function: str, x: float) -> float:
+        return float(getattr(math, function.replace("arc", "a"))(x))
+
+    def is_zero(self, x: float) -> bool:
+        return x == 0
+
+
+def require_true(model: Model, lines: Iterable[Line], above: Iterable[Line]) -> None:
+    """Raises NotPlannedError for a line that is false at the numbers of a solution.
+
+    ``above`` are all lines that may introduce letters.
+    """
+    value = evaluator(model, above)
+    for line in lines:
+        if isinstance(line.relation, Relation) and not holds(line.relation, value):
+            raise NotPlannedError(f"line {line.number} is not true in numbers")
+
+
+def evaluator(model: Model, lines: Iterable[Line]) -> Callable[[Expression], Any]:
+    """What trees of some lines are worth in floats at the sample of a solution."""
+    story = model.branch.numbers
+    events = len(story.happenings)
+    meanings = {
+        each.relation.letter: each.relation for each in lines if isinstance(each.relation, Meaning)
+    }
+    kept: dict[Expression, Any] = {}
+
+    def letter(name: str) -> Any:
+        if name in model.sample:
+            return float(model.sample[name])
+        if name in meanings:
+            return own.value(meanings[name].quantity)
+        symbol = model.unknowns.letter(name)
+        if symbol in model.final:
+            return float(model.number(model.final[symbol]))
+        let = model.story.lets.get(name)
+        if let is not None:
+            return own.value(let[0].expression)
+        raise KeyError(name)
+
+    def quantity(tree: Quantity) -> Any:
+        if tree not in kept:
+            if tree.kind == "restitution":
+                number = tree.stage or 1
+                kept[tree] = float(story.happenings[number - 1].e)  # type: ignore[operator]
+            else:
+                kept[tree] = _floats(quantities.quantity(story, tree, events))
+        return kept[tree]
+
+    numbers = story.evaluator(events)
+    own = Evaluator(
+        Floats(),  # type: ignore[arg-type]
+        letter,
+        quantity,
+        lambda tree: _floats(numbers.value(tree)),
+        lambda tree: _floats(story.wall_direction(tree)),
+    )
+    return own.value
+
+
+def _floats(value: Any) -> Any:
+    if isinstance(value, Vector):
+        return Vector(float(value.x), float(value.y))
+    if isinstance(value, Angle):
+        return Angle(float(value.x), float(value.y), lambda: float(value.measure()))
+    return float(value)
+
+
+def holds(relation: Relation, value: Callable[[Expression], Any]) -> bool:
+    """Whether some option of a relation holds in numbers."""
+    try:
+        return any(all(_is_true(link, value) for link in links) for links in relation.options)
+    except (
+        KeyError,
+        ArithmeticError,
+        ValueError,
+        TypeError,
+        AttributeError,
+        RestitutionError,
+    ) as error:
+        raise NotPlannedError(f"a line that cannot be tried: {error!r}") from error
+
+
+def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
+    left, right = (_measured(value(each)) for each in (link.left, link.right))
+    if link.sign in ("parallel to", "perpendicular to"):
+        a, b = (_direction(each) for each in (left, right))
+        gap = a.cross(b) if link.sign == "parallel to" else a.dot(b)
+        return abs(gap) <= _ROUNDING * math.hypot(*a) * math.hypot(*b)
+    if isinstance(left, Vector) or isinstance(right, Vector):
+        size = max(_size(left), _size(right), 1e-300)
+        a, b = (each if isinstance(each, Vector) else Vector(each, each) for each in (left, right))
+        near = max(abs(a.x - b.x), abs(a.y - b.y)) <= _ROUNDING * size
+        return near if link.sign == "=" else not near
+    gap, size = left - right, max(abs(left), abs(right), 1e-300)
+    match link.sign:
+        case "=":
+            return abs(gap) <= _ROUNDING * max(size, _inside(link, value))
+        case "≈":
+            return abs(gap) <= _PRINTED * size
+        case "!=":
+            return abs(gap) > _ROUNDING * size
+        case "<" | "<=":
+            return gap <= _ROUNDING * size
+        case _:
+            return gap >= -_ROUNDING * size
+
+
+def _inside(link: Link, value: Callable[[Expression], Any]) -> float:
+    """The size of what cancels in a side that is 0: the largest of its terms."""
+    sizes = [1e-300]
+    pending: list[Expression] = [link.left, link.right]
+    while pending:
+        tree = pending.pop()
+        if isinstance(tree, Binary) and tree.op in ("+", "-"):
+            pending += [tree.left, tree.right]
+        elif isinstance(tree, Negate):
+            pending.append(tree.operand)
+        else:
+            own = _measured(value(tree))
+            sizes.append(_size(own))
+    return max(sizes)
+
+
+def _measured(value: Any) -> Any:
+    return value.measure() if isinstance(value, Angle) else value
+
+
+def _direction(value: Any) -> Vector:
+    return value if isinstance(value, Vector) else Vector(math.cos(value), math.sin(value))
+
+
+def _size(value: Any) -> float:
+    return math.hypot(*value) if isinstance(value, Vector) else abs(value)
