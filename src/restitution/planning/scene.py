@@ -108,12 +108,12 @@ class Scene:
 
     def unknown(self, value: Any) -> frozenset[sp.Symbol]:
         """The unknowns in a value that have no value on the desk yet."""
-        put, _ = self.put(value)
-        parts = put if isinstance(put, Vector) else (put,)
+        parts = value if isinstance(value, Vector) else (value,)
+        put = [self._changed(sp.sympify(each, strict=True))[0] for each in parts]
         return frozenset(
             symbol
-            for each in parts
-            for symbol in sp.sympify(each, strict=True).free_symbols
+            for each in put
+            for symbol in each.free_symbols
             if symbol in self.model.final and not self._by_ratios(symbol)
         )
 
@@ -127,6 +127,11 @@ class Scene:
             x, y = (self.put(each) for each in value)
             return Vector(x[0], y[0]), together(x[1], y[1])
         own = sp.sympify(value, strict=True)
+        changed, refs = self._changed(own)
+        return (own, ()) if changed is own else (tidy(changed), refs)
+
+    def _changed(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
+        """An expression with all that is known put in; the same object where that is nothing."""
         refs: list[Ref] = []
         for _ in range(6):
             changes: dict[sp.Basic, sp.Expr] = {}
@@ -143,7 +148,7 @@ class Scene:
             if not changes:
                 break
             own = own.xreplace(changes)
-        return tidy(own), together(refs)
+        return own, together(refs)
 
     def _ratio(self, ratio: sp.Expr) -> Source | None:
         """The number that a sine, cosine or tangent is by the data, written down when wanted."""
