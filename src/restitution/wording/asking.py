@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from restitution.expression.dimensions import dimension_of_any
 from restitution.expression.tree import Expression, Quantity, has_quantity
@@ -10,7 +11,9 @@ from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Valu
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import bounds, clause, to_figures
-from restitution.wording.nouns import Noun, kinds_of, line, noun, of_bodies, phrase
+from restitution.wording.formulas import plain as sayable
+from restitution.wording.formulas import said
+from restitution.wording.nouns import Noun, kinds_of, line, of_bodies, phrase, share
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, words
@@ -52,15 +55,19 @@ def _shown(scene: Scene, show: Show) -> Words:
     match show.subject, show.relation:
         case Extremum() as extreme, Compare((_, value), _, figures):
             dimension = dimension_of_any((extreme.expression,))
-            said = values.value(scene.style, value, dimension)
-            return words(_extreme(scene, extreme), " is ", said, to_figures(figures))
+            greatest = values.value(scene.style, value, dimension)
+            found = _extreme(scene, extreme)
+            return words(found.head, " is ", greatest, to_figures(figures), _where(found))
         case Range(subject), Compare() as chain if has_quantity(subject):
             limits = bounds(scene, chain, subject)
-            return words(
-                phrase(scene, subject), " can have any value that is ", limits, ", and no other"
-            )
+            only = words(" can have any value that is ", limits, ", and no other")
+            named = said(scene, subject)
+            if named.where:
+                return words(named.head, only, _where(named))
+            return words(named.words(), only)
         case Range(subject), chain:
-            return words(_range(scene, subject), " is given by ", clause(scene, chain))
+            found = _range(scene, subject)
+            return words(found.words(), " is given by ", clause(scene, chain))
     return clause(scene, show.relation)
 
 
@@ -70,11 +77,16 @@ def _shown(scene: Scene, show: Show) -> Words:
 def _item(scene: Scene, item: Item, plain: bool) -> Noun:
     match item:
         case Range(expression):
-            found = Noun(_range(scene, expression))
+            found = _range(scene, expression)
         case Extremum():
             corresponding = words(", and the corresponding value of ", phrase(scene, item.over))
-            found = Noun(words(_extreme(scene, item), corresponding))
+            extreme = _extreme(scene, item)
+            found = replace(extreme, head=words(extreme.head, corresponding))
         case Value(expression):
+            if item.percentage and sayable(scene, expression):
+                shared = share(scene, expression)
+                if shared is not None:
+                    return shared
             found = _value(scene, expression, plain)
     return _percentage(found) if item.percentage else found
 
@@ -86,6 +98,8 @@ def _percentage(found: Noun) -> Noun:
             words("the percentage of ", first.removeprefix("the fraction of "), found.head[1:]),
             found.when,
         )
+    if found.where:
+        return replace(found, head=words(found.head, " as a percentage"))
     return Noun(words(found.words(), " (as a percentage)"))
 
 
@@ -98,17 +112,31 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
         if scene.is_wall(name):
             return Noun(words("a vector parallel to ", Named(name)))
         return line(scene, Quantity("velocity", tree.arguments, tree.stage))
-    return noun(scene, tree)
+    found = said(scene, tree)
+    if found.where and not plain and not values.is_vector(tree):
+        return replace(found, head=words("the value of ", found.head))
+    return found
 
 
-def _range(scene: Scene, tree: Expression) -> Words:
-    return words("the range of possible values of ", phrase(scene, tree))
+def _where(found: Noun) -> Words:
+    """What letters denote, behind a comma."""
+    return words(", ", found.where) if found.where else ()
 
 
-def _extreme(scene: Scene, item: Extremum) -> Words:
+def _range(scene: Scene, tree: Expression) -> Noun:
+    found = said(scene, tree)
+    lead = "the range of possible values of "
+    if found.where:
+        return replace(found, head=words(lead, found.head))
+    return Noun(words(lead, found.words()))
+
+
+def _extreme(scene: Scene, item: Extremum) -> Noun:
     degree = "greatest" if item.kind == "maximum" else "least"
-    of = words(f"the {degree} possible value of ", phrase(scene, item.expression))
-    return words(of, " as ", phrase(scene, item.over), " varies")
+    found = said(scene, item.expression)
+    subject = found.head if found.where else found.words()
+    of = words(f"the {degree} possible value of ", subject)
+    return Noun(words(of, " as ", phrase(scene, item.over), " varies"), where=found.where)
 
 
 # --- several at once ------------------------------------------------------------------------------
@@ -153,7 +181,9 @@ def _together(nouns: Sequence[Noun]) -> Words:
         head = of_bodies(first.kind, bodies)
     else:
         head = kinds_of([each.kind for each in nouns], first.body)
-    said = words(head, " ", first.when) if first.when else head
+    asked = words(head, " ", first.when) if first.when else head
+    if first.where:
+        return words(asked, _where(first))
     if _is_direction(first):
-        return words(said, " (measured anticlockwise from ", values.EAST, ")")
-    return said
+        return words(asked, " (measured anticlockwise from ", values.EAST, ")")
+    return asked

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import TypeGuard
 
 from restitution.counting import counted
 from restitution.expression.dimensions import SPEED, Dimension, dimension_of_any
@@ -12,6 +13,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -20,22 +22,28 @@ from restitution.expression.tree import (
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
+from restitution.wording.formulas import cost, formula, plain, said
 from restitution.wording.nouns import (
     Noun,
+    ends,
     line,
     lost_where,
     moment,
     noun,
     of_bodies,
     place,
+    same_event,
     sensed_line,
+    somewhere,
     whole_energy,
 )
-from restitution.wording.scene import Scene, after
+from restitution.wording.scene import INITIALLY, Scene, after, leading
 from restitution.wording.setting import moving
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, words
 
+# What both sides of a relation together may cost in words.
+_MOST_OF_TWO = 5.5
 # With a quantity on the left, in words.
 _VERBS = {
     "=": "is ",
@@ -117,20 +125,51 @@ def to_figures(figures: int | None) -> str:
 
 
 def _compare(scene: Scene, relation: Compare) -> Words:
+    relation = _without_zero(relation)
     operands, operators = relation.operands, relation.operators
+    figures = to_figures(relation.figures)
     if not any(has_quantity(each) for each in operands):
-        return words(mathematics(relation), to_figures(relation.figures))
+        return words(mathematics(relation), figures)
     if len(operands) == 2:
         left, right = operands
         sign: str = operators[0]
         if not has_quantity(left) or (sign == "=" and _is_product(left) and _is_quantity(right)):
             left, right, sign = right, left, _TURNED[sign]
-        return words(_two(scene, left, sign, right), to_figures(relation.figures))
-    return words(_chain(scene, relation), to_figures(relation.figures))
+        if plain(scene, left) and not plain(scene, right) and not _is_number_of(left):
+            (shown,), where = formula(scene, (right,))
+            value = values.with_unit(scene.style, shown, dimension_of_any((left,)))
+            return words(noun(scene, left).words(), f" {_VERBS[sign]}", value, figures, ", ", where)
+        if plain(scene, left, right) and cost(scene, left) + cost(scene, right) <= _MOST_OF_TWO:
+            return words(_two(scene, left, sign, right), figures)
+    elif plain(scene, *operands):
+        return words(_chain(scene, relation), figures)
+    shown_each, where = formula(scene, operands)
+    signs = tuple(lay.SIGNS.get(each, each) for each in operators)
+    return words(lay.Relation(tuple(shown_each), signs), figures, ", ", where)
+
+
+def _without_zero(relation: Compare) -> Compare:
+    """A difference that is compared with nothing as two things compared."""
+    match relation:
+        case Compare((Binary("-", left, right), zero), operators, figures) if (
+            values.is_zero(zero) or values.is_rest(zero)
+        ) and figures is None:
+            return Compare((left, right), operators)
+    return relation
+
+
+def _is_number_of(tree: Expression) -> bool:
+    """Whether the words for an expression begin with mathematics: ``3 times …``."""
+    return isinstance(tree, Binary) and tree.op in "*/"
 
 
 def _is_quantity(tree: Expression) -> bool:
     return isinstance(tree, Quantity)
+
+
+def _is_opposite(tree: Expression) -> TypeGuard[Negate]:
+    """Whether an expression is a vector of the motion turned round."""
+    return isinstance(tree, Negate) and _is_quantity(tree.operand) and values.is_vector(tree)
 
 
 def _is_product(tree: Expression) -> bool:
@@ -143,14 +182,14 @@ def _chain(scene: Scene, relation: Compare) -> Words:
     if not more and has_quantity(middle) and not (has_quantity(left) or has_quantity(right)):
         return words(noun(scene, middle).words(), " is ", bounds(scene, relation, middle))
     pairs = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
-    said = [clause(scene, Compare((one, other), (sign,))) for one, sign, other in pairs]
-    return listed(said, ", and")
+    each = [clause(scene, Compare((one, other), (sign,))) for one, sign, other in pairs]
+    return listed(each, ", and")
 
 
 def bounds(scene: Scene, relation: Compare, subject: Expression) -> Words:
     """The other sides of a chain as limits of its subject: ``at least 5 and at most 6``."""
     dimension = dimension_of_any((subject,))
-    said: list[Words] = []
+    limits: list[Words] = []
     pairs = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
     for left, sign, right in pairs:
         other, turned = (right, sign) if left == subject else (left, _TURNED[sign])
@@ -159,8 +198,8 @@ def bounds(scene: Scene, relation: Compare, subject: Expression) -> Words:
             if has_quantity(other)
             else _value(scene, other, dimension)
         )
-        said.append(words(_VERBS[turned].removeprefix("is ") or "equal to ", limit))
-    return listed(said)
+        limits.append(words(_VERBS[turned].removeprefix("is ") or "equal to ", limit))
+    return listed(limits)
 
 
 def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
@@ -172,11 +211,15 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
     subject = noun(scene, left)
     verb = _VERBS[sign]
     if has_quantity(right):
-        other = noun(scene, right)
-        if sign == "=" and isinstance(right, Quantity):
+        if sign == "=" and _is_opposite(right):
+            verb, right = "is equal in magnitude and opposite in direction to ", right.operand
+        elif sign == "=" and isinstance(right, Quantity):
             verb = "is equal to "
+        other = noun(scene, right)
         if subject.when == other.when and subject.when:
-            return words(subject.head, " ", subject.when, f" {verb}", other.head)
+            if not subject.kind:
+                return words(subject.head, " ", subject.when, f" {verb}", other.head)
+            return words(leading(subject.when), subject.head, f" {verb}", other.head)
         return words(subject.words(), f" {verb}", other.words())
     if values.is_zero(right) and sign in "<>":
         return words(subject.words(), " is negative" if sign == "<" else " is positive")
@@ -198,9 +241,11 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
     match left:
         case Quantity("velocity", (Name(body),)) if isinstance(right, Polar):
             when = moment(scene, left, body)
-            return words(when, " ", Named(body), " is ", moving(scene, right))
+            return words(leading(when), Named(body), " is ", moving(scene, right))
         case Quantity("position", (Name(),)):
             at = place(scene, left)
+            if at.when == INITIALLY:
+                return words(leading(at.when), at.head, " is at ", values.point(right))
             return words(at.head, " is at ", values.point(right), " ", at.when)
         case Quantity("deflection", (Name(body),)):
             where = noun(scene, left).when
@@ -209,17 +254,17 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
                 Named(body), " is deflected through ", through, " " if where else "", where
             )
         case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
-            when = moment(scene, left, body)
-            return words(when, " ", Named(body), " is moving ", values.turned(scene.style, right))
+            when = leading(moment(scene, left, body))
+            return words(when, Named(body), " is moving ", values.turned(scene.style, right))
         case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
             not _moves(other)
         ):
             when = moment(scene, velocity, body)
             way = line(scene, other)
-            angle = "at an angle " if _is_letter(right) else "at an angle of "
-            return words(
-                when, " ", Named(body), f" is moving {angle}", values.laid(right), " to ", way.head
-            )
+            angle = words("at an angle " if _is_letter(right) else "at an angle of ")
+            to = way.head if same_event(when, way.when) else way.words()
+            told = words(" is moving ", angle, values.laid(right), " to ", to)
+            return words(leading(when), Named(body), told)
     return None
 
 
@@ -257,6 +302,11 @@ def _through(angle: Expression) -> Words:
 
 def _aligned(scene: Scene, relation: Aligned) -> Words:
     sensed = relation.relation in ("in the direction of", "opposite to")
+    if sensed:
+        for moving_one, way in ((relation.left, relation.right), (relation.right, relation.left)):
+            course = _towards(scene, moving_one, way, opposite=relation.relation == "opposite to")
+            if course is not None:
+                return course
     one, other = _way(scene, relation.left, sensed), _way(scene, relation.right, sensed)
     verb = _ALIGNED[relation.relation]
     if one.kind == other.kind == "velocity":
@@ -275,6 +325,34 @@ def _aligned(scene: Scene, relation: Aligned) -> Words:
     return words(one.words(), verb, other.words())
 
 
+def _towards(
+    scene: Scene, moving_one: Expression, way: Expression, *, opposite: bool
+) -> Words | None:
+    """``immediately after the impact S is moving directly towards O``, where that is meant."""
+    between = ends(scene, way)
+    match moving_one:
+        case Quantity("velocity", (Name(body),), stage) if between is not None and (
+            isinstance(stage, int | None)
+        ):
+            own = [_is_own_place(scene, each, body, scene.stage(stage, body)) for each in between]
+            if own[0] == own[1]:
+                return None
+            other = between[1] if own[0] else between[0]
+            verb = "towards " if own[0] != opposite else "away from "
+            when = leading(moment(scene, moving_one, body))
+            to = somewhere(scene, other)
+            return words(when, Named(body), f" is moving directly {verb}", to)
+    return None
+
+
+def _is_own_place(scene: Scene, tree: Expression, body: str, number: int) -> bool:
+    """Whether a place is that of a body at an event."""
+    match tree:
+        case Quantity("position", (Name(name),), int() | None as stage):
+            return name == body and scene.stage(stage, body) == number
+    return False
+
+
 def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
     if isinstance(tree, Quantity) and tree.kind == "line_of_centres" and sensed:
         return sensed_line(scene, tree)
@@ -282,7 +360,7 @@ def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
         return noun(scene, tree)
     if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments:
         return noun(scene, tree)
-    return line(scene, tree)
+    return line(scene, tree) if plain(scene, tree) else said(scene, tree)
 
 
 def _meets(scene: Scene, first: str, second: str, again: bool, happens: bool) -> Words:

@@ -24,8 +24,9 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    rational,
 )
-from restitution.problem import Impact, Kick
+from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.scene import (
@@ -48,7 +49,8 @@ class Noun:
     """A noun phrase: ``head`` (the speed of P) and ``when`` (immediately after the impact).
 
     ``kind`` and ``body`` are there where it can be told together with others of its kind: the
-    speeds of A and B. ``tail`` is what follows the body: in the direction of **i**.
+    speeds of A and B. ``tail`` is what follows the body: in the direction of **i**. ``where``
+    tells what the letters of a formula denote: where *v* is the speed of A.
     """
 
     head: Words
@@ -56,10 +58,12 @@ class Noun:
     kind: str = ""
     body: str = ""
     tail: Words = ()
+    where: Words = ()
 
     def words(self) -> Words:
         """The whole phrase."""
-        return words(self.head, " ", self.when) if self.when else self.head
+        said = words(self.head, " ", self.when) if self.when else self.head
+        return words(said, ", ", self.where) if self.where else said
 
 
 # What is said of one body, in the singular and of several.
@@ -74,6 +78,9 @@ _OF_BODY = {
     "position": ("coordinates", "coordinates"),
 }
 _INITIAL = "initial "
+_LINE = "line_of_centres"
+# What an event changes.
+_CHANGING = frozenset(("velocity", "speed", "energy", "momentum"))
 _FUNCTIONS = {
     "sin": "the sine of ",
     "cos": "the cosine of ",
@@ -104,18 +111,25 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
             return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
-            return _led("the negative of ", noun(scene, operand))
+            return _led("the negative of ", part(scene, operand))
         case Apply(name, argument):
-            return _led(_FUNCTIONS[name], noun(scene, argument))
+            return _led(_FUNCTIONS[name], part(scene, argument))
         case Binary():
             return _binary(scene, tree)
         case Pair(x, y):
-            return _pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
+            return _pair("the vector with components ", part(scene, x), " and ", part(scene, y))
         case Polar(size, angle, origin, wall):
             if wall is not None:
                 return _polar(scene, size, angle, "clockwise", wall)
             return _polar(scene, size, angle, "anticlockwise", origin)
     raise AssertionError(tree)  # a quantity stands in no other node
+
+
+def part(scene: Scene, tree: Expression) -> Noun:
+    """An expression inside another, where a place is a vector."""
+    if isinstance(tree, Quantity) and tree.kind == "position":
+        return _placed(scene, tree, "position vector")
+    return noun(scene, tree)
 
 
 def _polar(
@@ -145,20 +159,65 @@ def _binary(scene: Scene, tree: Binary) -> Noun:
     left, right = tree.left, tree.right
     match tree.op:
         case "+":
-            return _pair("the sum of ", noun(scene, left), " and ", noun(scene, right))
+            return _sum(scene, terms(tree))
         case "-":
             return _difference(scene, left, right)
         case "*" if not has_quantity(left):
-            return _led(values.times(left), noun(scene, right))
+            return _led(values.times(left), part(scene, right))
         case "*" if not has_quantity(right):
-            return _led(values.times(right), noun(scene, left))
+            return _led(values.times(right), part(scene, left))
         case "*":
-            return _pair("the product of ", noun(scene, left), " and ", noun(scene, right))
+            return _pair("the product of ", part(scene, left), " and ", part(scene, right))
         case "/":
             return _ratio(scene, left, right)
     if right == Number(Fraction(2)):
-        return _led("the square of ", noun(scene, left))
-    return _pair("", noun(scene, left), " to the power ", noun(scene, right))
+        return _led("the square of ", part(scene, left))
+    return _pair("", part(scene, left), " to the power ", part(scene, right))
+
+
+def terms(tree: Expression) -> list[Expression]:
+    """The terms of a sum, as far as it only adds."""
+    if isinstance(tree, Binary) and tree.op == "+":
+        return [*terms(tree.left), *terms(tree.right)]
+    return [tree]
+
+
+def alike(each: Sequence[Noun]) -> bool:
+    """Whether nouns are of one kind at one moment, of several bodies: the speeds of A and B."""
+    first = each[0]
+    bodies = {one.body for one in each}
+    plain = first.kind and not first.tail and len(bodies) == len(each) > 1
+    return bool(plain) and all((one.kind, one.when) == (first.kind, first.when) for one in each)
+
+
+def times_until(scene: Scene, trees: Sequence[Expression]) -> tuple[Words, list[Words]] | None:
+    """Times that are counted from one start: its words, and what ends each; None for others."""
+    said = [_time_parts(scene, each) for each in trees]
+    starts = [each[0] for each in said if each is not None and each[0]]
+    if len(starts) < len(trees) or len(set(starts)) > 1 or len(trees) < 2:
+        return None
+    return starts[0], [each[1] for each in said if each is not None]
+
+
+def until(last: Sequence[Words]) -> Words:
+    """``until A hits W and until A hits V``."""
+    return listed([words("until ", each) for each in last])
+
+
+def _sum(scene: Scene, added: Sequence[Expression]) -> Noun:
+    each = [part(scene, one) for one in added]
+    if alike(each):
+        return Noun(
+            words("the sum of ", of_bodies(each[0].kind, [x.body for x in each])), each[0].when
+        )
+    times = times_until(scene, added)
+    if times is not None:
+        start, last = times
+        return Noun(words("the sum of the times from ", start, " ", until(last)))
+    total = _pair("the sum of ", each[0], " and ", each[1])
+    for one in each[2:]:
+        total = _pair("the sum of ", total, " and ", one)
+    return total
 
 
 def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
@@ -168,31 +227,49 @@ def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
             return Noun(words("the time between ", first, " and ", then))
         case Quantity("velocity", (Name(a),)), Quantity("velocity", (Name(b),)) if a != b:
             one, other = noun(scene, left), noun(scene, right)
-            if one.when == other.when:
-                relative = words("the velocity of ", Named(a), " relative to ", Named(b))
+            if (one.kind, one.when) == (other.kind, other.when):
+                relative = words(f"the {one.kind} of ", Named(a), " relative to ", Named(b))
                 return Noun(relative, one.when)
-    one, other = noun(scene, left), noun(scene, right)
-    if values.is_vector(left) or values.is_vector(right):
-        return _pair("", one, " minus ", other)
+    between = displacement(scene, Binary("-", left, right))
+    if between is not None:
+        return between
     change = _change(scene, left, right)
     if change is not None:
         return change
+    one, other = part(scene, left), part(scene, right)
+    if values.is_vector(left) or values.is_vector(right):
+        return _pair("", one, " minus ", other)
     return Noun(words("the amount by which ", one.words(), " exceeds ", other.words()))
 
 
 def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
-    """What one quantity of a body has gained or lost in the only event."""
-    if len(scene.events) != 1 or not isinstance(left, Quantity) or not isinstance(right, Quantity):
+    """What one quantity has gained or lost in one event; a vector has changed."""
+    if not isinstance(left, Quantity) or not isinstance(right, Quantity):
         return None
-    if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _OF_BODY:
+    if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _CHANGING:
         return None
     body = name_of(left.arguments[0]) if left.arguments else None  # of all bodies
-    stages = [scene.stage(each.stage, body) for each in (left, right)]
-    if stages not in ([1, 0], [0, 1]):
+    later, earlier = (
+        None if isinstance(each.stage, AtTime) else scene.stage(each.stage, body)
+        for each in (left, right)
+    )
+    if later is None or earlier is None or abs(later - earlier) != 1:
         return None
-    change = "increase" if stages == [1, 0] else "decrease"
-    the_rest = noun(scene, left).head
-    return Noun(words(f"the {change} in ", the_rest), during(scene, 1))
+    number = max(later, earlier)
+    event = scene.events[number - 1]
+    if isinstance(event, Arrival) or (body is not None and body not in bodies_of(event)):
+        return None
+    vector = left.kind in ("velocity", "momentum")
+    if vector and later < earlier:
+        return None
+    change = "change" if vector else "increase" if later > earlier else "decrease"
+    if body is not None:
+        head = of_bodies(left.kind, (body,))
+    elif left.kind == "momentum":
+        head = words("the total momentum")
+    else:
+        head = _energy_of_all(scene, "")
+    return Noun(words(f"the {change} in ", head), during(scene, number))
 
 
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
@@ -200,13 +277,81 @@ def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
         case Quantity("energy_lost" | "total_energy_lost"), Quantity("energy"):
             whole, lost = whole_energy(scene, left, right), lost_where(scene, left)
             return Noun(words("the fraction of ", whole, " that is lost", lost))
+    if isinstance(right, Number) and right.value:
+        return _led(values.times(rational(1 / right.value)), part(scene, left))
     if not has_quantity(right):
-        return _divided(noun(scene, left), right)
-    return _pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
+        return _divided(part(scene, left), right)
+    return _pair("the ratio of ", part(scene, left), " to ", part(scene, right))
 
 
 def _divided(above: Noun, below: Expression) -> Noun:
     return Noun(words(above.words(), " divided by ", lay.bracketed(lay.from_tree(below))))
+
+
+def share(scene: Scene, tree: Expression) -> Noun | None:
+    """A ratio as a percentage: the decrease in the speed of P as a percentage of its speed."""
+    match tree:
+        case Binary("/", left, right) if has_quantity(left) and has_quantity(right):
+            lost = isinstance(left, Quantity) and left.kind.endswith("energy_lost")
+            if not (lost and isinstance(right, Quantity) and right.kind == "energy"):
+                return _pair("", part(scene, left), " as a percentage of ", part(scene, right))
+    return None
+
+
+# --- places ---------------------------------------------------------------------------------------
+
+
+def ends(scene: Scene, tree: Expression) -> tuple[Expression, Expression] | None:
+    """Where a vector between two places begins and ends; None for any other vector."""
+    origin = Pair(Number(Fraction(0)), Number(Fraction(0)))
+    match tree:
+        case Binary("-", end, begin) if _is_place(scene, end) and _is_place(scene, begin):
+            found = (begin, end)
+        case Negate(begin) if _is_somewhere(scene, begin):
+            found = (begin, origin)
+        case _ if _is_somewhere(scene, tree):
+            found = (origin, tree)
+        case _:
+            return None
+    return found if any(_is_somewhere(scene, each) for each in found) else None
+
+
+def _is_somewhere(scene: Scene, tree: Expression) -> bool:
+    """Whether a tree is the place of a body, or a named point."""
+    if isinstance(tree, Name):
+        return any(tree.name == each.name for each in scene.problem.points)
+    return isinstance(tree, Quantity) and tree.kind == "position"
+
+
+def _is_place(scene: Scene, tree: Expression) -> bool:
+    return _is_somewhere(scene, tree) or (isinstance(tree, Pair) and not has_quantity(tree))
+
+
+def displacement(scene: Scene, tree: Expression) -> Noun | None:
+    """``the vector from O to the position of S when it hits W``."""
+    found = ends(scene, tree)
+    if found is None:
+        return None
+    begin, end = found
+    to = somewhere(scene, end)
+    match begin, end:
+        case Quantity("position", (Name(a),)), Quantity("position", (Name(b),)) if a == b:
+            if not _has_size(scene):
+                when = _place_when(scene, end, a)
+                initial = when == INITIALLY
+                to = words("its initial position") if initial else words("its position ", when)
+    return Noun(words("the vector from ", somewhere(scene, begin), " to ", to))
+
+
+def somewhere(scene: Scene, tree: Expression) -> Words:
+    """A place to be or to go to: ``O``, ``the point (3, 7)``, ``the initial position of S``."""
+    if isinstance(tree, Quantity):
+        return _placed(scene, tree, "position").words()
+    if isinstance(tree, Pair):
+        for each in scene.problem.points:
+            if each.position == tree:
+                return (Named(each.name),)
+    return values.point(tree)
 
 
 def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
@@ -256,7 +401,8 @@ def _place_when(scene: Scene, tree: Quantity, body: str | None) -> Words:
     """When a body is somewhere."""
     if isinstance(tree.stage, AtTime):
         return at_time(scene, tree.stage)
-    return instant(scene, scene.stage(tree.stage, body))
+    subject = None if _has_size(scene) else body
+    return instant(scene, scene.stage(tree.stage, body), subject)
 
 
 def at_time(scene: Scene, stage: AtTime) -> Words:
@@ -285,9 +431,10 @@ def _at_moment(kind: str, body: str, when: Words) -> Noun:
     return Noun(of_bodies(kind, (body,)), when, kind, body)
 
 
-def of_bodies(kind: str, bodies: Sequence[str]) -> Words:
-    """``the speed of A``, ``the speeds of A and B``."""
-    return words(f"the {_called(kind, len(bodies))} of ", names(bodies))
+def of_bodies(kind: str, bodies: Sequence[str], *, several: bool = False) -> Words:
+    """``the speed of A``, ``the speeds of A and B``; with ``several``, ``the speeds of A``."""
+    number = 2 if several else len(bodies)
+    return words(f"the {_called(kind, number)} of ", names(bodies))
 
 
 def kinds_of(kinds: Sequence[str], body: str) -> Words:
@@ -355,11 +502,15 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
         return _of_body(scene, tree)
     when = moment(scene, tree, None)
-    initial, when = ("initial ", ()) if when == INITIALLY else ("", when)
+    initial, when = (_INITIAL, ()) if when == INITIALLY else ("", when)
+    return Noun(_energy_of_all(scene, initial), when)
+
+
+def _energy_of_all(scene: Scene, initial: str) -> Words:
     if len(scene.problem.spheres) == 1:
         (only,) = scene.problem.spheres
-        return Noun(words(f"the {initial}kinetic energy of ", Named(only.name)), when)
-    return Noun((f"the {initial}total kinetic energy",), when)
+        return words(f"the {initial}kinetic energy of ", Named(only.name))
+    return (f"the {initial}total kinetic energy",)
 
 
 def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
@@ -413,8 +564,13 @@ def line(scene: Scene, tree: Expression) -> Noun:
             return Noun(("the line of centres",), _in_event(scene, number))
         case Quantity("velocity", (Name(name),)):
             return _at_moment("direction", name, moment(scene, tree, name))
-        case Quantity("direction", (Name(name),)) if scene.is_wall(name):
-            return Noun((Named(name),))
+        case Quantity("direction", (Name(name),)):
+            if scene.is_wall(name):
+                return Noun((Named(name),))
+            return _at_moment("direction", name, moment(scene, tree, name))
+    between = displacement(scene, tree)
+    if between is not None:
+        return between
     if has_quantity(tree):
         return noun(scene, tree)
     return Noun(values.direction_of(scene.style, tree))
@@ -427,20 +583,52 @@ def _angle(scene: Scene, tree: Quantity) -> Noun:
             words("the angle between ", of_bodies(one.kind, (one.body, other.body))), one.when
         )
     if one.kind and other.kind:
-        return Noun(words("the angle between ", one.words(), " and ", other.words()))
+        return Noun(words("the angle between ", one.words(), " and ", _its(one, other)))
     if other.kind and not one.kind:
         one, other = other, one
     if not one.kind:
         return _pair("the angle between ", one, " and ", other)
+    apart = one.when and other.when and not same_event(one.when, other.when)
+    if apart or any(_is_between(each) for each in tree.arguments):
+        return Noun(words("the angle between ", one.words(), " and ", other.words()))
     return Noun(
         words("the angle that ", one.head, " makes with ", other.head), one.when or other.when
     )
 
 
+def _is_between(tree: Expression) -> bool:
+    """Whether a direction is told by more than a name, or by a place and its moment."""
+    simple = isinstance(tree, Quantity) and tree.kind in ("velocity", "direction", _LINE)
+    return has_quantity(tree) and not simple
+
+
+def _its(one: Noun, other: Noun) -> Words:
+    """A second noun, by the body of the first: ``its direction of motion when it hits W``."""
+    if one.body != other.body or not other.kind or other.tail:
+        return other.words()
+    return words(f"its {_called(other.kind, 1)}", " " if other.when else "", other.when)
+
+
+def same_event(one: Words, other: Words) -> bool:
+    """Whether two moments are of one event: ``immediately after …`` and ``in …`` it."""
+    return bool(one and other) and _event_of(one) == _event_of(other)
+
+
+def _event_of(when: Words) -> Words:
+    first = when[0]
+    if isinstance(first, str):
+        for lead in ("immediately after ", "immediately before ", "in ", "due to "):
+            if first.startswith(lead):
+                return (first.removeprefix(lead), *when[1:])
+    return when
+
+
 def _along(scene: Scene, tree: Quantity) -> Noun:
     vector, axis = tree.arguments
-    of = noun(scene, vector)
+    of = part(scene, vector)
     way = _axis(scene, axis, across=tree.kind == "across")
+    if has_quantity(axis) and not _is_line(axis):
+        return Noun(words("the component of ", of.words(), " in ", way.words()))
     if way.when and of.when and way.when != of.when:
         return Noun(words("the component of ", of.words(), " in ", way.words()))
     tail = words(" in ", way.head)
@@ -450,10 +638,14 @@ def _along(scene: Scene, tree: Quantity) -> Noun:
     return Noun(head, of.when or way.when)
 
 
+def _is_line(axis: Expression) -> bool:
+    return isinstance(axis, Quantity) and axis.kind == _LINE
+
+
 def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
     """The direction of a component, with its sense."""
     turn = "the direction at 90° anticlockwise from " if across else "the direction of "
-    if isinstance(axis, Quantity) and axis.kind == "line_of_centres":
+    if isinstance(axis, Quantity) and axis.kind == _LINE:
         return _led(turn, sensed_line(scene, axis))
     if isinstance(axis, Name):
         wall = scene.wall(axis.name)
@@ -464,8 +656,11 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
             return Noun(words(turn, Named(wall.name), ", taken from ", *ends, ","))
         else:
             return Noun(words(turn, Named(axis.name)))
-    if has_quantity(axis):
-        return _led(turn, noun(scene, axis))
+    if isinstance(axis, Quantity) and axis.kind == "direction":
+        return _led(turn if across else "", line(scene, axis))
+    between = displacement(scene, axis)
+    if between is not None or has_quantity(axis):
+        return _led(turn, between or noun(scene, axis))
     if across:
         left = values.to_the_left(scene.style, axis)
         return Noun(left if isinstance(left[0], str) else words("the direction of ", left))
@@ -489,7 +684,15 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
-    return _led("the coordinates of ", place(scene, tree))
+    return _placed(scene, tree, "coordinates")
+
+
+def _placed(scene: Scene, tree: Quantity, kind: str) -> Noun:
+    """``the coordinates of S when it hits W``, ``the initial position of S``."""
+    at = place(scene, tree)
+    if at.when == INITIALLY:
+        return Noun(words(f"the {_INITIAL}{kind} of ", at.head))
+    return Noun(words(f"the {kind} of ", at.head), at.when)
 
 
 def place(scene: Scene, tree: Quantity) -> Noun:
@@ -505,18 +708,25 @@ def _has_size(scene: Scene) -> bool:
 
 
 def _time(scene: Scene, tree: Quantity) -> Noun:
+    start, end = _time_parts(scene, tree) or ((), ())
+    return Noun(words("the time from ", start, " until ", end) if start else end)
+
+
+def _time_parts(scene: Scene, tree: Expression) -> tuple[Words, Words] | None:
+    """From when to when a time is; of a moment the name alone; None for what is no time."""
+    if not (isinstance(tree, Quantity) and tree.kind == "time"):
+        return None
     number = tree.stage if isinstance(tree.stage, int) else scene.now
     if number == 0:
-        return Noun(("the time at the start",))
+        return (), ("the time at the start",)
     if not scene.timed():
         for first, event in enumerate(scene.events, 1):
             if isinstance(event, Impact) and not scene.is_wall(event.second):
                 if first == number:
-                    return Noun(words("the time of ", event_name(scene, number)))
-                since = words("the time from ", event_name(scene, first), " until ")
-                return Noun(words(since, happening(scene, number)))
+                    return (), words("the time of ", event_name(scene, number))
+                return event_name(scene, first), happening(scene, number)
             break
-    return Noun(words("the time from the start until ", happening(scene, number)))
+    return ("the start",), happening(scene, number)
 
 
 def _somewhere(scene: Scene, tree: Expression) -> Noun:
@@ -524,11 +734,8 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
     match tree:
         case Name(name):
             return Noun((Named(name),))
-        case Quantity("position", (Name(name),)):
-            centre = "the centre of " if _has_size(scene) else ""
-            return Noun(
-                words("the position of ", centre, Named(name)), _place_when(scene, tree, name)
-            )
+        case Quantity("position", (Name(),)):
+            return _placed(scene, tree, "position")
     return Noun(values.point(tree)) if not has_quantity(tree) else noun(scene, tree)
 
 
@@ -540,16 +747,18 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
     ]
     if len(bodies) == 2:
         centres = "the centres of " if _has_size(scene) else ""
-        return Noun(
-            words("the distance between ", centres, names(bodies)), _place_when(scene, tree, None)
-        )
+        when = _place_when(scene, tree, None)
+        initial, when = (_INITIAL, ()) if when == INITIALLY else ("", when)
+        return Noun(words(f"the {initial}distance between ", centres, names(bodies)), when)
     left, right = _somewhere(scene, one), _somewhere(scene, other)
     match one, other:
         case Quantity("position", (Name(a),)), Quantity("position", (Name(b),)) if a == b:
-            moments = (" ", left.when, " and ", right.when)
+            moments = (" ", left.when or INITIALLY, " and ", right.when or INITIALLY)
             return Noun(words("the distance between the positions of ", Named(a), *moments))
-    when = _place_when(scene, tree, bodies[0]) if bodies else ()
     if bodies:
+        when = _place_when(scene, tree, bodies[0])
+        if when == INITIALLY:
+            return Noun(words("the initial distance between ", left.head, " and ", right.head))
         return Noun(words("the distance between ", left.head, " and ", right.head), when)
     return Noun(words("the distance between ", left.words(), " and ", right.words()))
 
@@ -563,7 +772,7 @@ def _vector(scene: Scene, tree: Expression) -> Noun:
     return (
         Noun(values.direction_of(scene.style, tree))
         if not has_quantity(tree)
-        else noun(scene, tree)
+        else part(scene, tree)
     )
 
 

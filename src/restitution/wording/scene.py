@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from restitution.expression.tree import (
     Expression,
@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.problem import (
@@ -21,13 +22,18 @@ from restitution.problem import (
     Arrival,
     Compare,
     Event,
+    Find,
     Given,
     Impact,
     Kick,
+    Let,
+    Point,
     Problem,
     Relation,
     Show,
+    Sphere,
     Step,
+    Unknown,
     Wall,
     trees,
     trees_of_relation,
@@ -46,14 +52,20 @@ _SIZES = frozenset(("energy", "energy_lost", "total_energy_lost", "speed", "defl
 
 @dataclass(frozen=True)
 class Scene:
-    """A statement, and how many of its events are told so far."""
+    """A statement, and how many of its events are told so far.
+
+    ``letters`` are those of the statement and its names; ``denoted`` are the letters that the
+    wording itself has given to quantities, by their words, and grows.
+    """
 
     problem: Problem
     events: tuple[Event, ...]
     style: Style
     places: bool
     oriented: bool
+    letters: frozenset[str]
     now: int = 0
+    denoted: dict[Words, str] = field(default_factory=dict, compare=False, repr=False)
 
     def at(self, now: int) -> Scene:
         """The scene when so many events are told."""
@@ -86,7 +98,25 @@ class Scene:
 def scene_of(problem: Problem) -> Scene:
     """The scene of a statement of which nothing is told yet."""
     events = tuple(step for _, step in problem.steps() if isinstance(step, Impact | Kick | Arrival))
-    return Scene(problem, events, style_of(problem), _placed(problem), _oriented(problem))
+    placed, oriented = _placed(problem), _oriented(problem)
+    return Scene(problem, events, style_of(problem), placed, oriented, _taken(problem))
+
+
+def _taken(problem: Problem) -> frozenset[str]:
+    """The letters of a statement, and the names of its bodies."""
+    taken = {"e", "i", "j"}
+    for tree in trees(problem):
+        taken |= letters(tree)
+    for _, step in problem.steps():
+        if isinstance(step, Let):
+            taken.add(step.letter)
+        elif isinstance(step, Unknown):
+            taken |= set(step.letters)
+        elif isinstance(step, Find | Show):
+            taken |= set(step.in_terms_of or ())
+    bodies: tuple[Sphere | Wall | Point, ...]
+    bodies = (*problem.spheres, *problem.walls, *problem.points)
+    return frozenset(taken | {each.name for each in bodies})
 
 
 def bodies_of(event: Event) -> tuple[str, ...]:
@@ -205,8 +235,8 @@ def _impact_name(scene: Scene, number: int, event: Impact) -> Words:
     return words(f"the {which}impact of ", Named(event.first), " with ", Named(event.second))
 
 
-def happening(scene: Scene, number: int) -> Words:
-    """What happens in an event, as a clause: ``P hits W``."""
+def happening(scene: Scene, number: int, subject: str | None = None) -> Words:
+    """What happens in an event, as a clause: ``P hits W``; of a body spoken of, ``it hits W``."""
     match scene.events[number - 1]:
         case Impact(first, second):
             verb = " hits " if scene.is_wall(second) else " collides with "
@@ -220,11 +250,17 @@ def happening(scene: Scene, number: int) -> Words:
                 for each in scene.events
             )
             time = f" for the {ordinal(before + 1)} time" if total > 1 else ""
-            return words(Named(first), verb, Named(second), time)
+            return words(_spoken(first, subject), verb, Named(second), time)
         case Kick(body):
-            return words(Named(body), " receives ", event_name(scene, number))
+            name = event_name(scene, number)
+            impulse = "the impulse" if len(name) > 1 else name
+            return words(_spoken(body, subject), " receives ", impulse)
         case Arrival(body, target):
-            return words(Named(body), " reaches ", point(target))
+            return words(_spoken(body, subject), " reaches ", point(target))
+
+
+def _spoken(body: str, subject: str | None) -> Words:
+    return ("it",) if body == subject else (Named(body),)
 
 
 def after(scene: Scene, number: int) -> Words:
@@ -252,9 +288,14 @@ def just_before(scene: Scene, body: str | None) -> Words:
     return before(scene)
 
 
-def instant(scene: Scene, number: int) -> Words:
-    """The moment of an event: ``when P hits W``."""
-    return INITIALLY if number == 0 else words("when ", happening(scene, number))
+def instant(scene: Scene, number: int, subject: str | None = None) -> Words:
+    """The moment of an event: ``when P hits W``; of a body spoken of, ``when it hits W``."""
+    return INITIALLY if number == 0 else words("when ", happening(scene, number, subject))
+
+
+def leading(when: Words) -> Words:
+    """A moment in front of its clause, which may begin with a name as the moment ends."""
+    return words(when, ", ") if isinstance(when[-1], Named) else words(when, " ")
 
 
 def name_of(tree: Expression) -> str | None:

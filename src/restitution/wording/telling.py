@@ -13,7 +13,6 @@ from restitution.expression.tree import Expression, Place, has_quantity
 from restitution.language import check
 from restitution.problem import (
     Arrival,
-    Extremum,
     Find,
     Given,
     Impact,
@@ -29,12 +28,11 @@ from restitution.problem import (
     Wall,
 )
 from restitution.render import layout as lay
-from restitution.wording import facts
+from restitution.wording import facts, formulas
 from restitution.wording.asking import groups, in_terms, names_of, shown
 from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
 from restitution.wording.letters import named_letters
-from restitution.wording.nouns import phrase
 from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
 from restitution.wording.setting import setting, spheres_told, start
 from restitution.wording.story import told
@@ -48,7 +46,7 @@ from restitution.wording.structure import (
     Sentence,
     Words,
 )
-from restitution.wording.words import alphabetic, listed, roman, sentence, words
+from restitution.wording.words import alphabetic, listed, number_of_words, roman, sentence, words
 
 
 def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None) -> Question:
@@ -240,9 +238,8 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
         sentences += [hit, *(start(scene) if _event_first(scene) else ()), *more]
     scene = scene.at(now)
     for let in run.lets:
-        sentences.append(
-            sentence("let ", lay.letter(let.letter), " denote ", phrase(scene, let.expression))
-        )
+        named = formulas.said(scene, let.expression).words()
+        sentences.append(sentence("let ", lay.letter(let.letter), " denote ", named))
     if run.unknown:
         sentences.append(_not_known(run))
     given = [
@@ -252,8 +249,9 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     ]
     asked = _asked(scene, run.asks)
     if asked is not None and given and (asked.lead or len(asked.entries) == 1):
-        asked = _under(scene, given, asked)
-        given = []
+        under = _under(scene, given, asked)
+        if under is not None:
+            asked, given = under, []
     motion = [each for each in given if not is_letter_fact(each)]
     sentences += [_statement(each) for each in clauses(scene, motion)]
     if len(motion) < len(given):
@@ -271,8 +269,8 @@ def _statement(said: Words) -> Sentence:
     return sentence(said if isinstance(first, str | Named) else ("it is given that ", said))
 
 
-def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing:
-    """What is asked with what is given for it: ``Given that k = 3, find …``."""
+def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing | None:
+    """What is asked with what is given for it: ``Given that k = 3, find …``; None if too long."""
     motion = clauses(scene, [each for each in given if not is_letter_fact(each)])
     of_letters = [clause(scene, each) for each in given if is_letter_fact(each)]
     told_each = [
@@ -280,6 +278,9 @@ def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing:
         *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
     ]
     lead = words("Given that ", listed(told_each), ", ")
+    rest = asked.lead or asked.entries[0][1]
+    if len(given) > 1 and number_of_words(lead) + number_of_words(rest) > _MOST_TOGETHER:
+        return None
     if asked.lead:
         return replace(asked, lead=words(lead, _lower(asked.lead)))
     ((number, only),) = asked.entries
@@ -304,13 +305,17 @@ def _not_known(run: _Run) -> Sentence:
 
 # --- asking ---------------------------------------------------------------------------------------
 
+# How many words may stand in one sentence, where it can be made two.
+_MOST_WORDS = 42
+_MOST_TOGETHER = 60
+
 
 def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     if not asks:
         return None
     if all(isinstance(each, Find) and not each.in_terms_of for each in asks):
         items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
-        if len(items) <= 2 and not (len(items) == 2 and _wordy(asks)):
+        if len(items) <= 2 and len(_sentences(items)) == 1:
             return Listing((), (("", sentence("find ", listed(items))),))
         return Listing(("Find",), tuple(("", each) for each in items))
     if len(asks) == 1:
@@ -318,27 +323,40 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
         if isinstance(only, Show):
             return Listing((), (("", sentence(shown(scene, only))),))
         items = groups(scene, only)
-        if len(items) <= 2 and not (len(items) == 2 and _wordy(asks)):
-            return Listing((), (("", sentence(_found(scene, only))),))
-        lead = words("Find, ", in_terms(only), ",")
-        return Listing(lead, tuple(("", each) for each in items))
-    entries = [
-        sentence(shown(scene, each)) if isinstance(each, Show) else sentence(_found(scene, each))
-        for each in asks
-    ]
+        if len(items) > 2 or len(_sentences(items)) > 1:
+            lead = words("Find, ", in_terms(only), ",")
+            return Listing(lead, tuple(("", each) for each in items))
+    entries: list[Sentence] = []
+    for each in asks:
+        if isinstance(each, Show):
+            entries.append(sentence(shown(scene, each)))
+        else:
+            parts = _sentences(groups(scene, each))
+            entries += [sentence(_found(items, in_terms(each))) for items in parts]
     return Listing((), tuple(("", each) for each in entries))
 
 
-def _wordy(asks: Sequence[Find | Show]) -> bool:
-    """Whether an item is too long to stand beside another."""
+def _sentences(items: Sequence[Words]) -> list[list[Words]]:
+    """Items as they can stand together in a sentence; one with a clause of its own is alone."""
+    out: list[list[Words]] = []
+    room = 0
+    for each in items:
+        size = _MOST_WORDS if len(items) > 1 and _has_clause(each) else number_of_words(each)
+        if not out or size > room:
+            out.append([])
+            room = _MOST_WORDS
+        out[-1].append(each)
+        room -= size
+    return out
+
+
+def _has_clause(item: Words) -> bool:
     return any(
-        isinstance(one, Extremum) for each in asks if isinstance(each, Find) for one in each.items
+        isinstance(each, str) and (", where " in each or ", and the corr" in each) for each in item
     )
 
 
-def _found(scene: Scene, find: Find) -> Words:
-    items = groups(scene, find)
-    terms = in_terms(find)
+def _found(items: Sequence[Words], terms: Words) -> Words:
     if not terms:
         return words("find ", listed(items))
     if len(items) == 1:

@@ -47,6 +47,14 @@ def value(style: Style, tree: Any, dimension: Dimension | None) -> Words:
     return words(shown, unit)
 
 
+def with_unit(style: Style, shown: lay.Layout, dimension: Dimension | None) -> Words:
+    """Mathematics that stands for a value, with its unit: ``(mv − mw) N s``."""
+    unit = style.unit(dimension)
+    if unit and isinstance(shown, lay.Sum) and len(shown.terms) > 1:
+        shown = lay.Brackets(shown)
+    return words(shown, unit)
+
+
 def is_zero(tree: Any) -> bool:
     """Whether an expression is the number 0."""
     return isinstance(tree, Number) and tree.value == 0

@@ -59,6 +59,11 @@ def listed(each: Sequence[Any], link: str = "and") -> Words:
     return words(*front, f"{before}{link} ", each[-1])
 
 
+def number_of_words(said: Words) -> int:
+    """How many words are read; a name, or a piece of mathematics, is one."""
+    return sum(len(each.split()) if isinstance(each, str) else 1 for each in said)
+
+
 def names(each: Iterable[str]) -> Words:
     """``A, B and C``, in italics."""
     return listed([Named(name) for name in each])

@@ -1,0 +1,319 @@
+"""Expressions that would be a tangle in words: a formula, and what its letters denote.
+
+``2 speed(A) + 3 speed(B)`` is *2v + 3w, where v and w are the speeds of A and B immediately
+after the collision*.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from restitution.expression.dimensions import dimension_of_any
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    children,
+    has_quantity,
+)
+from restitution.render import layout as lay
+from restitution.wording import values
+from restitution.wording.nouns import (
+    Noun,
+    alike,
+    ends,
+    noun,
+    of_bodies,
+    part,
+    terms,
+    times_until,
+    until,
+)
+from restitution.wording.scene import Scene
+from restitution.wording.structure import Words
+from restitution.wording.words import listed, words
+
+# Beyond this a phrase is a formula: a sum of two quantities is 3.
+_MOST = 3.5
+_VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
+# The letters that people take for a quantity, in the order in which they do.
+_LETTERS = {
+    "speed": ("v", "w", "V", "U"),
+    "velocity": ("v", "w", "q"),
+    "along": ("v", "w", "x", "y"),
+    "across": ("v", "w", "x", "y"),
+    "energy": ("E", "K", "T"),
+    "energy_lost": ("E", "K", "L"),
+    "total_energy_lost": ("E", "K", "L"),
+    "impulse": ("I", "J", "Q"),
+    "momentum": ("p", "q"),
+    "mass": ("m", "M"),
+    "position": ("r", "s", "p"),
+    "time": ("T", "t"),
+    "distance": ("d", "D", "s", "h"),
+    "dot": ("p", "q", "k"),
+    "line_of_centres": ("n", "c"),
+    "fraction": ("q", "k"),
+}
+_ANGLES = ("theta", "phi", "psi", "beta", "gamma", "delta")
+
+
+def said(scene: Scene, tree: Expression) -> Noun:
+    """An expression as a noun phrase, or as a formula with what its letters denote."""
+    if plain(scene, tree):
+        return noun(scene, tree)
+    (shown,), where = formula(scene, (tree,))
+    return Noun(words(shown), where=where)
+
+
+def plain(scene: Scene, *trees: Expression) -> bool:
+    """Whether expressions can be said in words that people can follow."""
+    return all(cost(scene, each) <= _MOST for each in trees)
+
+
+def cost(scene: Scene, tree: Expression) -> float:
+    """How much there is to follow in an expression, if it were told in words: a quantity is 1."""
+    if not has_quantity(tree):
+        return 0
+    inner = [cost(scene, each) for each in children(tree)]
+    match tree:
+        case Quantity(_, arguments):
+            return max([1, *(cost(scene, each) for each in arguments)])
+        case Negate() | Apply():
+            return inner[0] + (0.5 if isinstance(tree, Negate) else 1)
+        case Binary("+"):
+            added = terms(tree)
+            nouns = [part(scene, each) for each in added if isinstance(each, Quantity)]
+            if len(nouns) == len(added) and (alike(nouns) or times_until(scene, added)):
+                return 1 + len(added) / 4
+            costs = [cost(scene, each) if has_quantity(each) else 2 for each in added]
+            return sum(costs) + len(added) - 1
+        case Binary("-", left, right):
+            if isinstance(left, Quantity) and isinstance(right, Quantity):
+                together = not _says(noun(scene, tree), " exceeds ", " minus ")
+            else:
+                together = ends(scene, tree) is not None
+            alone = 1 if has_quantity(left) != has_quantity(right) else 0
+            return 1 if together else sum(inner) + 1 + 2 * alone
+        case Binary("*", left, right) if not (has_quantity(left) and has_quantity(right)):
+            factor = right if has_quantity(left) else left
+            return sum(inner) + (0.5 if _is_short(factor) else 1.5)
+        case Binary("/", _, right) if not has_quantity(right):
+            return sum(inner) + (0.5 if isinstance(right, Number) else 3)
+        case Binary("/", left, right):
+            return 1 if _says(noun(scene, tree), "the fraction of ") else sum(inner) + 1
+        case Binary("^", _, Number(power)):
+            return sum(inner) + (1 if power == 2 else 3)
+    return sum(inner) + 1
+
+
+def _says(one: Noun, *texts: str) -> bool:
+    return any(isinstance(each, str) and text in each for each in one.words() for text in texts)
+
+
+def _is_short(factor: Expression) -> bool:
+    """Whether a factor is one term without functions: ``2``, ``½``, ``½m``."""
+    match factor:
+        case Negate(inner):
+            return _is_short(inner)
+        case Binary("*" | "/", left, right):
+            return _is_short(left) and _is_short(right)
+    return isinstance(factor, Number | Letter)
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def formula(scene: Scene, trees: Sequence[Expression]) -> tuple[list[lay.Layout], Words]:
+    """Expressions as mathematics, with letters for quantities, and what these denote."""
+    quantities: list[Expression] = []
+    for tree in trees:
+        for each in _quantities(scene, tree):
+            if all(_key(scene, each) != _key(scene, one) for one in quantities):
+                quantities.append(each)
+    names = _named(scene, quantities)
+    bold = {names[_key(scene, each)] for each in quantities if _is_vector(each)}
+    shown = [_in_bold(values.laid(_replaced(scene, each, names)), bold) for each in trees]
+    return shown, words("where ", listed(_definitions(scene, quantities, names, bold)))
+
+
+def _quantities(scene: Scene, tree: Expression) -> list[Expression]:
+    """What has a letter of its own in a formula: quantities, and what is as plain as these."""
+    if _is_one(scene, tree):
+        return [tree]
+    return [one for each in children(tree) for one in _quantities(scene, each)]
+
+
+def _is_one(scene: Scene, tree: Expression) -> bool:
+    """A quantity, or a difference or a fraction with a name: the time between two impacts."""
+    if isinstance(tree, Binary):
+        return tree.op in "-/" and has_quantity(tree) and cost(scene, tree) == 1
+    return isinstance(tree, Quantity)
+
+
+def _key(scene: Scene, tree: Expression) -> Words:
+    return part(scene, tree).words()
+
+
+def _kind(tree: Expression) -> str:
+    match tree:
+        case Quantity(kind):
+            return kind
+        case Binary("-", Quantity(kind)):
+            return kind
+    return "position" if isinstance(tree, Binary) and tree.op == "-" else "fraction"
+
+
+def _is_vector(tree: Expression) -> bool:
+    if isinstance(tree, Quantity) and tree.kind == "impulse":
+        return bool(tree.arguments)
+    return _kind(tree) in _VECTORS
+
+
+def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
+    """A letter for each quantity, by its words; those of one kind have one letter, numbered."""
+    groups: dict[str, list[Expression]] = {}
+    for each in quantities:
+        if _key(scene, each) not in scene.denoted:
+            groups.setdefault(_kind(each), []).append(each)
+    for kind, group in groups.items():
+        for each, name in zip(group, _free(scene, kind, group), strict=True):
+            scene.denoted[_key(scene, each)] = name
+    return {_key(scene, each): scene.denoted[_key(scene, each)] for each in quantities}
+
+
+def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
+    """Letters that nothing else has."""
+    taken = scene.letters | set(scene.denoted.values())
+    bases = _LETTERS.get(kind, _ANGLES)
+    if len(group) == 1 or (kind != "time" and len(group) == 2):
+        free = [each for each in bases if each not in taken]
+        if len(free) >= len(group):
+            return free[: len(group)]
+    bodies = [body for each in group if len(body := part(scene, each).body) == 1]
+    ends = [str(number) for number in range(1, len(group) + 1)]
+    if len(set(bodies)) == len(group):
+        ends = bodies
+    for base in bases:
+        found = [f"{base}_{end}" for end in ends]
+        if not taken.intersection(found) and base not in taken:
+            return found
+    numbered = (f"{bases[0]}_{number}" for number in range(1, 10_000))
+    return [each for each, _ in zip((n for n in numbered if n not in taken), group, strict=False)]
+
+
+def _replaced(scene: Scene, tree: Any, names: dict[Words, str]) -> Any:
+    """An expression with letters in the place of its quantities."""
+    if isinstance(tree, Expression) and _is_one(scene, tree):
+        return Letter(names[_key(scene, tree)])
+    match tree:
+        case Negate(inner):
+            return Negate(_replaced(scene, inner, names))
+        case Apply(function, inner):
+            return Apply(function, _replaced(scene, inner, names))
+        case Binary(op, left, right):
+            return Binary(op, _replaced(scene, left, names), _replaced(scene, right, names))
+        case Pair(x, y):
+            return Pair(_replaced(scene, x, names), _replaced(scene, y, names))
+        case Polar(size, angle, origin):
+            parts = [_replaced(scene, each, names) for each in (size, angle, origin)]
+            return replace(tree, size=parts[0], angle=parts[1], origin=parts[2])
+    return tree
+
+
+def _in_bold(shown: Any, bold: set[str]) -> Any:
+    """A layout with the letters of vectors in bold."""
+    if isinstance(shown, lay.Letter):
+        name = f"{shown.name}_{shown.subscript}" if shown.subscript else shown.name
+        return lay.Bold(shown.name, shown.subscript) if name in bold else shown
+    if isinstance(shown, tuple):
+        return tuple(_in_bold(each, bold) for each in shown)
+    if is_dataclass(shown) and not isinstance(shown, type):
+        return replace(
+            shown,
+            **{each.name: _in_bold(getattr(shown, each.name), bold) for each in fields(shown)},
+        )
+    return shown
+
+
+# --- what the letters denote ----------------------------------------------------------------------
+
+
+def _definitions(
+    scene: Scene, quantities: Sequence[Expression], names: dict[Words, str], bold: set[str]
+) -> list[Words]:
+    """``v and w are the speeds of A and B immediately after the collision``."""
+    out: list[Words] = []
+    rest = list(quantities)
+    while rest:
+        taken = _together(scene, rest)
+        letters = listed(
+            [
+                words(
+                    _in_bold(lay.letter(names[_key(scene, each)]), bold),
+                    scene.style.unit(dimension_of_any((each,))),
+                )
+                for each in rest[:taken]
+            ]
+        )
+        out.append(words(letters, " is " if taken == 1 else " are ", _meaning(scene, rest[:taken])))
+        rest = rest[taken:]
+    return out
+
+
+def _together(scene: Scene, quantities: Sequence[Expression]) -> int:
+    """How many at the beginning can be told at once."""
+    for number in range(len(quantities), 1, -1):
+        first = quantities[:number]
+        if alike([part(scene, each) for each in first]) or times_until(scene, first):
+            return number
+        if _before_and_after(scene, first) is not None:
+            return number
+    return 1
+
+
+def _meaning(scene: Scene, quantities: Sequence[Expression]) -> Words:
+    each = [part(scene, one) for one in quantities]
+    if len(each) == 1:
+        return each[0].words()
+    if alike(each):
+        head = of_bodies(each[0].kind, [one.body for one in each])
+        return words(head, " ", each[0].when) if each[0].when else head
+    times = times_until(scene, quantities)
+    if times is not None:
+        start, last = times
+        return words("the times from ", start, " ", until(last), " respectively")
+    both = _before_and_after(scene, quantities)
+    assert both is not None
+    return both
+
+
+def _before_and_after(scene: Scene, quantities: Sequence[Expression]) -> Words | None:
+    """``the speeds of P immediately before and immediately after the impact``."""
+    if len(quantities) != 2:
+        return None
+    one, other = (part(scene, each) for each in quantities)
+    if not (one.kind and one.kind == other.kind and one.body == other.body and one.when):
+        return None
+    if one.when == other.when or not other.when or one.tail:
+        return None
+    first, then = one.when[0], other.when[0]
+    for lead in ("immediately before ", "immediately after "):
+        if isinstance(first, str) and isinstance(then, str) and first.startswith(lead):
+            event = (first.removeprefix(lead), *one.when[1:])
+            for second in ("immediately before ", "immediately after "):
+                if then.startswith(second) and event == (
+                    then.removeprefix(second),
+                    *other.when[1:],
+                ):
+                    head = of_bodies(one.kind, (one.body,), several=True)
+                    return words(head, f" {lead.strip()} and ", other.when)
+    return None
