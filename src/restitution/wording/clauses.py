@@ -31,6 +31,7 @@ from restitution.wording.nouns import (
     moment,
     noun,
     of_bodies,
+    part,
     place,
     same_event,
     sensed_line,
@@ -44,6 +45,8 @@ from restitution.wording.words import listed, words
 
 # What both sides of a relation together may cost in words.
 _MOST_OF_TWO = 5.5
+# And what stands in words before a formula: a quantity, or its square.
+_MOST_BEFORE_A_FORMULA = 2
 # With a quantity on the left, in words.
 _VERBS = {
     "=": "is ",
@@ -69,7 +72,7 @@ def clause(scene: Scene, relation: Relation) -> Words:
         case Aligned():
             return _aligned(scene, relation)
         case AtRest(body):
-            return words(Named(body.name), " is at rest ", after(scene, scene.now))
+            return words(Named(body.name), " is at rest ", after(scene, scene.now, body.name))
         case Meets(first, second, again, happens):
             return _meets(scene, first.name, second.name, again, happens)
 
@@ -135,7 +138,7 @@ def _compare(scene: Scene, relation: Compare) -> Words:
         sign: str = operators[0]
         if not has_quantity(left) or (sign == "=" and _is_product(left) and _is_quantity(right)):
             left, right, sign = right, left, _TURNED[sign]
-        if plain(scene, left) and not plain(scene, right) and not _is_number_of(left):
+        if cost(scene, left) <= _MOST_BEFORE_A_FORMULA and not plain(scene, right):
             (shown,), where = formula(scene, (right,))
             value = values.with_unit(scene.style, shown, dimension_of_any((left,)))
             return words(noun(scene, left).words(), f" {_VERBS[sign]}", value, figures, ", ", where)
@@ -156,11 +159,6 @@ def _without_zero(relation: Compare) -> Compare:
         ) and figures is None:
             return Compare((left, right), operators)
     return relation
-
-
-def _is_number_of(tree: Expression) -> bool:
-    """Whether the words for an expression begin with mathematics: ``3 times …``."""
-    return isinstance(tree, Binary) and tree.op in "*/"
 
 
 def _is_quantity(tree: Expression) -> bool:
@@ -208,14 +206,14 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
     special = _special(scene, left, sign, right)
     if special is not None:
         return special
-    subject = noun(scene, left)
+    subject = part(scene, left)
     verb = _VERBS[sign]
     if has_quantity(right):
         if sign == "=" and _is_opposite(right):
             verb, right = "is equal in magnitude and opposite in direction to ", right.operand
         elif sign == "=" and isinstance(right, Quantity):
             verb = "is equal to "
-        other = noun(scene, right)
+        other = part(scene, right)
         if subject.when == other.when and subject.when:
             if not subject.kind:
                 return words(subject.head, " ", subject.when, f" {verb}", other.head)

@@ -42,17 +42,17 @@ from restitution.wording.structure import Words
 from restitution.wording.words import listed, words
 
 # Beyond this a phrase is a formula: a sum of two quantities is 3.
-_MOST = 3.5
+_MOST = 3
 _VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
 # The letters that people take for a quantity, in the order in which they do.
 _LETTERS = {
     "speed": ("v", "w", "V", "U"),
-    "velocity": ("v", "w", "q"),
+    "velocity": ("v", "w"),
     "along": ("v", "w", "x", "y"),
     "across": ("v", "w", "x", "y"),
-    "energy": ("E", "K", "T"),
-    "energy_lost": ("E", "K", "L"),
-    "total_energy_lost": ("E", "K", "L"),
+    "energy": ("E", "K"),
+    "energy_lost": ("L", "E", "K"),
+    "total_energy_lost": ("L", "E", "K"),
     "impulse": ("I", "J", "Q"),
     "momentum": ("p", "q"),
     "mass": ("m", "M"),
@@ -88,7 +88,11 @@ def cost(scene: Scene, tree: Expression) -> float:
         case Quantity(_, arguments):
             return max([1, *(cost(scene, each) for each in arguments)])
         case Negate() | Apply():
-            return inner[0] + (0.5 if isinstance(tree, Negate) else 1)
+            if isinstance(tree, Apply) and tree.function == "abs":
+                scalar = isinstance(tree.argument, Binary) and not values.is_vector(tree.argument)
+                return inner[0] + (3 if scalar and ends(scene, tree.argument) is None else 1)
+            turned = isinstance(tree, Negate) and values.is_vector(tree)
+            return inner[0] + (0.5 if turned else 3 if isinstance(tree, Negate) else 1)
         case Binary("+"):
             added = terms(tree)
             nouns = [part(scene, each) for each in added if isinstance(each, Quantity)]

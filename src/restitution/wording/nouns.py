@@ -112,6 +112,8 @@ def noun(scene: Scene, tree: Expression) -> Noun:
             return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
             return _led("the negative of ", part(scene, operand))
+        case Apply("abs", argument) if (between := ends(scene, argument)) is not None:
+            return _distance(scene, Quantity("distance", between))
         case Apply(name, argument):
             return _led(_FUNCTIONS[name], part(scene, argument))
         case Binary():
@@ -222,7 +224,9 @@ def _sum(scene: Scene, added: Sequence[Expression]) -> Noun:
 
 def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
     match left, right:
-        case Quantity("time", (), int(later)), Quantity("time", (), int(earlier)):
+        case Quantity("time", (), int(later)), Quantity("time", (), int(earlier)) if (
+            earlier < later
+        ):
             first, then = event_name(scene, earlier), event_name(scene, later)
             return Noun(words("the time between ", first, " and ", then))
         case Quantity("velocity", (Name(a),)), Quantity("velocity", (Name(b),)) if a != b:
@@ -394,7 +398,7 @@ def moment(scene: Scene, tree: Quantity, body: str | None) -> Words:
         return at_time(scene, tree.stage)
     number = scene.stage(tree.stage, body)
     # No event is told yet by whose name this moment could go.
-    return INITIALLY if scene.now == number == 0 else after(scene, number)
+    return INITIALLY if scene.now == number == 0 else after(scene, number, body)
 
 
 def _place_when(scene: Scene, tree: Quantity, body: str | None) -> Words:
@@ -753,7 +757,10 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
     left, right = _somewhere(scene, one), _somewhere(scene, other)
     match one, other:
         case Quantity("position", (Name(a),)), Quantity("position", (Name(b),)) if a == b:
-            moments = (" ", left.when or INITIALLY, " and ", right.when or INITIALLY)
+            first, second = left.when or INITIALLY, right.when or INITIALLY
+            if second == INITIALLY:
+                first, second = second, first
+            moments = (" ", first, " and ", second)
             return Noun(words("the distance between the positions of ", Named(a), *moments))
     if bodies:
         when = _place_when(scene, tree, bodies[0])

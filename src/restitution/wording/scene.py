@@ -263,12 +263,16 @@ def _spoken(body: str, subject: str | None) -> Words:
     return ("it",) if body == subject else (Named(body),)
 
 
-def after(scene: Scene, number: int) -> Words:
-    """``immediately after the impact``; before the first event ``initially`` or the like."""
+def after(scene: Scene, number: int, body: str | None = None) -> Words:
+    """``immediately after the impact``; before the first event ``initially`` or the like.
+
+    Where there is one sphere only, it need not be named twice: ``when it reaches N``.
+    """
     if number == 0:
         return before(scene)
     if isinstance(scene.events[number - 1], Arrival):
-        return words("when ", happening(scene, number))
+        subject = body if len(scene.problem.spheres) == 1 else None
+        return words("when ", happening(scene, number, subject))
     return words("immediately after ", event_name(scene, number))
 
 

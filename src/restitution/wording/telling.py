@@ -278,8 +278,8 @@ def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing |
         *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
     ]
     lead = words("Given that ", listed(told_each), ", ")
-    rest = asked.lead or asked.entries[0][1]
-    if len(given) > 1 and number_of_words(lead) + number_of_words(rest) > _MOST_TOGETHER:
+    longest = max(number_of_words(entry) for _, entry in asked.entries)
+    if number_of_words(lead) + longest > _MOST_TOGETHER:
         return None
     if asked.lead:
         return replace(asked, lead=words(lead, _lower(asked.lead)))
@@ -307,7 +307,7 @@ def _not_known(run: _Run) -> Sentence:
 
 # How many words may stand in one sentence, where it can be made two.
 _MOST_WORDS = 42
-_MOST_TOGETHER = 60
+_MOST_TOGETHER = 55
 
 
 def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
