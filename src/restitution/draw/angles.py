@@ -6,10 +6,9 @@ import math
 
 from restitution.draw.event import RADIUS, Body, Drawing, View
 from restitution.draw.geometry import sides_towards
-from restitution.draw.said import Angle, supplement
+from restitution.draw.said import Angle
 from restitution.draw.scene import Arc, Label, Line
 from restitution.render import layout as lay
-from restitution.render.layout import Layout
 from restitution.staging.geometry import direction
 from restitution.vector import Vector
 
@@ -31,7 +30,7 @@ def put_angle(
     """
     tail, tip = arrow
     way = direction(tip - tail)
-    line = _reference(angle, way)[0] * (-1.0 if arriving else 1.0)
+    line = _reference(angle, way) * (-1.0 if arriving else 1.0)
     beside = math.hypot(*((tip if arriving else tail) - body.centre)) > RADIUS + 1e-6
     inwards = 1.0 if body.towards is None else line.dot(body.towards)
     if view.kind == "spheres" and not beside and inwards < 1e-6:
@@ -46,14 +45,10 @@ def put_angle(
     put_arc(tip if arriving else tail, 0.0, radius, angle, way, arriving, drawn, drawing)
 
 
-def _reference(angle: Angle, way: Vector) -> tuple[Vector, Layout]:
-    """The unit vector from which an angle is drawn, and its label: no obtuse ones."""
+def _reference(angle: Angle, way: Vector) -> Vector:
+    """The unit vector from which an angle is drawn: no obtuse ones."""
     reference = direction(angle.reference)
-    if angle.line and reference.dot(way) < 0:
-        return -reference, angle.label
-    if not angle.line and reference.dot(way) < -0.03:
-        return -reference, supplement(angle.label)
-    return reference, angle.label
+    return -reference if reference.dot(way) < (0 if angle.line else -0.03) else reference
 
 
 def put_arc(
@@ -70,8 +65,10 @@ def put_arc(
 
     The reference line starts at the distance ``clear`` from the vertex.
     """
-    reference, label = _reference(angle, way)
+    reference = _reference(angle, way)
     between = math.atan2(reference.cross(way), reference.dot(way))
+    turned = not angle.line and reference.dot(angle.reference) < 0
+    label = angle.shown(abs(between), turned=turned)
     right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
     if abs(between) < 0.02 or right:
         return
@@ -83,6 +80,8 @@ def put_arc(
     middle = direction(line + arrow)
     # A narrow angle has room for its label farther out.
     at, *moves = (vertex + middle * (radius + out) for out in (0.0, 1.2, 2.4))
+    if label is None:
+        return
     drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
 
 

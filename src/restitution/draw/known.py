@@ -10,6 +10,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.render import layout as lay
 from restitution.render.layout import Degrees, Layout, Number, Words
+from restitution.render.short import is_short
 from restitution.render.text import to_text
 from restitution.solve.forms import plain
 from restitution.solve.solution import Branch, PartSolution, Solution
@@ -63,7 +64,7 @@ class Known:
             return None
         laid = lay.from_sympy(value)
         if value.free_symbols:
-            return laid if len(to_text(laid)) <= _SHORT else None
+            return laid if len(to_text(laid)) <= _SHORT and is_short(value) else None
         if len(to_text(laid)) > 4:
             laid = lay.decimal_number(value)
         return lay.Phrase((laid, Words("m s⁻¹")))
@@ -77,7 +78,10 @@ class Known:
             normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
             angles = self.said.of(body, stop.number - 1).angles if before else []
             given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
-            return given[0].label if given and stop.kind == "wall" else None
+            if not given or stop.kind != "wall":
+                return None
+            size = _angle(self.motion.story, body, stop, before)
+            return None if size is None else given[0].shown(size)
         told = [
             self.motion.story,
             self.branch.numbers,

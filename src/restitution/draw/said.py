@@ -44,6 +44,7 @@ from restitution.problem import (
 )
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
+from restitution.render.short import angle_label
 from restitution.render.text import to_text
 from restitution.staging.values import Motion
 from restitution.vector import Vector
@@ -58,12 +59,24 @@ class Angle:
     """An angle between a velocity and a reference, with its label.
 
     ``reference`` is a vector in numbers. It is a line (``line``) where either sense of it will
-    do; otherwise the angle is from the direction of the vector itself.
+    do; otherwise the angle is from the direction of the vector itself. ``tree`` is the angle as it
+    is given, and ``value`` what it is in the picture, in radians; None where it is only named.
     """
 
     reference: Vector
     line: bool
     label: Layout
+    tree: Expression | None = None
+    value: float | None = None
+
+    def shown(self, drawn: float, *, turned: bool = False) -> Layout | None:
+        """The label of an arc of that size, in radians; ``turned``, from the other end of a line.
+
+        None where no label is certain.
+        """
+        if self.tree is None or self.value is None:
+            return supplement(self.label) if turned else self.label
+        return angle_label(self.tree, self.value, drawn, self.label)
 
 
 @dataclass
@@ -198,7 +211,19 @@ class _Reader:
             reference = Vector(1.0, 0.0)
         if reference is None:
             return None
-        return Angle(reference, False, _measure(tree.angle))
+        return self.known_angle(reference, tree.angle, now)
+
+    def known_angle(self, reference: Vector, tree: Expression, now: int) -> Angle:
+        """An angle from the direction of a vector that is given."""
+        return Angle(reference, False, _measure(tree), tree, self.number(tree, now))
+
+    def number(self, tree: Expression, now: int) -> float | None:
+        """An angle as it is in the picture, in radians."""
+        try:
+            value = self.motion.story.evaluator(now).value(tree)
+            return float(value.measure() if hasattr(value, "measure") else value)
+        except _UNREADABLE:
+            return None
 
     def equal(self, left: Expression, right: Expression, now: int) -> None:
         """``left = right``, where left speaks of the motion and right is known."""
@@ -211,7 +236,7 @@ class _Reader:
             case "speed" if key is not None and not (isinstance(right, Number) and not right.value):
                 self.words(key).size = self.words(key).size or lay.from_tree(right)
             case "direction" if key is not None:
-                self.words(key).angles.append(Angle(Vector(1.0, 0.0), False, _measure(right)))
+                self.words(key).angles.append(self.known_angle(Vector(1.0, 0.0), right, now))
             case "deflection":
                 event = self.event(left, now)
                 if event is not None:

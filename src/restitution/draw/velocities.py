@@ -26,6 +26,7 @@ from restitution.problem import Impact
 from restitution.render import layout as lay
 from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
+from restitution.render.short import is_short
 from restitution.render.text import to_text
 from restitution.staging.geometry import direction
 from restitution.staging.values import When
@@ -241,6 +242,8 @@ def _is_hidden(view: View, x: Any) -> bool:
 
 
 def _laid(x: Any) -> Layout | None:
+    if not is_short(x):
+        return None
     laid = lay.from_sympy(x)
     if len(to_text(laid)) > LONGEST_LABEL:
         return None
