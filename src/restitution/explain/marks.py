@@ -23,7 +23,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.explain.steps import Step
-from restitution.explaining.marks import A1, B1, M1, Mark, Marks
+from restitution.explaining.marks import A1, B1, M1, Mark, Marks, reasoned
 
 _FOLLOWED = frozenset({"impact", "part", "item"})
 _HERE = frozenset({"method", "impact", "item"})
@@ -101,26 +101,13 @@ def _earned(points: Marks, seen: set[str]) -> tuple[Marks, set[str]]:
             mark = replace(mark, dependent=False)
         elif mark.kind == "A" and not seen & {"M", "B"}:
             if mark.star:
-                earned.append(_reasoned(M1))
+                earned.append(reasoned(M1))
                 seen = seen | {"M"}
             else:
                 mark = B1
-        earned.append(_reasoned(mark))
+        earned.append(reasoned(mark))
         seen = seen | {mark.kind}
     return tuple(earned), seen
 
-
-def _reasoned(mark: Mark) -> Mark:
-    """A mark with the id of the sentence that says what it is given for."""
-    if mark.star:
-        return replace(mark, because="mark.printed")
-    if mark.ft:
-        return replace(mark, because="mark.follow-through")
-    if mark.dependent:
-        return replace(mark, because="mark.dependent")
-    return replace(mark, because=_BECAUSE[mark.kind])
-
-
-_BECAUSE = {"M": "mark.method", "A": "mark.accuracy", "B": "mark.independent"}
 
 __all__ = ["again", "settled", "without_method"]

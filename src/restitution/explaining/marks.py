@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
 
 from restitution.explaining.sentences import SentenceId
 
@@ -33,6 +33,10 @@ class Mark:
 
 Marks = tuple[Mark, ...]
 
+Style = Literal["fm1", "m4", "caie", "none"]
+"""Whose habits marks follow: Further Mechanics 1, the older M4, Cambridge; or no marks at all."""
+STYLES: tuple[Style, ...] = get_args(Style)
+
 M1, A1, B1 = Mark("M"), Mark("A"), Mark("B")
 DM1 = Mark("M", dependent=True)
 A1_STAR = Mark("A", star=True)
@@ -41,3 +45,21 @@ A1_STAR = Mark("A", star=True)
 def written(marks: Sequence[Mark]) -> str:
     """Marks as they stand beside a line: ``M1 A1ft``."""
     return " ".join(map(str, marks))
+
+
+def reasoned(mark: Mark) -> Mark:
+    """A mark with the id of the sentence that says what it is given for."""
+    if mark.star:
+        return replace(mark, because="mark.printed")
+    if mark.ft:
+        return replace(mark, because="mark.follow-through")
+    if mark.dependent:
+        return replace(mark, because="mark.dependent")
+    return replace(mark, because=_BECAUSE[mark.kind])
+
+
+_BECAUSE: Mapping[str, SentenceId] = {
+    "M": "mark.method",
+    "A": "mark.accuracy",
+    "B": "mark.independent",
+}

@@ -1,0 +1,641 @@
+"""Marks by rule: what an examiner would give for each line of a derivation.
+
+A rule looks at a line's move, record, event and item, and at what stands above it; it knows neither
+how the working was found nor how it is printed. `RULES` is the table, tried from the top: the first
+that fits a line says what it earns, in each style. Then, part by part:
+
+- An item's last line has an A1, A1* where its result is printed in the statement, and never ft.
+- Whatever stands once on a line stands there once of its kind: M1 A1 and another A1 is M1 A1.
+- An M that rests on an earlier method of the same part is dependent.
+- An A whose line puts in a value that an earlier part or item found follows through.
+- A principle that an earlier part has used of the same bodies earns nothing again.
+- Of several solutions, methods count once, and each further one adds its answers.
+- A part has no more marks than lines; a link of a chain counts as a line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from restitution.explaining.derivation import (
+    Derivation,
+    Fact,
+    Line,
+    Meaning,
+    MoveId,
+    Relation,
+    whole_of,
+)
+from restitution.explaining.marks import Mark, Marks, Style, reasoned
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.expression.writing import write_expression
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a kind of line earns.
+
+    ``moves`` and ``records`` are those of the line (none: any), ``when`` names the conditions of
+    `CONDITIONS` that hold there. ``points`` are M, A and B, and V for an A that belongs to the
+    value: it stands on the line that simplifies this one, if there is such a line. ``others`` are
+    the points in styles that differ.
+    """
+
+    name: str
+    moves: frozenset[MoveId]
+    records: frozenset[str] = frozenset()
+    when: tuple[str, ...] = ()
+    points: str = ""
+    others: Mapping[Style, str] = field(default_factory=dict)
+
+    def earned(self, style: Style) -> str:
+        """The points in a style."""
+        return self.others.get(style, self.points)
+
+
+def _rule(
+    name: str,
+    moves: str,
+    points: str,
+    records: str = "",
+    when: str = "",
+    m4: str | None = None,
+    caie: str | None = None,
+) -> Rule:
+    others: dict[Style, str] = {}
+    if m4 is not None:
+        others["m4"] = m4
+    if caie is not None:
+        others["caie"] = caie
+    ids: frozenset[MoveId] = frozenset(moves.split())  # type: ignore[arg-type]
+    return Rule(name, ids, frozenset(records.split()), tuple(when.split()), points, others)
+
+
+_PAIR = "momentum restitution"
+_VECTORS = "momentum-vector impulse-vector across-the-impulse along-the-change equal-across"
+_CLOSING = "tan tan-squared tan-direction tan-deflection perpendicular parallel sum"
+_ENERGIES = "energy energy-ratio energy-lost total total-lost difference"
+
+RULES: tuple[Rule, ...] = (
+    # Principles. What an earlier part has used of the same bodies is no method again.
+    _rule("repeated", "law", "", when="repeated"),
+    _rule("coefficient sought", "law", "M A", "restitution-wall", "sought"),
+    _rule("component at a wall", "law", "B", "unchanged restitution-wall", "wall", m4="M A"),
+    _rule("first component unchanged", "law", "B", "unchanged", "first-at-event"),
+    _rule("component unchanged, by an angle", "law", "B", "unchanged", "by-angle same-part"),
+    _rule("component unchanged", "law", "", "unchanged"),
+    _rule("second of two, again", "law", "A", _PAIR, "again second-of-several"),
+    _rule("first of two, again", "law", "M", _PAIR, "again first-of-several"),
+    _rule("one of two alone", "law", "M A", _PAIR, "alone"),
+    _rule("first of two", "law", "M A", _PAIR, "first-of-several", caie="M"),
+    _rule("second of two", "law", "M A", _PAIR, "second-of-several"),
+    _rule("impulse", "law", "M V", "impulse"),
+    _rule("principle of vectors", "law", "M V", _VECTORS),
+    # Solving.
+    _rule("solved together", "combine put", "M", when="of-laws first", caie=""),
+    _rule("another value", "combine", "A", when="of-laws another"),
+    _rule("solved again", "combine", "", when="of-laws"),
+    _rule("equations joined", "combine divide square-add", "M"),
+    _rule("identity", "identity", "M", when="on-the-way"),
+    _rule("square root", "roots", "", when="opposite"),
+    _rule("roots", "roots", "M"),
+    _rule("reason for a root", "reject", "B", when="justified"),
+    # Vectors and their components.
+    _rule("component read off", "define", "B", "component", "alone"),
+    _rule("first scalar product", "define", "M", "component", "first-of-several"),
+    _rule("second scalar product", "define", "A", "component", "second-of-several"),
+    _rule("read off", "define", "", "assemble speed size", "of-one-term"),
+    _rule("put together", "define", "M", "assemble speed size", "on-the-way"),
+    _rule("velocity in components", "define", "", "assemble"),
+    # Facts closed into equations, and what is asked.
+    _rule("speed, size, angle, distance", "define", "M V", "speed size scalar-angle distance"),
+    _rule("condition on one component", "define", "B", "perpendicular parallel", "of-facts"),
+    _rule("condition", "define", "M", _CLOSING),
+    _rule("difference of angles", "define", "", "difference", "of-angles on-the-way"),
+    _rule("angle by a difference", "define", "M", "difference", "of-angles"),
+    _rule("data", "define", "", f"straight-line {_ENERGIES}", "of-facts on-the-way"),
+    _rule("time or place", "define", "M", "straight-line"),
+    _rule("energy", "define", "M A", _ENERGIES, "alone"),
+    _rule("first of several energies", "define", "M", _ENERGIES, "first-of-several"),
+    _rule("second of several energies", "define", "A", _ENERGIES, "second-of-several"),
+    # Inequalities, ranges and greatest values.
+    _rule("condition as inequality", "sign put fact", "M", when="new-inequality on-the-way"),
+    _rule("bounds", "monotone complete", "M"),
+    _rule("given fact", "put fact", "M", when="fact-of-motion"),
+)
+"""The table. A line that no rule fits earns nothing by itself."""
+
+
+def awarded(
+    derivation: Derivation, style: Style = "fm1", justify: Collection[str] = ()
+) -> Derivation:
+    """The same derivation with marks by rule; without marks in the style ``none``.
+
+    ``justify`` are the items of which reasons are asked: there, whatever rejects a root has a mark
+    of its own. Marks that stood on the lines before are gone.
+    """
+    if style == "none":
+        return replace(derivation, lines=tuple(replace(e, marks=()) for e in derivation.lines))
+    proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
+    return replace(
+        derivation,
+        lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
+    )
+
+
+def rule_of(derivation: Derivation, number: int, justify: Collection[str] = ()) -> Rule | None:
+    """The rule that fits the line with a number; None where there is none."""
+    line = derivation.line(number)
+    if line is None:
+        return None
+    return _Awarding(derivation, "fm1", frozenset(justify)).rule(line)
+
+
+def marks_of(derivation: Derivation) -> dict[str | None, int]:
+    """How many marks stand in each part, by its label, in the order of the parts."""
+    part = part_of_items(derivation)
+    total: dict[str | None, int] = {}
+    for line in derivation.lines:
+        label = part.get(line.item)
+        total[label] = total.get(label, 0) + sum(mark.number for mark in line.marks)
+    return total
+
+
+def part_of_items(derivation: Derivation) -> Mapping[str | None, str | None]:
+    """The label of the part to which each item belongs."""
+    return {each.item: each.part for each in derivation.items}
+
+
+class _Awarding:
+    """One derivation on its way to its marks."""
+
+    def __init__(self, derivation: Derivation, style: Style, justify: frozenset[str]) -> None:
+        self.derivation = derivation
+        self.style: Style = style
+        self.justify = justify
+        self.lines = {each.number: each for each in derivation.lines}
+        self.place = {each.number: n for n, each in enumerate(derivation.lines)}
+        self.parts = part_of_items(derivation)
+        self.ends = {each.line: each for each in derivation.items}
+        self.order = {
+            item: n for n, item in enumerate(dict.fromkeys(e.item for e in self.ends.values()))
+        }
+        self.walls = {each.number: each.wall for each in derivation.events}
+        self.further = {
+            number
+            for case in derivation.cases
+            for number in case.lines
+            if case.option != min(e.option for e in derivation.cases if e.line == case.line)
+        }
+        self.new = {
+            name
+            for each in derivation.lines
+            if isinstance(each.relation, Meaning)
+            for name in (each.relation.letter,)
+        }
+
+    # --- the whole ------------------------------------------------------------------------------
+
+    def proposed(self) -> dict[int, Marks]:
+        """The marks of every line, by its number."""
+        points: dict[int, list[str]] = {number: [] for number in self.lines}
+        for line in self.derivation.lines:
+            if line.shown == "silent" or line.number in self.further:
+                continue
+            rule = self.rule(line)
+            for point in () if rule is None else rule.earned(self.style).split():
+                if point == "V":
+                    points[self._value_of(line)].append("A")
+                else:
+                    points[line.number].append(point)
+        earned: set[str | None] = set()
+        for line in self.derivation.lines:
+            end = self.ends.get(line.number)
+            if end is not None:
+                # What is printed has to be reached by something.
+                lone = end.shown and end.part not in earned and self._room(end.part) > 1
+                points[line.number] += ["M", "A"] if lone else ["A"]
+            if points[line.number]:
+                earned.add(self.part(line))
+        return self._settled(points)
+
+    def rule(self, line: Line) -> Rule | None:
+        """The first rule of the table that fits a line."""
+        return next((each for each in RULES if self._fits(each, line)), None)
+
+    def _fits(self, rule: Rule, line: Line) -> bool:
+        move = line.move
+        return (
+            move.id in rule.moves
+            and (not rule.records or move.record in rule.records)
+            and all(CONDITIONS[name](self, line) for name in rule.when)
+        )
+
+    def _settled(self, points: Mapping[int, Sequence[str]]) -> dict[int, Marks]:
+        """Points as marks that agree with each other, part by part."""
+        kept = self._cut({number: _once(each) for number, each in points.items()})
+        methods: dict[str | None, list[int]] = {}
+        out: dict[int, Marks] = {}
+        for line in self.derivation.lines:
+            marks: list[Mark] = []
+            before = methods.setdefault(self.part(line), [])
+            end = self.ends.get(line.number)
+            for point in kept[line.number]:
+                if point == "M":
+                    on = self._rests_on(line, before)
+                    marks.append(Mark("M", dependent=bool(on), on=on))
+                elif point == "A":
+                    star = end is not None and end.shown
+                    marks.append(Mark("A", star=star, ft=not star and self._follows(line)))
+                else:
+                    marks.append(Mark("B"))
+            if "M" in kept[line.number]:
+                before.append(line.number)
+            out[line.number] = tuple(reasoned(mark) for mark in marks)
+        return out
+
+    def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """The same, with no more points in a part than it has lines.
+
+        The first to go are those of accuracy on the way, from the top; an item keeps its last.
+        """
+        for part in dict.fromkeys(self.parts.values()):
+            own = [each for each in self.derivation.lines if self.part(each) == part]
+            over = sum(len(points[each.number]) for each in own) - self._room(part)
+            for kind in "AB":
+                for line in own:
+                    if over > 0 and line.number not in self.ends and kind in points[line.number]:
+                        points[line.number] = tuple(e for e in points[line.number] if e != kind)
+                        over -= 1
+        return points
+
+    def _room(self, part: str | None) -> int:
+        """How many lines a part has."""
+        return sum(_length(each) for each in self.derivation.lines if self.part(each) == part)
+
+    # --- what a line rests on -------------------------------------------------------------------
+
+    def part(self, line: Line) -> str | None:
+        """The label of the part to which a line belongs."""
+        return self.parts.get(line.item)
+
+    def above(self, line: Line) -> Sequence[Line]:
+        """The lines above a line."""
+        return self.derivation.lines[: self.place[line.number]]
+
+    def below(self, line: Line) -> Sequence[Line]:
+        """The lines below a line."""
+        return self.derivation.lines[self.place[line.number] + 1 :]
+
+    def cited(self, line: Line) -> Iterator[Line]:
+        """The lines among the premises of a line."""
+        for ref in line.premises:
+            if isinstance(ref, int) and ref in self.lines:
+                yield self.lines[ref]
+
+    def facts(self, line: Line) -> Iterator[Fact]:
+        """The facts among the premises of a line."""
+        for ref in line.premises:
+            fact = self.derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None:
+                yield fact
+
+    def _value_of(self, line: Line) -> int:
+        """The line that simplifies a line, or is it itself."""
+        found = line
+        for each in self.below(line):
+            if each.item != line.item or each.move.id not in ("rearrange", "put", "value"):
+                break
+            if [e.number for e in self.cited(each)] != [found.number]:
+                break
+            if _subject(each) is None or _subject(each) != _subject(found):
+                break
+            found = each
+        return found.number
+
+    def _rests_on(self, line: Line, methods: Sequence[int]) -> tuple[int, ...]:
+        """The methods of the part without which a line has nothing to put in.
+
+        A principle is a method by itself, whatever is put into it.
+        """
+        if line.move.id == "law" or not methods:
+            return ()
+        unknown = self.new & _letters(line)
+        found = []
+        seen: set[int] = set()
+        open_ = [each.number for each in self.cited(line)]
+        while open_:
+            number = open_.pop()
+            if number in seen:
+                continue
+            seen.add(number)
+            if number in methods:
+                found.append(number)
+            elif isinstance(self.lines[number].relation, Meaning):
+                # An unknown of the impact has been found, if a method above speaks of it.
+                found += [n for n in methods if unknown & _letters(self.lines[n])]
+            else:
+                open_ += [each.number for each in self.cited(self.lines[number])]
+        return tuple(sorted(set(found)))
+
+    def _follows(self, line: Line) -> bool:
+        """Whether a value is put in that an earlier part or item has found."""
+        seen: set[int] = set()
+        open_ = [line.number]
+        while open_:
+            for each in self.cited(self.lines[open_.pop()]):
+                if each.number in seen:
+                    continue
+                seen.add(each.number)
+                if each.item == line.item:
+                    open_.append(each.number)
+                elif self._is_value(each) and self._earlier(each, line):
+                    return True
+        return False
+
+    def _earlier(self, line: Line, than: Line) -> bool:
+        last = len(self.order)
+        return self.order.get(line.item or "", last) < self.order.get(than.item or "", last)
+
+    def _is_value(self, line: Line) -> bool:
+        """Whether a line says what a quantity or a letter is, in the letters of the statement."""
+        link = None if isinstance(line.relation, Meaning) else _single(line.relation)
+        return (
+            link is not None
+            and _subject(line) is not None
+            and not (letters(link[1]) & self.new)
+            and not has_quantity(link[1])
+        )
+
+
+def _once(points: Sequence[str]) -> tuple[str, ...]:
+    """M, A, B in this order, each once; a value that a method gives needs no B beside it."""
+    return tuple(kind for kind in "BMA" if kind in points)
+
+
+def _length(line: Line) -> int:
+    """How many lines of a page a line takes: one for each link of its chains."""
+    if line.shown == "silent":
+        return 0
+    return 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
+
+
+def _single(relation: Relation) -> tuple[Expression, Expression] | None:
+    """The sides of an equation, a chain by its ends; None for any other relation."""
+    if len(relation.options) != 1:
+        return None
+    link = whole_of(relation.options[0])
+    return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
+
+
+def _subject(line: Line) -> Expression | None:
+    """The letter or quantity that a line is about: its left side."""
+    sides = None if isinstance(line.relation, Meaning) else _single(line.relation)
+    if sides is None or not isinstance(sides[0], Letter | Quantity):
+        return None
+    return sides[0]
+
+
+def _letters(line: Line) -> frozenset[str]:
+    return frozenset(name for tree in trees_of(line.relation) for name in letters(tree))
+
+
+def _unequal(line: Line) -> bool:
+    """Whether a line is an inequality."""
+    return isinstance(line.relation, Relation) and any(
+        link.sign in ("<", "<=", ">", ">=") for links in line.relation.options for link in links
+    )
+
+
+# --- conditions -----------------------------------------------------------------------------------
+
+
+def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
+    return line.move.id == "law" and line.move.record in records and line.move.event == event
+
+
+def _repeated(work: _Awarding, line: Line) -> bool:
+    """An earlier part has the same principle for the same bodies; at a wall, at the same event."""
+    move, part = line.move, work.part(line)
+    wall = work.walls.get(move.event or 0, False)
+    return any(
+        each.move.id == "law"
+        and each.move.record == move.record
+        and set(each.move.bodies) == set(move.bodies)
+        and (each.move.event == move.event or not (wall or move.record == "unchanged"))
+        and work.part(each) != part
+        for each in work.above(line)
+    )
+
+
+def _first_at_event(work: _Awarding, line: Line) -> bool:
+    return not any(_is_law(e, ("unchanged",), line.move.event) for e in work.above(line))
+
+
+def _same_part(work: _Awarding, line: Line) -> bool:
+    """The first line of this kind at the event stands in the same part."""
+    first = next(e for e in work.above(line) if _is_law(e, ("unchanged",), line.move.event))
+    return work.part(first) == work.part(line)
+
+
+def _by_angle(work: _Awarding, line: Line) -> bool:
+    """An angle makes the component."""
+    return any(
+        isinstance(node, Apply) and node.function in ("sin", "cos", "tan")
+        for tree in trees_of(line.relation)
+        for node in walk(tree)
+    )
+
+
+def _again(work: _Awarding, line: Line) -> bool:
+    """The part has such a principle already, at another event."""
+    return any(
+        each.move.id == "law"
+        and _GROUPS.get(each.move.record or "") == "direction"
+        and each.move.event != line.move.event
+        and work.part(each) == work.part(line)
+        for each in work.above(line)
+    )
+
+
+_GROUPS: Mapping[str, str] = {
+    **dict.fromkeys(_PAIR.split(), "direction"),
+    **dict.fromkeys(_ENERGIES.split(), "energy"),
+    "component": "component",
+}
+
+
+def _alike(work: _Awarding, line: Line) -> list[Line]:
+    """The lines that make one step together, in order.
+
+    They are the two principles along the centres of an event, the scalar products of a body at one
+    stage, the energies of an item.
+    """
+    move, group = line.move, _GROUPS[line.move.record or ""]
+
+    def same(each: Line) -> bool:
+        if each.move.id != move.id or _GROUPS.get(each.move.record or "") != group:
+            return False
+        if group == "energy":
+            own = not _of_facts(work, each) and not _of_angles(work, each)
+            return own and each.item == line.item
+        if work.part(each) != work.part(line) or each.move.event != move.event:
+            return False
+        return group == "direction" or (each.move.bodies, _stage(each)) == (
+            move.bodies,
+            _stage(line),
+        )
+
+    return [each for each in work.derivation.lines if same(each)]
+
+
+def _stage(line: Line) -> object:
+    """The stage of the velocity of which a line gives a component."""
+    subject = _subject(line)
+    vector = subject.arguments[0] if isinstance(subject, Quantity) and subject.arguments else None
+    return vector.stage if isinstance(vector, Quantity) else None
+
+
+def _origins(work: _Awarding, line: Line) -> frozenset[int | None]:
+    """The events of the principles along the centres that a line says in other words."""
+    if line.move.id == "law":
+        direction = _GROUPS.get(line.move.record or "") == "direction"
+        return frozenset((line.move.event,)) if direction else frozenset()
+    if line.move.id not in ("put", "rearrange", "cancel"):
+        return frozenset()
+    return frozenset(event for each in work.cited(line) for event in _origins(work, each))
+
+
+def _solves(work: _Awarding, line: Line) -> frozenset[int | None]:
+    """The events whose principles a line solves: two of them joined, or an unknown put in."""
+    cited = [each for each in work.cited(line) if isinstance(each.relation, Relation)]
+    events = [_origins(work, each) for each in cited]
+    if line.move.id == "combine":
+        return frozenset.intersection(*events) if len(events) == 2 else frozenset()
+    if line.move.id != "put" or len(cited) < 2:
+        return frozenset()
+    own = work.new & _letters(line)
+    return frozenset(
+        event
+        for each, those in zip(cited, events, strict=True)
+        for event in those
+        if work.new & _letters(each) - own
+        and any(e != each and work.new & _letters(e) & _letters(each) for e in cited)
+    )
+
+
+def _solved_before(work: _Awarding, line: Line) -> list[Line]:
+    """The lines above, in the same part, that solve the same principles."""
+    events = _solves(work, line)
+    return [
+        each
+        for each in work.above(line)
+        if (line.move.id == "put" or work.part(each) == work.part(line))
+        and _solves(work, each) & events
+    ]
+
+
+def _sought(work: _Awarding, line: Line) -> bool:
+    """The part asks for the coefficient that the line holds."""
+    asked = {
+        tree
+        for end in work.derivation.items
+        if end.part == work.part(line)
+        for tree in trees_of(end.answer)
+        if isinstance(tree, Letter)
+    }
+    return any(
+        node in asked
+        for fact in work.facts(line)
+        if fact.id.startswith("e ")
+        for tree in trees_of(fact.relation)
+        for node in walk(tree)
+    )
+
+
+def _of_facts(work: _Awarding, line: Line) -> bool:
+    """It rests on the statement alone."""
+    return not any(work.cited(line))
+
+
+def _of_angles(work: _Awarding, line: Line) -> bool:
+    subject = _subject(line)
+    return isinstance(subject, Quantity) and subject.kind in ("deflection", "angle")
+
+
+def _of_one_term(work: _Awarding, line: Line) -> bool:
+    """There is nothing to put together: only one component is not zero."""
+    return not any(
+        isinstance(node, Binary) and node.op in ("+", "-")
+        for tree in trees_of(line.relation)
+        for node in walk(tree)
+    )
+
+
+def _opposite(work: _Awarding, line: Line) -> bool:
+    """The roots are two opposite ones: nothing had to be factorised."""
+    if isinstance(line.relation, Meaning):
+        return False
+    roots = [write_expression(options[-1].right) for options in line.relation.options]
+    return len(roots) == 2 and any(a == f"-{b}" for a, b in (roots, roots[::-1]))
+
+
+def _new_inequality(work: _Awarding, line: Line) -> bool:
+    return _unequal(line) and not any(map(_unequal, work.cited(line)))
+
+
+def _fact_of_motion(work: _Awarding, line: Line) -> bool:
+    """A given equation about the motion is used, and for the first time.
+
+    One that only gives a letter its value is put in like any datum.
+    """
+    used = {
+        fact.id
+        for each in work.above(line)
+        if each.move.id in ("put", "fact")
+        for fact in work.facts(each)
+    }
+    return any(
+        fact.kind == "given"
+        and fact.id not in used
+        and _single(fact.relation) is not None
+        and any(map(has_quantity, trees_of(fact.relation)))
+        for fact in work.facts(line)
+    )
+
+
+CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
+    "repeated": _repeated,
+    "sought": _sought,
+    "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
+    "first-at-event": _first_at_event,
+    "same-part": _same_part,
+    "by-angle": _by_angle,
+    "again": _again,
+    "alone": lambda work, line: len(_alike(work, line)) == 1,
+    "first-of-several": lambda work, line: _alike(work, line)[0] == line,
+    "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
+    "of-facts": _of_facts,
+    "of-angles": _of_angles,
+    "of-one-term": _of_one_term,
+    "opposite": _opposite,
+    "of-laws": lambda work, line: bool(_solves(work, line)),
+    "first": lambda work, line: not _solved_before(work, line),
+    "another": lambda work, line: len(_solved_before(work, line)) == 1,
+    "on-the-way": lambda work, line: line.number not in work.ends,
+    "justified": lambda work, line: line.item in work.justify,
+    "new-inequality": _new_inequality,
+    "fact-of-motion": _fact_of_motion,
+}
+"""What a rule may ask of a line, and of the lines about it."""
