@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import pytest
-from derivations import FOLDER, derivation_of, read_derivation
+from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
+from restitution.explain import Explanation, explain
+from restitution.explain.derived import explanation_of
+from restitution.explain.marks import in_style
 from restitution.explaining.awarding import RULES, awarded, marks_of, rule_of
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.derivation import MOVES, Derivation
+from restitution.explaining.follower import follow
 from restitution.explaining.marks import STYLES, Style, written
+from restitution.explaining.principles import RECORDS
+from restitution.explaining.storing import from_json
+from restitution.export.contract import derivations, with_derivations
 from restitution.language.reading import parse
+from restitution.solve import solve
 
 FILES = sorted(FOLDER.glob("*.txt"))
 
@@ -230,3 +240,67 @@ def test_of_several_solutions_methods_count_once() -> None:
     ends = {each.line for each in derivation.items}
     assert all(("A1" in marks[n]) == (n in ends) for n in further)
     assert not any("M" in marks[n] for n in further)
+
+
+# --- in an explanation ----------------------------------------------------------------------------
+
+
+def derived(name: str) -> Explanation:
+    """An explanation whose parts have a derivation, as one by hand gives it."""
+    problem, derivation = read_derivation(FOLDER / f"{name}.txt")
+    told = explanation_of(awarded(derivation), problem)
+    parts = tuple(replace(each, derivation=derivation) for each in told.parts)
+    return replace(told, parts=parts, solution=solve(problem))
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_a_working_of_a_derivation_is_marked_anew(style: Style) -> None:
+    explanation = derived("corner")
+    marked = in_style(explanation, style)
+    own = awarded(by_hand("corner"), style)
+    assert {part.label: part.marks for part in marked.parts} == marks_of(own)
+    assert all(part.derivation == own for part in marked.parts)
+    plain = in_style(explanation, "none").rows()
+    assert [row.operands for row in marked.rows()] == [row.operands for row in plain]
+
+
+@pytest.mark.parametrize("name", ["corner", "mass-ratio", "two-conditions", "find-the-blow"])
+def test_a_part_of_json_has_what_its_lines_rest_on(name: str) -> None:
+    problem, _ = read_derivation(FOLDER / f"{name}.txt")
+    explanation = derived(name)
+    content = {"parts": [{"part": each.label} for each in explanation.parts] + [{"part": "z"}]}
+    *parts, other = with_derivations(content, derivations(explanation))["parts"]
+    assert other == {"part": "z", "derivation": None}
+    for part in parts:
+        read = from_json(json.loads(json.dumps(part["derivation"])))
+        assert {each.part for each in read.items} >= {part["part"]}
+        assert follow(read, oracle_of(problem)) == ()
+        whole = {each.number: each for each in by_hand(name).lines}
+        assert all(whole[each.number] == each for each in read.lines), "numbers are stable"
+
+
+def test_a_working_without_derivation_keeps_its_marks_or_loses_all() -> None:
+    explanation = derived("both-moving")
+    parts = tuple(replace(each, derivation=None) for each in explanation.parts)
+    usual = replace(explanation, parts=parts)
+    assert usual.marks > 0
+    assert in_style(usual, "m4") == in_style(usual, "caie") == usual
+    bare = in_style(usual, "none")
+    assert bare.marks == 0
+    assert [row.operands for row in bare.rows()] == [row.operands for row in usual.rows()]
+
+
+def test_options_of_a_working_are_checked_before_the_work() -> None:
+    solution = derived("both-moving").solution
+    assert solution is not None
+    with pytest.raises(ValueError, match="there is no style of marks 'ocr'; styles: fm1, m4"):
+        explain(solution, marks="ocr")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="routes are counted from 1, not 0"):
+        explain(solution, route=0)
+    assert explain(solution, marks="none").marks == 0
+
+
+def test_ids_are_documented() -> None:
+    page = (Path(__file__).parents[1] / "docs" / "workings.md").read_text()
+    told = page.partition("## As JSON")[2].partition("\n## ")[0]
+    assert [each for each in (*MOVES, *RECORDS) if f"`{each}`" not in told] == []

@@ -60,6 +60,51 @@ def test_solve_prints_the_working(folder):
     assert max(map(len, out.splitlines())) <= 80
 
 
+def test_marks_of_a_working(folder):
+    marks = re.compile(r"\b(?:DM|M|A|B)1(?:ft|\*)?(?!\w)")
+    status, usual, _ = run("solve", "good.impact", cwd=folder)
+    assert (status, bool(marks.search(usual))) == (0, True)
+    assert run("solve", "good.impact", "--marks", "fm1", cwd=folder)[1] == usual
+    status, bare, _ = run("solve", "good.impact", "--marks", "none", cwd=folder)
+    assert (status, marks.search(bare)) == (0, None)
+    lines = [marks.sub("", line).split() for line in usual.splitlines()]
+    assert [line.split() for line in bare.splitlines()] == lines
+
+
+def test_the_working_as_data_belongs_to_json(folder):
+    plain = run("solve", "good.impact", "--format", "json", cwd=folder)[1]
+    assert "derivation" not in json.loads(plain)["parts"][0]
+    status, out, err = run("solve", "good.impact", "--format", "json", "--working", cwd=folder)
+    assert (status, err) == (0, "")
+    assert all("derivation" in part for part in json.loads(out)["parts"])
+    for options, said in (
+        (["--working"], "the working as data needs --format json; text has it in words"),
+        (["--working", "-f", "html"], "the working as data needs --format json; html has it"),
+        (["--working", "-f", "json", "--answers-only"], "with --answers-only there is no working"),
+        (["--check", "--answers-only"], "with --answers-only there is no working"),
+    ):
+        status, out, err = run("solve", "good.impact", *options, cwd=folder)
+        assert (status, out) == (2, "")
+        assert said in " ".join(err.split())
+
+
+def test_a_file_that_cannot_be_solved_has_parts_without_derivations(folder):
+    name = "missing.impact"
+    for limit in ("50", "0.001"):
+        options = ("--format", "json", "--working", "--time-limit", limit)
+        status, out, _ = run("solve", name, *options, cwd=folder)
+        assert status == 1
+        assert [part["derivation"] for part in json.loads(out)["parts"]] == [None]
+
+
+def test_a_check_tells_whether_the_working_was_followed(folder):
+    status, out, err = run("solve", "good.impact", "--check", cwd=folder)
+    assert "Newton's experimental law" in out
+    followed = "good.impact: every line of the working was followed exactly" in err
+    assert status == (0 if followed else 1)
+    assert "followed" in err
+
+
 def test_standard_input(folder):
     status, out, _ = run("solve", "-", "--answers-only", stdin=GOOD.encode())
     assert (status, out.strip()) == (0, "impulse = 8  N s")
@@ -519,6 +564,10 @@ def test_completion_writes_nothing_at_home(tmp_path):
         ("good.impact -f json", "-fjson good.impact"),
         ("good.impact --format markdown --part a", "--part=a --format=markdown good.impact"),
         ("good.impact --answers-only", "--answers-only -- good.impact"),
+        ("good.impact --marks none", "--marks=none good.impact"),
+        ("good.impact -f json --working --marks m4", "-fjson --working --marks=m4 good.impact"),
+        ("good.impact --check --route 2", "--check --route=2 good.impact"),
+        ("good.impact --working", "--working -- good.impact"),
         (
             "good.impact missing.impact --time-limit 40",
             "--time-limit=40.0 good.impact missing.impact",
@@ -546,6 +595,10 @@ def test_a_command_in_its_usual_form_is_read_as_in_any_other(folder, usual, othe
         ["a.impact", "-f", "json", "--format", "text"],
         ["a.impact", "--time-limit", "-1"],
         ["a.impact", "--time-limit", "1e3"],
+        ["a.impact", "--marks", "ocr"],
+        ["a.impact", "--marks", "m4", "--marks", "m4"],
+        ["a.impact", "--route", "0"],
+        ["a.impact", "--route", "4"],
         ["a.impact", "--part", "--answers-only"],
         ["a.impact", "--debug"],
         ["a.impact", "--help"],
@@ -561,7 +614,7 @@ def test_any_other_form_is_left_to_the_library_that_reads_options(arguments):
 
 
 def test_the_usual_form_of_a_command():
-    from restitution.cli.output import Format
+    from restitution.cli.output import Format, Marks
     from restitution.cli.solving import Solving, plainly
 
     assert plainly(["a.impact"]) == Solving(("a.impact",))
@@ -577,8 +630,16 @@ def test_the_usual_form_of_a_command():
         "--part",
         "a",
         "--answers-only",
+        "--working",
+        "--marks",
+        "caie",
+        "--route",
+        "2",
+        "--check",
     ]
-    assert plainly(every) == Solving(("a.impact", "-"), Format.latex, "-", "a", True, 2.5)
+    assert plainly(every) == Solving(
+        ("a.impact", "-"), Format.latex, "-", "a", True, 2.5, Marks.caie, True, 2, True
+    )
 
 
 def test_a_sum_loads_no_tensors():

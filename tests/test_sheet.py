@@ -70,6 +70,17 @@ def test_pages_are_numbered_beneath_a_header() -> None:
         assert text.rstrip().endswith(f"{number} of {len(read)}")
 
 
+def test_without_marks_there_is_the_same_room() -> None:
+    name = "right-angles-afterwards"
+    bare = Options(marks="none")
+    usual, without = made(name), made(name, options=bare)
+    assert "mark" in usual.question and "mark" not in without.question
+    assert without.room == usual.room > 0
+    assert usual.question.count("#room(") == without.question.count("#room(") == 1
+    solved = made(name, options=Options(True, diagrams=False, marks="none"))
+    assert not re.search(r"\b(?:DM1|M1|A1|B1)", solved.working)
+
+
 def test_room_for_working() -> None:
     name = "right-angles-afterwards"  # it has two parts
     sizes = []

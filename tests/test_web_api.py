@@ -132,6 +132,22 @@ def test_same_contract_as_the_command(client, statement):
     assert {name: drawn[name] for name in wanted} == wanted
 
 
+def test_the_working_comes_as_data_where_it_is_asked_for(client):
+    plain = said(client, "solve", STATEMENT).json()
+    assert all("derivation" not in part for part in plain["parts"])
+    for statement in (STATEMENT, UNFINISHED):
+        reply = said(client, "solve", statement, working=True).json()
+        assert {**reply, "file": "-"} == command(statement, "--working")
+        assert all("derivation" in part for part in reply["parts"])
+    assert said(client, "solve", UNREADABLE, working=True).json()["parts"] == []
+
+
+def test_styles_of_marks_are_named(client):
+    reply = client.post("/api/sheet", json={"statement": "", "marks": "ocr"})
+    message = '"marks" has to be one of "fm1", "m4", "caie", "none"'
+    assert (reply.status_code, reply.json()["error"]["message"]) == (400, message)
+
+
 def test_one_part(client):
     name = next(n for n in examples.names() if "\npart b" in examples.text(n))
     wanted = {**command(examples.text(name), "--part", "b"), "file": "statement"}
@@ -326,6 +342,8 @@ REFUSED = {
     "unknown": (b'{"statement": "", "colour": "red"}', JSON, 400),
     "long unknown": (b'{"statement": "", "%s": 1}' % (b"a" * 5000), JSON, 400),
     "wrong type": (b'{"statement": "", "part": 1}', JSON, 400),
+    "unknown style": (b'{"statement": "", "marks": "ocr"}', JSON, 400),
+    "style of a wrong type": (b'{"statement": "", "marks": {}}', JSON, 400),
     "deep": (b'{"statement": ' + b"[" * 50_000 + b"]" * 50_000 + b"}", JSON, 400),
     "no number": (b'{"statement": NaN}', JSON, 400),
     "long number": (b'{"statement": ' + b"9" * 5000 + b"}", JSON, 400),

@@ -19,6 +19,7 @@ from restitution.cli.asking import answer, worker_of
 from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
     Format,
+    Marks,
     PictureFormat,
     RefusedError,
     SheetFormat,
@@ -179,6 +180,10 @@ def _refusing() -> Iterator[None]:
         raise typer.BadParameter(error.message, param_hint=error.option) from None
 
 
+_Marks = Annotated[
+    Marks,
+    typer.Option("--marks", help="Marks as in Further Mechanics 1, in M4, as Cambridge, or none."),
+]
 _TimeLimit = Annotated[float, typer.Option(metavar="SECONDS", help="For each file; 0 is no limit.")]
 _F = TypeVar("_F", bound=StrEnum)
 
@@ -202,13 +207,26 @@ def solve(
     answers_only: Annotated[
         bool, typer.Option("--answers-only", help="Leave the working out.")
     ] = False,
+    marks: _Marks = Marks.fm1,
+    working: Annotated[
+        bool, typer.Option("--working", help="The working as data too, with --format json.")
+    ] = False,
+    route: Annotated[
+        int,
+        typer.Option(metavar="N", min=1, max=3, help="The N-th best way, where there are several."),
+    ] = 1,
+    check: Annotated[
+        bool, typer.Option("--check", help="Follow every line of the working, and say so.")
+    ] = False,
     time_limit: _TimeLimit = TIME_LIMIT,
     debug: Annotated[bool, typer.Option("--debug", hidden=True)] = False,
 ) -> None:
     """Solve every file, writing what is said of each as soon as it is known."""
     if debug:
         os.environ["RESTITUTION_DEBUG"] = "1"
-    asked = Solving(tuple(files), form, output, part, answers_only, time_limit)
+    asked = Solving(
+        tuple(files), form, output, part, answers_only, time_limit, marks, working, route, check
+    )
     with _refusing():
         status = solving.solve(asked, context.obj)
     raise typer.Exit(status)
@@ -289,6 +307,7 @@ def sheet(
             " with --solutions.",
         ),
     ] = None,
+    marks: _Marks = Marks.fm1,
     time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Set the questions of all files on one sheet."""
@@ -296,7 +315,7 @@ def sheet(
     from restitution.export.sheet import Options, to_html, to_pdf
 
     form = _form_of(output, form, SheetFormat, SheetFormat.pdf)
-    options = Options(solutions, diagrams, space)
+    options = Options(solutions, diagrams, space, marks.value)
     entries = []
     worst = 0
     with interruptible(), worker_of(context.obj) as worker:

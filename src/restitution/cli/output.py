@@ -34,6 +34,15 @@ class Format(StrEnum):
     json = "json"
 
 
+class Marks(StrEnum):
+    """Whose habits the marks of a working follow; none are left out."""
+
+    fm1 = "fm1"
+    m4 = "m4"
+    caie = "caie"
+    none = "none"
+
+
 class PictureFormat(StrEnum):
     """What a picture is stored as."""
 

@@ -17,6 +17,7 @@ from restitution.cli.asking import answer, worker_of
 from restitution.cli.files import say, terminal_width
 from restitution.cli.output import (
     Format,
+    Marks,
     RefusedError,
     interruptible,
     progress,
@@ -31,7 +32,16 @@ TIME_LIMIT = 10.0
 """Seconds for each file, where nothing else is said."""
 
 _LONG = {"-f": "--format", "-o": "--output"}
-_FIELDS = {"--format": "form", "--output": "output", "--part": "part", "--time-limit": "time_limit"}
+_FIELDS = {
+    "--format": "form",
+    "--output": "output",
+    "--part": "part",
+    "--time-limit": "time_limit",
+    "--marks": "marks",
+    "--route": "route",
+}
+_SWITCHES = {"--answers-only": "answers_only", "--working": "working", "--check": "check"}
+_ROUTES = ("1", "2", "3")
 _SECONDS = re.compile(r"[0-9]{1,9}(\.[0-9]{1,9})?", re.ASCII)
 
 
@@ -45,13 +55,17 @@ class Solving:
     part: str | None = None
     answers_only: bool = False
     time_limit: float = TIME_LIMIT
+    marks: Marks = Marks.fm1
+    working: bool = False
+    route: int = 1
+    check: bool = False
 
 
 def plainly(arguments: Sequence[str]) -> Solving | None:
     """What the arguments of ``solve`` ask for, in their usual form; None for any other.
 
-    Usual are files, ``--answers-only``, and options that are given once, with their value as the
-    next argument. What is None is not wrong: it is read by somebody else.
+    Usual are files, switches such as ``--answers-only``, and options that are given once, with
+    their value as the next argument. What is None is not wrong: it is read by somebody else.
     """
     files: list[str] = []
     values: dict[str, Any] = {}
@@ -63,8 +77,8 @@ def plainly(arguments: Sequence[str]) -> Solving | None:
             if value is None or _FIELDS[name] in values:
                 return None
             values[_FIELDS[name]] = value
-        elif name == "--answers-only":
-            values["answers_only"] = True
+        elif name in _SWITCHES:
+            values[_SWITCHES[name]] = True
         elif _is_plain(name):
             files.append(name)
         else:
@@ -76,6 +90,10 @@ def _value(option: str, text: str) -> Any:
     """The value of an option, or None."""
     if option == "--format":
         return Format(text) if text in set(Format) else None
+    if option == "--marks":
+        return Marks(text) if text in set(Marks) else None
+    if option == "--route":
+        return int(text) if text in _ROUTES else None
     if option == "--time-limit":
         return float(text) if _SECONDS.fullmatch(text) else None
     return text if _is_plain(text) else None
@@ -93,6 +111,19 @@ def seconds_of(limit: float) -> float | None:
     return limit or None
 
 
+def require_together(asked: Solving) -> None:
+    """Raises RefusedError for options that do not go together."""
+    if asked.working and asked.form is not Format.json:
+        raise RefusedError(
+            f"the working as data needs --format json; {asked.form.value} has it in words",
+            "--working",
+        )
+    if asked.answers_only:
+        for option, wanted in (("--working", asked.working), ("--check", asked.check)):
+            if wanted:
+                raise RefusedError("with --answers-only there is no working", option)
+
+
 def solve(asked: Solving, early: Worker | None) -> int:
     """Solve every file, writing what is said of each as soon as it is known; the exit status.
 
@@ -100,11 +131,22 @@ def solve(asked: Solving, early: Worker | None) -> int:
     """
     from restitution.export.job import Writing
 
+    require_together(asked)
     files = list(asked.files)
     limit = seconds_of(asked.time_limit)
     target = target_of(asked.output, files, asked.form)
     styled = target.to_terminal and os.environ.get("TERM") != "dumb"
-    task = Writing(asked.form.value, asked.part, asked.answers_only, terminal_width(), styled)
+    task = Writing(
+        asked.form.value,
+        asked.part,
+        asked.answers_only,
+        terminal_width(),
+        styled,
+        asked.marks.value,
+        asked.working,
+        asked.route,
+        asked.check,
+    )
     worst = 0
     with interruptible(), worker_of(early) as worker, target.written():
         shown = progress(files) if len(files) > 1 else silent

@@ -22,8 +22,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.explain.steps import Step
-from restitution.explaining.marks import A1, B1, M1, Mark, Marks, reasoned
+from restitution.explain.steps import Explanation, PartExplanation, Step
+from restitution.explaining.marks import A1, B1, M1, Mark, Marks, Style, reasoned
+from restitution.problem import Problem
 
 _FOLLOWED = frozenset({"impact", "part", "item"})
 _HERE = frozenset({"method", "impact", "item"})
@@ -63,6 +64,35 @@ def again(steps: Sequence[Step]) -> list[Step]:
         )
         for index, step in enumerate(steps)
     ]
+
+
+def in_style(explanation: Explanation, style: Style) -> Explanation:
+    """The same with marks in a style, or without any.
+
+    A part that has a derivation is marked anew, by rule. Any other keeps its marks in every style
+    but ``none``.
+    """
+    problem = None if explanation.solution is None else explanation.solution.problem
+    parts = tuple(_part_in_style(each, problem, style) for each in explanation.parts)
+    return replace(explanation, parts=parts)
+
+
+def _part_in_style(part: PartExplanation, problem: Problem | None, style: Style) -> PartExplanation:
+    if part.derivation is not None and problem is not None:
+        from restitution.explain.derived import explanation_of
+        from restitution.explaining.awarding import awarded
+
+        derivation = awarded(part.derivation, style)
+        told = explanation_of(derivation, problem).parts
+        steps = next((each.steps for each in told if each.label == part.label), part.steps)
+        return replace(part, steps=steps, derivation=derivation)
+    if style != "none":
+        return part
+    steps = tuple(
+        replace(step, points=(), rows=tuple(replace(row, points=()) for row in step.rows))
+        for step in part.steps
+    )
+    return replace(part, steps=steps)
 
 
 def without_method(points: Marks) -> Marks:
@@ -110,4 +140,4 @@ def _earned(points: Marks, seen: set[str]) -> tuple[Marks, set[str]]:
     return tuple(earned), seen
 
 
-__all__ = ["again", "settled", "without_method"]
+__all__ = ["again", "in_style", "settled", "without_method"]

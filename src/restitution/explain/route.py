@@ -15,21 +15,26 @@ from restitution.explain.backwards import is_told_backwards, steps_backwards
 from restitution.explain.derived import explanation_of
 from restitution.explain.facts import fact_equations
 from restitution.explain.geometry import to_be_found
-from restitution.explain.marks import again, settled
+from restitution.explain.marks import again, in_style, settled
 from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
+from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.explaining.marks import STYLES, Style
 from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Quantity, has_quantity, letters
+from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.problem import Part, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.forms import signed
+from restitution.solve.letters import roles
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.solve.story import lets_of
 from restitution.vector import Vector
@@ -57,22 +62,40 @@ Carried = dict[str, tuple[str, sp.Expr]]
 
 
 def explain(
-    solution: Solution, part: str | None = None, time_limit: float | None = None
+    solution: Solution,
+    part: str | None = None,
+    time_limit: float | None = None,
+    *,
+    marks: Style = "fm1",
+    route: int = 1,
+    check: bool = False,
 ) -> Explanation:
     """The worked solution of a problem, or of the part with that label.
+
+    ``marks`` is the style in which marks are given, or ``"none"``. Where a working is a derivation,
+    ``route`` chooses among its ways to the answers, the best being 1, and ``check`` has every line
+    followed exactly.
 
     It is whole, or there is none: after ``time_limit`` seconds (None is no limit; it holds in any
     thread) TimeLimitError is raised.
 
     Every line is checked by numbers that satisfy the facts before it is kept; one that fails is
     left out, and a warning says so. Items without an answer are told with their reason. Raises
-    KeyError for a part that is not there.
+    KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
     """
+    if marks not in STYLES:
+        raise ValueError(f"there is no style of marks {marks!r}; styles: {', '.join(STYLES)}")
+    if route < 1:
+        raise ValueError(f"routes are counted from 1, not {route}")
     if part is not None and part not in solution.parts:
         known = ", ".join(str(label) for label in solution.parts)
         raise KeyError(f"there is no part {part!r}; parts: {known}")
     with limited(time_limit, error=None if time_limit is None else _too_late(time_limit)):
-        explanation = _explained(solution, part)
+        derivation = _planned(solution, route)
+        if derivation is None:
+            explanation = in_style(_explained(solution, part), marks)
+        else:
+            explanation = _printed(solution, awarded(derivation, marks), part, check)
         confirm()
     return explanation
 
@@ -82,9 +105,6 @@ def _too_late(seconds: float) -> TimeLimitError:
 
 
 def _explained(solution: Solution, part: str | None) -> Explanation:
-    planned = _planned(solution)
-    if planned is not None:
-        return _printed(solution, planned, part)
     carried: Carried = {}
     told: list[PartExplanation] = []
     warnings = list(solution.warnings)
@@ -97,30 +117,36 @@ def _explained(solution: Solution, part: str | None) -> Explanation:
     return Explanation(solution.problem.title, tuple(told), tuple(warnings), solution)
 
 
-def _planned(solution: Solution) -> Derivation | None:
+def _planned(solution: Solution, route: int) -> Derivation | None:
     """The working as a derivation; None where there is no plan for some item."""
     try:
-        return plan(solution)
+        return plan(solution, route)
     except NotPlannedError:
         return None
 
 
-def _printed(solution: Solution, derivation: Derivation, part: str | None) -> Explanation:
+def _printed(
+    solution: Solution, derivation: Derivation, part: str | None, check: bool
+) -> Explanation:
     """A derivation in steps and rows."""
-    steps = {
-        each.label: each.steps for each in explanation_of(derivation, solution.problem).parts
-    }
+    steps = {each.label: each.steps for each in explanation_of(derivation, solution.problem).parts}
     parts = tuple(
         PartExplanation(
             label,
             tuple(_question(item) for item in each.items),
             steps.get(label, ()),
             tuple(_answers(item) for item in each.items),
+            derivation,
         )
         for label, each in solution.parts.items()
         if part is None or label == part
     )
-    return Explanation(solution.problem.title, parts, tuple(solution.warnings), solution)
+    warnings = list(solution.warnings)
+    if check:
+        complaints = follow(derivation, Oracle(roles(solution.problem)))
+        warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
+        warnings += [] if complaints else [str(say("amiss.followed"))]
+    return Explanation(solution.problem.title, parts, tuple(warnings), solution)
 
 
 def _part(

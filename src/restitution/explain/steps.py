@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
+from restitution.explaining.derivation import Derivation
 from restitution.explaining.marks import Marks, written
 from restitution.explaining.saying import Sentence, Words, say, words_of
 from restitution.render.layout import Layout, as_layout, vector
@@ -104,13 +105,15 @@ class PartExplanation:
     """The working of one part; ``asked`` are its items as typed, ``answers`` as people see them.
 
     ``marks`` is what the part is worth, ``item_marks`` what each item adds to it: what several
-    items rest on counts with the first of them.
+    items rest on counts with the first of them. ``derivation`` is the working of the whole
+    question as data, of which the steps are the part's own lines; None where there is none.
     """
 
     label: str | None
     asked: tuple[str, ...]
     steps: tuple[Step, ...]
     answers: tuple[str, ...] = ()
+    derivation: Derivation | None = field(default=None, compare=False, repr=False)
 
     @property
     def marks(self) -> int:
@@ -130,13 +133,16 @@ class PartExplanation:
 class Explanation:
     """A whole worked solution, and what it explains. It shows itself in a terminal and in Jupyter.
 
-    Pictures are not among its steps until ``illustrated`` puts them there.
+    Pictures are not among its steps until ``illustrated`` puts them there. ``followed`` tells
+    whether its derivations were followed exactly; None where that was not asked, or where no part
+    has a derivation.
     """
 
     title: str | None
     parts: tuple[PartExplanation, ...]
     warnings: tuple[str, ...] = ()
     solution: Solution | None = field(default=None, compare=False, repr=False)
+    followed: bool | None = None
 
     @property
     def marks(self) -> int:

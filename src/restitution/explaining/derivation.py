@@ -203,6 +203,37 @@ class Derivation:
         }
 
 
+def of_part(derivation: Derivation, part: str | None) -> Derivation:
+    """What one part needs of a working: its own lines, and the earlier ones on which they rest.
+
+    Of the facts those of other parts are left out, but for those that these lines cite.
+    """
+    parts = {each.item: each.part for each in derivation.items}
+    lines = {each.number: each for each in derivation.lines}
+    needed: set[int] = set()
+    open_ = [each.number for each in derivation.lines if parts.get(each.item or "") == part]
+    while open_:
+        number = open_.pop()
+        if number in needed or number not in lines:
+            continue
+        needed.add(number)
+        open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
+    own = tuple(each for each in derivation.lines if each.number in needed)
+    cited = {ref for each in own for ref in each.premises}
+    return Derivation(
+        tuple(e for e in derivation.facts if e.part in (None, part) or e.id in cited),
+        own,
+        tuple(each for each in derivation.items if each.line in needed),
+        derivation.events,
+        tuple(
+            Case(e.number, e.line, e.option, tuple(n for n in e.lines if n in needed))
+            for e in derivation.cases
+            if e.line in needed
+        ),
+        tuple(each for each in derivation.others if parts.get(each.item) == part),
+    )
+
+
 def whole_of(links: tuple[Link, ...]) -> Link | None:
     """A chain as one link, from its first side to its last; None where links are no chain.
 

@@ -27,6 +27,10 @@ error is null or
 draws, each with its place; ``fixes`` are cures, ``{"label", "edits"}``, and an edit of the text is
 ``{"line", "column", "end_line", "end_column", "text"}``.
 
+Where the working is asked for as well, each part has a ``derivation``: its working as
+`restitution.explaining.storing` writes it, with the lines of earlier parts on which it rests; null
+where it has none.
+
 Nothing here loads SymPy: what is asked for in an unreadable or unfinished file can be said without
 it.
 """
@@ -45,6 +49,7 @@ from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
+    from restitution.explain.steps import Explanation
     from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
 
 Object = dict[str, Any]
@@ -70,6 +75,24 @@ def solved(file: str, solution: Solution, label: str | None = None) -> Object:
         solution.problem.notes,
         solution.error,
     )
+
+
+def derivations(explanation: Explanation) -> dict[str | None, Object]:
+    """The derivations of the parts that have one, by label."""
+    from restitution.explaining.derivation import of_part
+    from restitution.explaining.storing import to_json as stored
+
+    return {
+        part.label: stored(of_part(part.derivation, part.label))
+        for part in explanation.parts
+        if part.derivation is not None
+    }
+
+
+def with_derivations(content: Object, told: Mapping[str | None, Object] | None = None) -> Object:
+    """The object with a ``derivation`` in each part, null where none is told."""
+    parts = [{**each, "derivation": (told or {}).get(each["part"])} for each in content["parts"]]
+    return {**content, "parts": parts}
 
 
 def unreadable(file: str, error: RestitutionError) -> Object:

@@ -22,6 +22,8 @@ from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
+    from restitution.explain.steps import Explanation
+    from restitution.explaining.marks import Style
     from restitution.export.sheet import Form, Options
     from restitution.solve.solution import Solution
 
@@ -39,7 +41,8 @@ class Writing:
     """A solution to be written down, ``width`` characters wide.
 
     ``part`` is the label of the one part wanted, or None for all; ``styled`` is text with bold type
-    for a terminal.
+    for a terminal. ``marks`` is the style of marks; ``working`` adds the derivation of each part to
+    JSON. ``route`` chooses among the ways to the answers, and ``check`` has each line followed.
     """
 
     form: Format = "text"
@@ -47,6 +50,10 @@ class Writing:
     answers_only: bool = False
     width: int = 80
     styled: bool = False
+    marks: Style = "fm1"
+    working: bool = False
+    route: int = 1
+    check: bool = False
 
 
 @dataclass(frozen=True)
@@ -108,7 +115,8 @@ class Reply:
     ``content`` is a text (SVG for pictures, HTML for a motion), the entry of a sheet, or plain data
     for a page.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
-    tells that a piece of work was broken off, and that the process should end.
+    tells that a piece of work was broken off, and that the process should end. ``notes`` tell what
+    is no warning: that a working was followed.
     """
 
     content: Any
@@ -117,6 +125,7 @@ class Reply:
     warnings: tuple[str, ...] = ()
     fault: str = ""
     tired: bool = False
+    notes: tuple[str, ...] = ()
 
 
 def prepare() -> None:
@@ -206,17 +215,31 @@ def serve(job: Job) -> Reply:
     found["warnings"] += late
     answered = contract.all_answered(found)
     match job.task:
-        case Writing("json"):
+        case Writing("json", working=False, check=False):
             return Reply(contract.to_json(found) + "\n", answered, tired=tired)
+        case Writing("json"):
+            explained = _explained(solution, job.task, job.limit)
+            if job.task.working:
+                told = {} if explained.value is None else contract.derivations(explained.value)
+                found = contract.with_derivations(found, told)
+            found["warnings"] += explained.why_not
+            return Reply(
+                contract.to_json(found) + "\n",
+                answered and explained.sound,
+                fault=explained.fault,
+                tired=tired or explained.value is None,
+                notes=explained.notes,
+            )
         case Writing():
-            text, note, fault = _written(solution, job.task, job.limit)
+            text, explained = _written(solution, job.task, job.limit)
             return Reply(
                 text if text.endswith("\n") else text + "\n",
-                answered and not fault,
+                answered and explained.sound,
                 errors,
-                (*found["warnings"], *note),
-                fault,
-                tired or bool(note or fault),
+                (*found["warnings"], *explained.why_not),
+                explained.fault,
+                tired or bool(explained.why_not or explained.fault),
+                explained.notes,
             )
         case Drawing(event):
             from restitution.export.pictures import picture
@@ -271,34 +294,74 @@ def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ..
     return tuple(unique.values())
 
 
-def _written(
-    solution: Solution, task: Writing, whole: float | None
-) -> tuple[str, tuple[str, ...], str]:
-    """The working, or the answers alone; why not the working; and the traceback of a fault."""
+@dataclass(frozen=True)
+class _Explained:
+    """What came of the working: its text or value, why there is none, and a fault's traceback.
+
+    ``notes`` tell whether it was followed, if that was asked; ``sound`` is False for a fault, and
+    where it was not followed to its end.
+    """
+
+    value: Any = None
+    why_not: tuple[str, ...] = ()
+    fault: str = ""
+    notes: tuple[str, ...] = ()
+    sound: bool = True
+
+
+def _explained(
+    solution: Solution,
+    task: Writing,
+    whole: float | None,
+    make: Callable[[Explanation], Any] = lambda explanation: explanation,
+) -> _Explained:
+    """The working, or what ``make`` makes of it, in its share of the time."""
+    limit = None if whole is None else whole * _WRITING
+    try:
+        with limited(limit, error=stopped(whole)):
+            from restitution.explain import explain
+
+            explanation = explain(
+                solution, task.part, marks=task.marks, route=task.route, check=task.check
+            )
+            made = make(explanation)
+            confirm()
+    except RestitutionError as error:
+        why = f"here are the answers without their working: {error.message}"
+        return _Explained(why_not=(why,), sound=not task.check)
+    except Exception:  # noqa: BLE001 - whatever it is, the answers stand
+        # The answers are right without their working: they are given, and the fault told.
+        return _Explained(fault=traceback.format_exc(), sound=False)
+    if not task.check:
+        return _Explained(made)
+    return _Explained(
+        made, notes=(_FOLLOWED[explanation.followed],), sound=explanation.followed is True
+    )
+
+
+_FOLLOWED = {
+    True: "every line of the working was followed exactly",
+    False: "a line of the working could not be followed",
+    None: "not followed: no part of this working has a derivation",
+}
+
+
+def _written(solution: Solution, task: Writing, whole: float | None) -> tuple[str, _Explained]:
+    """The working as text, or the answers alone; and what came of the working."""
     from restitution.export.answers import answers
 
     assert task.form != "json"
-    note: tuple[str, ...] = ()
-    fault = ""
+    explained = _Explained()
     if not task.answers_only:
-        limit = None if whole is None else whole * _WRITING
-        try:
-            with limited(limit, error=stopped(whole)):
-                text = _working(solution, task)
-                confirm()
-            return text, note, ""
-        except RestitutionError as error:
-            note = (f"here are the answers without their working: {error.message}",)
-        except Exception:  # noqa: BLE001 - whatever it is, the answers stand
-            # The answers are right without their working: they are given, and the fault told.
-            fault = traceback.format_exc()
-    return answers(solution, task.form, task.part), note, fault
+        explained = _explained(solution, task, whole, lambda each: _working(each, task))
+        if explained.value is not None:
+            return explained.value, explained
+    return answers(solution, task.form, task.part), explained
 
 
-def _working(solution: Solution, task: Writing) -> str:
-    from restitution.explain import explain, to_text
+def _working(explanation: Explanation, task: Writing) -> str:
+    from restitution.explain import to_text
 
-    explanation = explain(solution, task.part)
     if task.form == "text":
         return to_text(explanation, task.width, task.styled)
     from restitution.explain import illustrated, to_html, to_latex, to_markdown

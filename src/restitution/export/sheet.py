@@ -15,6 +15,7 @@ from restitution.render.page import page
 from restitution.render.typst import compiled, literal, words
 
 if TYPE_CHECKING:
+    from restitution.explaining.marks import Style
     from restitution.solve.solution import Solution
     from restitution.wording import Question, QuestionPart
 
@@ -31,12 +32,14 @@ class Options:
     """What a sheet holds beside its questions.
 
     ``space`` is the room for working after each part, in centimetres; None gives a centimetre for
-    each mark, and nothing where the solutions stand behind.
+    each mark, and nothing where the solutions stand behind. ``marks`` is the style of marks; in
+    the style ``"none"`` there are none to be seen, and as much room as in ``"fm1"``.
     """
 
     solutions: bool = False
     diagrams: bool = True
     space: float | None = None
+    marks: Style = "fm1"
 
 
 @dataclass(frozen=True)
@@ -58,25 +61,30 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     Raises RestitutionError where the problem cannot be worded or explained.
     """
     from restitution.explain import explain, illustrated
+    from restitution.explain.marks import in_style
     from restitution.wording import question
 
-    explanation = explain(solution)
+    explanation = explain(solution, marks="fm1" if options.marks == "none" else options.marks)
     marks = {part.label: part.marks for part in explanation.parts if part.marks}
     asked = replace(question(solution.problem, marks=marks), title=None)
+    rooms = [_room(part, options) for part in asked.parts]
+    if options.marks == "none":
+        explanation = in_style(explanation, "none")
+        asked = replace(asked, parts=tuple(replace(each, marks=None) for each in asked.parts))
     explained = replace(explanation, title=None)
     if options.diagrams and options.solutions:
         explained = illustrated(explained)
     figure = _figure(solution) if options.diagrams else None
-    room = _room(asked.parts[-1], options) if asked.parts else 0.0
+    room = rooms[-1] if rooms else 0.0
     if form == "pdf":
         from restitution.explain import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
-        return Entry(solution.problem.title, _typst_question(asked, figure, options), working, room)
+        return Entry(solution.problem.title, _typst_question(asked, figure, rooms), working, room)
     from restitution.explain import html
 
     working = html.to_body(explained) if options.solutions else ""
-    return Entry(solution.problem.title, _html_question(asked, figure, options), working, room)
+    return Entry(solution.problem.title, _html_question(asked, figure, rooms), working, room)
 
 
 def _figure(solution: Solution) -> str | None:
@@ -148,7 +156,7 @@ def _typst_numbered(number: int, title: str | None, body: str, alone: bool, shee
     return f"#numbered({literal(f'{number}')}, {named})[\n{body}\n]"
 
 
-def _typst_question(question: Question, figure: str | None, options: Options) -> str:
+def _typst_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
     from restitution.wording import typst
 
     opening = typst.opening(question)
@@ -159,8 +167,8 @@ def _typst_question(question: Question, figure: str | None, options: Options) ->
         opening += f"\n\n#figure-of({literal(figure)})"
     start = f"{opening}\n\n{first}"
     blocks = [_together(start) if short else start]
-    for before, part in zip(question.parts, parts[1:], strict=False):
-        blocks.append(f"#room({_room(before, options):g}cm)")
+    for room, part in zip(rooms, parts[1:], strict=False):
+        blocks.append(f"#room({room:g}cm)")
         blocks.append(_together(part) if len(part) < _LONG else part)
     return "\n\n".join(blocks)
 
@@ -215,7 +223,7 @@ def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet
     )
 
 
-def _html_question(question: Question, figure: str | None, options: Options) -> str:
+def _html_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
     from restitution.wording import html
 
     blocks = html.opening(question)
@@ -223,7 +231,7 @@ def _html_question(question: Question, figure: str | None, options: Options) -> 
         blocks.append(f'<div class="figure">{figure}</div>')
     for index, each in enumerate(question.parts):
         if index:
-            blocks.append(_html_room(_room(question.parts[index - 1], options)))
+            blocks.append(_html_room(rooms[index - 1]))
         blocks.append(html.part(each))
     return '<article class="question">' + "\n".join(blocks) + "</article>"
 

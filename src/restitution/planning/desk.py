@@ -18,6 +18,7 @@ from restitution.explaining.derivation import (
     MoveId,
     Ref,
     Relation,
+    Route,
     Sign,
 )
 from restitution.expression.tree import Expression
@@ -75,14 +76,17 @@ class Desk:
     """The lines of a working so far.
 
     ``split`` is the line of alternatives, and which of them, under which the lines stand that come
-    now; None where all solutions are still one.
+    now; None where all solutions are still one. ``route`` is which of the ways to a goal is taken,
+    ``others`` are those that are not.
     """
 
     events: tuple[Event, ...]
     facts: tuple[Fact, ...]
+    route: int = 1
     lines: list[Line] = field(default_factory=list)
     ends: list[ItemEnd] = field(default_factory=list)
     cases: list[Case] = field(default_factory=list)
+    others: list[Route] = field(default_factory=list)
     item: str | None = None
     part: str | None = None
     split: tuple[int, int] | None = None
@@ -159,6 +163,7 @@ class Desk:
             lines=list(self.lines),
             ends=list(self.ends),
             cases=list(self.cases),
+            others=list(self.others),
             _sources={each: list(own) for each, own in self._sources.items()},
             _parts=dict(self._parts),
         )

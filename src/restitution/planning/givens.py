@@ -32,6 +32,31 @@ def candidate(each: GivenEquation) -> Candidate:
     return Candidate(each.fact.id, cost, each.residuals)
 
 
+def move_of(each: GivenEquation) -> Move:
+    """The definition by which a fact becomes an equation, as far as its kind tells it."""
+    kinds = [
+        node.kind
+        for side in (each.link.left, each.link.right)
+        for node in walk(side)
+        if isinstance(node, Quantity)
+    ]
+    if each.link.sign != "=":
+        return Move("define", each.link.sign.removesuffix(" to"))
+    record = next((_RECORDS[kind] for kind in kinds if kind in _RECORDS), None)
+    return Move("fact") if record is None else Move("define", record)
+
+
+_RECORDS = {
+    "angle": "tan",
+    "speed": "speed",
+    "impulse": "impulse",
+    "energy": "total",
+    "energy_lost": "energy-lost",
+    "total_energy_lost": "total-lost",
+    "deflection": "sum",
+}
+
+
 def write_given(scene: Scene, each: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
     own = each.link

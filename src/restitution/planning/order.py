@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move
+from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.givens import candidate, write_given
+from restitution.planning.givens import candidate, move_of, write_given
 from restitution.planning.impacts import (
     _given_after,
     after,
@@ -131,7 +131,21 @@ class Solver:
         routes = Routes(candidates, points(scene.model), unknowns).cheapest(put)
         if not routes:
             raise NotPlannedError(f"nothing determines {goals}")
-        return routes[0]
+        chosen = min(scene.desk.route, len(routes)) - 1
+        for n, each in enumerate(routes):
+            if n != chosen:
+                other = Route(scene.desk.item or "", tuple(self._move(own) for own in each))
+                scene.desk.others.append(other)
+        return routes[chosen]
+
+    def _move(self, own: Candidate) -> Move:
+        """The principle, or the definition, that an equation of a route is."""
+        law = self._law(own)
+        if law is None:
+            return move_of(self.givens[own.id])
+        record = "restitution-wall" if law.kind == "wall" else law.kind
+        bodies = (law.body,) if law.body else self.scene.bodies(law.number)
+        return Move("law", record, law.number, bodies)
 
     def _of_given(self, each: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""

@@ -19,20 +19,28 @@ from restitution.problem import Arrival, Find, Impact, Kick, Part, Problem, Show
 from restitution.solve.solution import PartSolution, Solution
 
 
-def plan(solution: Solution) -> Derivation:
+def plan(solution: Solution, route: int = 1) -> Derivation:
     """The working of a question as a derivation.
 
-    Raises NotPlannedError for what is not planned, with the reason.
+    ``route`` chooses among the cheapest ways to what is asked, the best being 1; where there are
+    fewer it is the last. Raises NotPlannedError for what is not planned, with the reason.
     """
     problem = solution.problem
-    desk = Desk(events_of(problem), facts_of(problem))
+    desk = Desk(events_of(problem), facts_of(problem), route)
     try:
         for part in solution.parts.values():
             desk = _write_part(solution, part, desk)
     except UnwrittenError as error:
         raise NotPlannedError(f"no line says {error}") from error
     return pruned(
-        Derivation(desk.facts, tuple(desk.lines), tuple(desk.ends), desk.events, tuple(desk.cases))
+        Derivation(
+            desk.facts,
+            tuple(desk.lines),
+            tuple(desk.ends),
+            desk.events,
+            tuple(desk.cases),
+            tuple(dict.fromkeys(desk.others)),
+        )
     )
 
 

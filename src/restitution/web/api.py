@@ -20,7 +20,7 @@ from starlette.routing import Route
 
 from restitution.killable import LostError
 from restitution.web import work
-from restitution.web.asking import RefusedError, asked
+from restitution.web.asking import Kind, RefusedError, asked
 from restitution.web.files import unpacks
 from restitution.web.pool import BusyError, Pool
 from restitution.web.replies import Replies
@@ -59,15 +59,22 @@ class _Begun:
 
 @dataclass(frozen=True)
 class _Task:
-    """A function of `work`: it takes what it is about, a limit, and what else may be told."""
+    """A function of `work`: it takes what it is about, a limit, and what else may be told.
+
+    Of that, by name: its type, or the texts of which it is one, and what it is unless it is told.
+    """
 
     function: Callable[..., Made]
-    optional: Mapping[str, tuple[type, Any]] = field(default_factory=dict)
+    optional: Mapping[str, tuple[Kind, Any]] = field(default_factory=dict)
     about: str = "statement"
 
 
+_STYLES = ("fm1", "m4", "caie", "none")
+
 _TASKS = {
-    "solve": _Task(work.solved, {"part": (str, None)}),
+    "solve": _Task(
+        work.solved, {"part": (str, None), "working": (bool, False), "marks": (_STYLES, "fm1")}
+    ),
     "draw": _Task(work.drawn, {"event": (int, None)}),
     "sheet": _Task(
         work.on_a_sheet,
@@ -76,6 +83,7 @@ _TASKS = {
             "diagrams": (bool, True),
             "title": (str, None),
             "room": (bool, True),
+            "marks": (_STYLES, "fm1"),
         },
     ),
     "simulate": _Task(work.simulated, about="scene"),
@@ -219,7 +227,7 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
         if error.details:
             _log.error("%s\n%s", error, error.details)
         message, late = f"internal error: {error}", False
-    told = (about, task.function, message, late)
+    told = (about, task.function, message, late, others)
     return await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
 
 

@@ -22,8 +22,12 @@ class RefusedError(Exception):
         self.message = message
 
 
+Kind = type | tuple[str, ...]
+"""What something that is told has to be: of a type, or one of several texts."""
+
+
 async def asked(
-    request: Request, about: str, optional: Mapping[str, type], settings: Settings
+    request: Request, about: str, optional: Mapping[str, Kind], settings: Settings
 ) -> dict[str, Any]:
     """The object that a request holds: what it is ``about``, and what else it may hold.
 
@@ -32,7 +36,7 @@ async def asked(
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise RefusedError(415, "content type", "send JSON, with Content-Type: application/json")
-    kinds = {about: str if about == "statement" else dict, **optional}
+    kinds: dict[str, Kind] = {about: str if about == "statement" else dict, **optional}
     found = _object(await _body(request, settings), about)
     if about not in found:
         raise RefusedError(400, "malformed", f'the object has no "{about}"')
@@ -41,6 +45,11 @@ async def asked(
         if wanted is None:
             known = ", ".join(f'"{each}"' for each in kinds)
             raise RefusedError(400, "malformed", f"{_short(name)} is not known; known: {known}")
+        if isinstance(wanted, tuple):
+            if value not in wanted:
+                known = ", ".join(f'"{each}"' for each in wanted)
+                raise RefusedError(400, "malformed", f'"{name}" has to be one of {known}')
+            continue
         # In Python a truth value is a number too.
         if not isinstance(value, wanted) or (wanted is int and isinstance(value, bool)):
             raise RefusedError(400, "malformed", f'"{name}" has to be {_NAMES[wanted]}')

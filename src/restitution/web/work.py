@@ -6,13 +6,16 @@ import gzip
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError, UnsupportedError
 from restitution.export import contract
 from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve
 from restitution.language import parse
 from restitution.problem import Arrival, Impact, Kick, Problem
+
+if TYPE_CHECKING:
+    from restitution.explaining.marks import Style
 
 FILE = "statement"
 """What the contract's object calls the file."""
@@ -53,9 +56,15 @@ def outlined(statement: str) -> Made:
         return _json({"outline": None, "errors": contract.mistakes(mistake)})
 
 
-def solved(statement: str, limit: float, part: str | None = None) -> Made:
-    """The object of ``restitution solve --format json``."""
-    return _made(statement, Writing("json", part), limit)
+def solved(
+    statement: str,
+    limit: float,
+    part: str | None = None,
+    working: bool = False,
+    marks: Style = "fm1",
+) -> Made:
+    """The object of ``restitution solve --format json``, and with ``--working``."""
+    return _made(statement, Writing("json", part, working=working, marks=marks), limit)
 
 
 def drawn(statement: str, limit: float, event: int | None = None) -> Made:
@@ -91,11 +100,12 @@ def on_a_sheet(
     diagrams: bool,
     title: str | None,
     room: bool,
+    marks: Style = "fm1",
 ) -> Made:
     """A PDF; or the error, as JSON, of a statement that cannot be set."""
     from restitution.export.sheet import Options, to_pdf
 
-    options = Options(solutions, diagrams, None if room else 0.0)
+    options = Options(solutions, diagrams, None if room else 0.0, marks)
     try:
         reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
         return Made(to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired)
@@ -117,10 +127,16 @@ def put_as_a_question(impact: contract.Object, limit: float) -> Made:
     return _tried(lambda: {"statement": lab.question(impact)})
 
 
-def given_up(about: Any, task: Callable[..., Made], message: str, late: bool) -> Made:
+def given_up(
+    about: Any,
+    task: Callable[..., Made],
+    message: str,
+    late: bool,
+    others: tuple[Any, ...] = (),
+) -> Made:
     """What is said of something whose process was killed, or ended by itself.
 
-    It was to be done by ``task``, one of the functions above.
+    It was to be done by ``task``, one of the functions above, which was told ``others`` as well.
     """
     error = (TimeLimitError if late else UnsupportedError)(message)
     if task not in (solved, drawn, explained):
@@ -128,6 +144,8 @@ def given_up(about: Any, task: Callable[..., Made], message: str, late: bool) ->
     found = contract.unfinished(FILE, parse(about), error)
     if task is explained:
         return _json(_nothing(found), tired=True)
+    if task is solved and True in others[1:2]:  # the working too
+        found = contract.with_derivations(found)
     return _json({**found, **(_NO_PICTURES if task is drawn else {})}, tired=True)
 
 
@@ -169,6 +187,8 @@ def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:
             if problem is None or isinstance(error, StatementError)
             else contract.unfinished(FILE, problem, error, part)
         )
+        if isinstance(task, Writing) and task.working:
+            found = contract.with_derivations(found)
         tired = error.kind == TimeLimitError.kind
         return _json(_nothing(found) if whole else {**found, **beside}, tired)
     if isinstance(reply.content, str):
