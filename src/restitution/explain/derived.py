@@ -6,45 +6,55 @@ root is rejected, on what an inequality rests. An equation has a number only whe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
+from restitution.explain.measured import Measures, is_plain, percentage, rounded, with_unit
+from restitution.explain.naming import Naming, event_of
+from restitution.explain.reasons import Reasons
+from restitution.explain.sources import Source, Sources
 from restitution.explain.steps import REQUIRED, Explanation, PartExplanation, Row, Step
 from restitution.explaining.derivation import (
     Derivation,
-    ItemEnd,
+    Event,
     Line,
     Link,
     Meaning,
     Relation,
 )
-from restitution.explaining.layouts import chains, of_chain, of_relation, of_tree
-from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.layouts import chains
+from restitution.explaining.marks import Marks
+from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
 from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
-from restitution.problem import Problem
+from restitution.problem import Find, Item, Problem, Show, Value
 from restitution.render import layout as lay
 
 _TITLED = frozenset({"law", "define"})
-_NUMBERED = frozenset({"combine", "divide", "square-add", "put"})
-_REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone"})
+# Definitions that speak of the whole motion: they begin no working of an impact.
+_OF_THE_WHOLE = frozenset(
+    {"energy", "total", "total-lost", "energy-ratio", "energy-lost", "assemble", "speed"}
+)
+# In these the second line of an equation leaves out the side that stays.
+_GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
+_WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
 
 def explanation_of(derivation: Derivation, problem: Problem) -> Explanation:
     """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of."""
-    writer = _Writer(derivation)
+    writer = _Writer(derivation, problem)
     parts: list[PartExplanation] = []
     by_part = groupby(derivation.lines, writer.part_of)
     for label, lines in by_part:
         steps = tuple(_joined(writer.steps(list(lines))))
         ends = [each for each in derivation.items if each.part == label]
-        asked = tuple(dict.fromkeys(each.item for each in ends))
-        answers = tuple(_plain(of_relation(each.answer, writer.vectors)) for each in ends)
+        asked = tuple(writer.asked(each) for each in dict.fromkeys(e.item for e in ends))
+        answers = tuple(_plain(writer.relation(each.answer)) for each in ends)
         parts.append(PartExplanation(label, asked, steps, answers))
-    return Explanation(problem.title, tuple(parts))
+    return Explanation(problem.title, tuple(parts), problem.warnings)
 
 
 def _joined(steps: Iterator[Step]) -> Iterator[Step]:
@@ -73,66 +83,102 @@ class _Writer:
     """One derivation on its way to paper."""
 
     derivation: Derivation
+    problem: Problem
     heading: int | None = None
     title: Sentence | None = None
+    left: Expression | None = None
 
     def __post_init__(self) -> None:
-        meanings = self.derivation.meanings
-        self.vectors = frozenset(name for name, each in meanings.items() if each.vector)
-        self.events = {each.number: each for each in self.derivation.events}
+        self.naming = Naming(self.derivation, self.problem)
+        self.measures = Measures(self.problem, self.derivation.meanings)
+        self.events = self.naming.events
         self.ends = {each.line: each for each in self.derivation.items}
         parts = {each.item: each.part for each in self.derivation.items}
         self.items = {each: n for n, each in enumerate(parts)}
         self.parts = parts
-        self.numbers = self._numbered()
+        asked = [each for _, step in self.problem.steps() for each in _asked(step)]
+        self.of_items: Mapping[str, Item | Show] = (
+            dict(zip(parts, asked, strict=True)) if len(asked) == len(parts) else {}
+        )
+        self.sources = Sources(self.derivation)
+        self.reasons = Reasons(self.derivation, self.naming)
+        self.cases = {n: each for each in self.derivation.cases for n in each.lines}
+        self.case: int | None = None
+        self.given: set[str] = set()
 
     def part_of(self, line: Line) -> str | None:
         """The label of the part to which a line belongs."""
         return self.parts.get(line.item or "")
 
-    def _numbered(self) -> Mapping[int, int]:
-        """The lines that a later line names, and the numbers by which it does."""
-        position = {each.number: n for n, each in enumerate(self.derivation.lines)}
-        named: set[int] = set()
-        for line in self.derivation.lines:
-            if line.move.id not in _NUMBERED:
-                continue
-            cited = [ref for ref in line.premises if self._is_equation(ref)]
-            after = [r for r in cited if position[line.number] - position[r] > 1]  # type: ignore[index]
-            if len(cited) > 1 or after:
-                named |= set(cited)  # type: ignore[arg-type]
-        return {number: n for n, number in enumerate(sorted(named), 1)}
+    def asked(self, item: str) -> str:
+        """An item as it was typed."""
+        known = self.of_items.get(item)
+        return known.text if known is not None and known.text else item
 
-    def _is_equation(self, ref: Any) -> bool:
-        line = self.derivation.line(ref) if isinstance(ref, int) else None
-        return line is not None and isinstance(line.relation, Relation)
+    def relation(self, relation: Relation) -> lay.Layout:
+        """A whole relation in one line."""
+        return self.naming.relation(relation)
 
     # --- steps ----------------------------------------------------------------------------------
 
     def steps(self, lines: list[Line]) -> Iterator[Step]:
         """The lines of a part as steps."""
+        self.title = self.left = None
         lets: list[Meaning] = []
-        for line in lines:
-            if line.shown == "silent":
-                continue
+        waiting: list[Line] = []
+        shown = [each for each in lines if each.shown != "silent"]
+        for index, line in enumerate(shown):
             if isinstance(line.relation, Meaning):
                 lets.append(line.relation)
                 continue
-            yield from self._heading(line)
+            yield from self._entered(line)
             if lets:
                 yield Step("setting", sentences=tuple(self._setting(lets)))
-                lets = []
-            yield self._step(line)
+                lets, self.left = [], None
+            if line.shown == "inline":
+                waiting.append(line)
+                continue
+            after = shown[index + 1] if index + 1 < len(shown) else None
+            if self._stays(line) and not waiting:
+                waiting_too = [line]
+                self.stay = [*getattr(self, "stay", []), *waiting_too]
+                if after is not None and self._stays(after) and self._same_law(line, after):
+                    continue
+                together, self.stay = self.stay, []
+                step = self._unchanged(together)
+            else:
+                step = self._step(line, waiting)
+                waiting = []
+            introduced = self.naming.introduced()
+            if introduced:
+                yield Step("setting", sentences=introduced)
+            yield step
+
+    def _entered(self, line: Line) -> Iterator[Step]:
+        """What stands before the lines of an event, or of a case."""
+        case = self.cases.get(line.number)
+        number = None if case is None else case.number
+        if number != self.case:
+            self.case, self.title, self.left = number, None, None
+            behind = None if case is None else self.derivation.line(case.line)
+            if case is not None and behind is not None:
+                assert isinstance(behind.relation, Relation)
+                options = (behind.relation.options[case.option],)
+                values = (self.relation(Relation(options)),)
+                yield Step("note", sentences=(say("heading.case", values=values),))
+        yield from self._heading(line)
 
     def _heading(self, line: Line) -> Iterator[Step]:
         """A heading where the next of several events begins."""
         number = line.move.event
-        impacts = [each for each in self.events.values() if each.kind == "impact"]
-        if number is None or number == self.heading or len(impacts) < 2:
+        if number is None or number == self.heading or len(self.naming.impacts) < 2:
+            return
+        if line.move.record in _OF_THE_WHOLE:
             return
         event = self.events.get(number)
-        self.heading = number
         if event is not None and event.kind == "impact":
+            self.heading = self.naming.now = number
+            self.title = self.left = None
             first, second = event.bodies
             ordinal = f"ordinal.{number}"
             title = (
@@ -144,205 +190,524 @@ class _Writer:
 
     def _setting(self, lets: list[Meaning]) -> Iterator[Sentence]:
         """What letters stand for: quantities by name, and the others as equations."""
-        letters = {each.letter: of_tree(Letter(each.letter), self.vectors) for each in lets}
-        named = [each for each in lets if isinstance(each.quantity, Quantity)]
-        if named:
-            meanings = (
-                say(
-                    "derived.meaning",
-                    letter=letters[each.letter],
-                    quantity=self._quantity(each.quantity, each.sense),
+        for kind, group in groupby(lets, self._kind):
+            meanings = list(group)
+            if kind is None:
+                yield say(
+                    "derived.name",
+                    equations=tuple(
+                        lay.Relation(
+                            (self._letter(each), self.naming.laid(each.quantity)), ("=",)
+                        )
+                        for each in meanings
+                    ),
                 )
-                for each in named
-            )
-            yield say("derived.let", meanings=tuple(meanings))
-        others = [each for each in lets if each not in named]
-        if others:
-            equations = (
-                lay.Relation((letters[e.letter], of_tree(e.quantity, self.vectors)), ("=",))
-                for e in others
-            )
-            yield say("derived.name", equations=tuple(equations))
+            elif kind == "named":
+                yield say(
+                    "derived.let",
+                    meanings=tuple(
+                        say(
+                            "derived.meaning",
+                            letter=self._letter(each),
+                            quantity=self.naming.of_letter(each),
+                        )
+                        for each in meanings
+                    ),
+                )
+            else:
+                yield from self._components(kind, meanings)
+            for each in meanings:
+                self.naming.knows(each.quantity, each.letter)
 
-    def _step(self, line: Line) -> Step:
+    def _letter(self, meaning: Meaning) -> lay.Layout:
+        return self.naming.laid(Letter(meaning.letter))
+
+    def _kind(self, meaning: Meaning) -> Any:
+        """Letters that are introduced in one sentence: components of one impact; the others."""
+        match meaning.quantity:
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), axis)):
+                event = self.naming.event_of_axis(axis)
+                sense = meaning.sense if meaning.sense is not None else axis
+                if event is not None and event.number == stage:
+                    turned = self._turned(axis, sense)
+                    if turned is None:
+                        return ("axis", sense)
+                    return ("wall" if event.wall else "centres", event, turned)
+                if isinstance(sense, Unit) and event is None and stage == self.naming.last(body):
+                    return ("axis", sense)
+                return "named"
+            case Quantity():
+                return "named"
+        return None
+
+    @staticmethod
+    def _turned(axis: Expression, sense: Expression) -> bool | None:
+        """Whether a sense is against the axis; None where it is another direction."""
+        own, back = (
+            (each.operand, True) if isinstance(each, Negate) else (each, False)
+            for each in (axis, sense)
+        )
+        return own[1] != back[1] or own[1] if own[0] == back[0] else None
+
+    def _components(self, kind: tuple[Any, ...], meanings: list[Meaning]) -> Iterator[Sentence]:
+        letters = tuple(self._letter(each) for each in meanings)
+        bodies = tuple(each.quantity.arguments[0].arguments[0].name for each in meanings)  # type: ignore[union-attr]
+        if kind[0] == "axis":
+            axis = self.naming.laid(kind[1])
+            if len(letters) > 1:
+                yield say("let.components", letters=letters, bodies=bodies, axis=axis)
+            else:
+                yield say("let.component", letter=letters[0], body=bodies[0], axis=axis)
+            return
+        event: Event = kind[1]
+        first, second = reversed(event.bodies) if kind[2] else event.bodies
+        if kind[0] == "wall":
+            name = "derived.away" if kind[2] else "derived.towards"
+            for letter, body in zip(letters, bodies, strict=True):
+                yield say(name, letter=letter, body=body, wall=event.bodies[1])
+        elif len(letters) > 1:
+            yield say(
+                "let.components-centres",
+                letters=letters,
+                bodies=bodies,
+                first=first,
+                second=second,
+            )
+        else:
+            yield say(
+                "let.component-centres",
+                letter=letters[0],
+                body=bodies[0],
+                first=first,
+                second=second,
+            )
+
+    # --- components that stay -------------------------------------------------------------------
+
+    def _stays(self, line: Line) -> bool:
+        """Whether a line tells of a component that stays, and no more than that."""
+        if line.move.id != "law" or line.move.record != "unchanged" or line.shown != "line":
+            return False
+        if line.number in self.sources.numbers or line.number in self.ends:
+            return False
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and len(relation.options) == 1
+            and isinstance(relation.only[0].left, Quantity)
+            and all(each.sign == "=" for each in relation.only)
+            and len(chains(relation.only)) == 1
+        )
+
+    def _same_law(self, line: Line, other: Line) -> bool:
+        return line.move.event == other.move.event and self.cases.get(
+            line.number
+        ) == self.cases.get(other.number)
+
+    def _unchanged(self, lines: Sequence[Line]) -> Step:
+        """The components that stay as a sentence."""
+        event = self.events[lines[0].move.event or 1]
+        values: list[tuple[str, lay.Layout]] = []
+        for line in lines:
+            assert isinstance(line.relation, Relation)
+            sides = [self.naming.laid(each.right) for each in line.relation.only]
+            unit = self.measures.unit(line.relation.only[0].left)
+            if is_plain(sides[-1]):
+                sides[-1] = with_unit(sides[-1], unit)
+            body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
+            whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
+            values.append((body, whole if len(sides) > 1 else sides[0]))
+        title: Sentence = (
+            say("unchanged-wall.title", wall=event.bodies[1])
+            if event.wall
+            else say("unchanged.title")
+        )
+        if event.wall:
+            said = say("unchanged-wall.component", value=values[0][1])
+        elif len(values) == 1:
+            said = say("derived.stays", of=values[0][0], value=values[0][1])
+        else:
+            components = [say("unchanged.component", value=v, body=b) for b, v in values]
+            said = say("unchanged.components", components=components)
+        self.title, self.left = None, None
+        points: Marks = tuple(mark for line in lines for mark in line.marks)
+        item = self.items.get(lines[0].item or "")
+        return Step("principle", (), title, (said,), points, item=item)
+
+    # --- lines ----------------------------------------------------------------------------------
+
+    def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in _TITLED else "solve"
-        title = self._title(line)
-        above, self.title = self.title, title
-        rows = list(self._rows(line))
+        given = self._given(line)
+        title = None if given else self._title(line)
+        named = title is not None and title == self.title
+        sentences = given or tuple(self._sentences(line))
+        fresh = bool(sentences) or (title is not None and not named)
+        rows = list(self._rows(line, waiting, fresh))
+        if title is not None or sentences:
+            self.title = title
+        behind = self.sources.numbers.get(line.number)
         rows[-1] = replace(
             rows[-1],
-            points=line.marks,
+            points=tuple(mark for each in (*waiting, line) for mark in each.marks),
+            reasons=(*rows[-1].reasons, *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self._asides(line)),
+            number="" if behind is None else str(behind),
         )
         return Step(
             kind,
             tuple(rows),
-            None if title == above else title,
-            tuple(self._sentences(line)),
+            None if named else title,
+            sentences,
             item=self.items.get(line.item or ""),
         )
+
+    def _given(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that a definition turns into an equation."""
+        if line.move.id != "define":
+            return ()
+        facts = [
+            fact
+            for ref in line.premises
+            if isinstance(ref, str)
+            and (fact := self.derivation.fact(ref)) is not None
+            and fact.kind == "given"
+            and fact.id not in self.given
+        ]
+        if len(facts) != 1:
+            return ()
+        self.given |= {each.id for each in facts}
+        fact = self.relation(facts[0].relation)
+        assert isinstance(line.relation, Relation)
+        nothing = _plain(self.naming.laid(line.relation.options[0][-1].right)) == "0"
+        if line.move.record == "perpendicular" and nothing:
+            match line.relation.options[0][0].left:
+                case Quantity("along" | "across"):
+                    pass
+                case _:
+                    return (say("given.product", fact=fact),)
+        if line.move.record == "parallel":
+            return (say("given.proportion", fact=fact),)
+        return (say("given.fact", fact=fact),)
 
     def _title(self, line: Line) -> Sentence | None:
         record, event = line.move.record, self.events.get(line.move.event or 0)
         if line.move.id not in _TITLED or record is None:
             return None
-        wall = event is not None and event.wall
-        if record in ("unchanged", "restitution-wall") and wall:
-            assert event is not None
-            if record == "unchanged":
-                return say("unchanged-wall.title", wall=event.bodies[1])
-            return say("restitution.title")
+        body = line.move.bodies[0] if line.move.bodies else None
+        if event is not None and event.wall:
+            wall = event.bodies[1]
+            match record:
+                case "unchanged":
+                    return say("unchanged-wall.title", wall=wall)
+                case "impulse":
+                    return say("impulse-wall.title", body=body or event.bodies[0], wall=wall)
+                case "across-the-impulse" | "along-the-change":
+                    return say("impulse-normal.title", wall=wall)
+                case "component":
+                    return None
+                case "energy-lost":
+                    return say("loss-wall.title")
         if record == "impulse" and event is not None:
-            body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
-            if wall:
-                return say("impulse-wall.title", body=body, wall=event.bodies[1])
-            return say("impulse-spheres.title", body=body)
+            return say("impulse-spheres.title", body=body or event.bodies[0])
+        if record == "perpendicular":
+            assert isinstance(line.relation, Relation)
+            right = line.relation.options[0][-1].right
+            if _plain(self.naming.laid(right)) != "0":
+                return None
         return say(_TITLES[record]) if record in _TITLES else None
 
     def _sentences(self, line: Line) -> Iterator[Sentence]:
         """What is said before a row: how it comes from the ones above."""
-        move = line.move
-        if move.id == "combine" and move.eliminated:
-            letter = of_tree(read_tree(move.eliminated, self._names()), self.vectors)
-            yield say("derived.combine", letter=letter, equations=self._equations(line))
-        elif move.id in ("combine", "divide", "square-add", "put"):
-            equations = self._equations(line)
-            if equations:
-                yield say(_FROM[move.id], equations=equations)
-        elif move.id == "identity" and move.record in _BY:
-            yield say(_BY[move.record])
-        elif move.id == "fact":
+        source = self.sources.of(line)
+        if line.move.id == "fact":
             yield say("derived.fact")
+            return
+        if line.move.record == "component" and line.move.id == "define":
+            if self._resolved(line) and self.title != self._resolved_title(line):
+                yield self._resolved_title(line)
+            return
+        if source is not None:
+            yield from self._source(source)
+        if line.move.id == "identity" and line.move.record in _BY:
+            yield say(_BY[line.move.record])
 
-    def _equations(self, line: Line) -> tuple[str, ...]:
-        return tuple(
-            f"({self.numbers[ref]})"
-            for ref in line.premises
-            if isinstance(ref, int) and ref in self.numbers
-        )
+    def _resolved(self, line: Line) -> bool:
+        return line.number in self.ends or True
+
+    def _resolved_title(self, line: Line) -> Sentence:
+        event = self.events.get(line.move.event or 0)
+        if event is not None and event.wall:
+            return say("resolved-wall.before", wall=event.bodies[1])
+        return say("resolved-spheres.before")
+
+    def _source(self, source: Source) -> Iterator[Sentence]:
+        equations = tuple(self._number(each) for each in source.numbered)
+        match source.kind:
+            case "combine":
+                letter = self.naming.laid(read_tree(source.eliminated, self.naming.bodies))
+                yield say("derived.combine", letter=letter, equations=equations)
+            case "divide":
+                first, second = equations
+                yield say("derived.divide", first=first, second=second)
+            case "square-add":
+                yield say("derived.square-add", equations=equations)
+            case "put":
+                letters = tuple(self.naming.laid(each) for each in source.letters)
+                facts = tuple(self._fact(each) for each in source.facts)
+                if facts and equations:
+                    yield say("derived.since-in", facts=facts, equation=equations[0])
+                elif facts:
+                    yield say("derived.since", facts=facts)
+                elif letters and equations and source.last:
+                    yield say("derived.put-last", equation=equations[0])
+                elif letters and equations:
+                    yield say("derived.put-in", letters=letters, equation=equations[0])
+                elif letters and not source.last:
+                    yield say("derived.put", letters=letters)
+                elif equations:
+                    yield say("derived.add", equations=equations)
+            case _:
+                if equations:
+                    yield say("derived.add", equations=equations)
+
+    def _number(self, ref: int) -> Sentence:
+        return say("derived.number", number=str(self.sources.numbers[ref]))
+
+    def _fact(self, name: str) -> lay.Layout:
+        fact = self.derivation.fact(name)
+        assert fact is not None
+        return self.relation(fact.relation)
 
     def _asides(self, line: Line) -> Iterator[Sentence]:
-        """What stands behind a row: its number, its reason, and that it was to be shown."""
-        if line.move.id in _REASONED:
-            reasons = tuple(
-                reason for ref in line.premises if (reason := self._reason(ref)) is not None
-            )
-            if reasons:
-                yield say("derived.as", reasons=reasons)
-        if line.number in self.numbers:
-            yield say("derived.number", number=str(self.numbers[line.number]))
+        """What stands behind a row in brackets: that it was to be shown."""
         end = self.ends.get(line.number)
-        if isinstance(end, ItemEnd) and end.shown:
+        if end is not None and end.shown:
             yield from REQUIRED
+        elif end is not None and isinstance(line.relation, Relation):
+            decimals = self._decimal_range(line.relation)
+            if decimals is not None:
+                yield say("derived.value", value=decimals)
 
-    def _reason(self, ref: Any) -> Sentence | lay.Layout | None:
-        """What is known of a letter, as a reader would say it."""
-        if not isinstance(ref, str) or self.derivation.fact(ref) is not None:
+    def _decimal_range(self, relation: Relation) -> lay.Layout | None:
+        """A range with its ends to three figures, where they are no plain numbers."""
+        if len(relation.options) != 1 or len(chains(relation.only)) != 1:
             return None
-        head, colon, text = ref.partition(":")
-        if colon and head.strip() == "acute":
-            return say("derived.acute", angle=of_tree(read_tree(text, self._names())))
-        return of_relation(read_relation(ref, self._names()))
-
-    def _names(self) -> dict[str, str]:
-        return {
-            body: "wall" if each.wall and n else "sphere"
-            for each in self.events.values()
-            for n, body in enumerate(each.bodies)
-        }
+        links = relation.only
+        if all(each.sign in ("=", "≈") for each in links) or any(
+            each.sign not in ("<", "<=", ">", ">=") for each in links
+        ):
+            return None
+        sides = [links[0].left, *(each.right for each in links)]
+        decimals = [rounded(each) for each in sides]
+        if not any(decimals):
+            return None
+        laid = [new or self.naming.laid(each) for new, each in zip(decimals, sides, strict=True)]
+        return lay.Relation(tuple(laid), tuple(_sign(each) for each in links))
 
     # --- rows -----------------------------------------------------------------------------------
 
-    def _rows(self, line: Line) -> Iterator[Row]:
+    def _rows(self, line: Line, waiting: Sequence[Line], fresh: bool) -> Iterator[Row]:
         assert isinstance(line.relation, Relation)
         options = line.relation.options
+        left, self.left = self.left, None
+        place = self._reached(options)
+        if place is not None:
+            value, where = place
+            row = self._chain(line, value)
+            yield replace(row, reasons=(say("derived.for", place=where),))
+            return
         if len(options) > 1:
             yield self._alternatives(options)
             return
-        for chain in chains(options[0]):
-            laid = of_chain(chain, self.vectors, self._name_of)
-            yield Row(laid.operands, laid.signs)
+        if line.move.record in ("greatest", "least") and line.move.id == "answer":
+            yield self._extreme(line)
+            return
+        groups = chains(options[0])
+        for index, links in enumerate(groups):
+            whole = links
+            if waiting and not index:
+                whole = self._with(waiting, links)
+            row = self._chain(line, whole, last=index == len(groups) - 1)
+            same = left is not None and not fresh and whole[0].left == left
+            if same and line.move.id in _GOES_ON and whole[0].sign == "=" and row.signs:
+                row = replace(row, operands=(None, *row.operands[1:]))
+            yield row
+            if whole[0].sign == "=" and len(whole) == 1:
+                self.left = whole[0].left
+            fresh = False
+
+    @staticmethod
+    def _with(waiting: Sequence[Line], links: tuple[Link, ...]) -> tuple[Link, ...]:
+        """A chain that takes up lines written within it."""
+        whole = list(links)
+        for line in reversed(waiting):
+            assert isinstance(line.relation, Relation)
+            before = line.relation.options[0]
+            if before[0].left == whole[0].left:
+                first = Link(before[-1].right, whole[0].sign, whole[0].right, whole[0].by)
+                whole = [*before, first, *whole[1:]]
+            else:
+                whole = [*before, *whole]
+        return tuple(whole)
+
+    def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
+        """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
+        words = _WORDS.get(links[0].sign)
+        if words is not None:
+            sides = (self.naming.laid(links[0].left), self.naming.laid(links[0].right))
+            return Row((operand(say(words, left=sides[0], right=sides[1])),), ())
+        trees = [links[0].left, *(each.right for each in links)]
+        sides_ = [self._laid(line, each, n) for n, each in enumerate(trees)]
+        signs = [_sign(each) for each in links]
+        if self._towards(line, links, sides_):
+            sides_[0] = self._away(links[0].left)
+            sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
+        if signs[-1] in ("=", "≈") and last:
+            self._ended(line, links, sides_, signs)
+        return Row(tuple(sides_), tuple(signs))
+
+    def _laid(self, line: Line, tree: Expression, index: int) -> lay.Layout:
+        """An operand; a component that is resolved is called by its direction alone."""
+        if not index and line.move.id == "define" and line.move.record == "component":
+            match tree:
+                case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)):
+                    event = self.naming.event_of_axis(axis)
+                    if event is not None and event.wall:
+                        name = "operand.towards" if kind == "along" else "operand.parallel"
+                        return operand(say(name, wall=event.bodies[1]))
+                    if event is not None:
+                        name = "operand.along" if kind == "along" else "operand.across"
+                        return operand(say(name, body=body))
+        return self.naming.laid(tree)
+
+    def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
+        """Whether a row gives a rebound as a negative component towards a wall."""
+        if line.number in self.ends:
+            return False
+        match links[0].left:
+            case Quantity("along", (Quantity("velocity", _), axis)):
+                event = self.naming.event_of_axis(axis)
+                return (
+                    event is not None
+                    and event.wall
+                    and all(lay.split_sign(each)[0] == "-" for each in sides[1:])
+                )
+        return False
+
+    def _away(self, tree: Expression) -> lay.Layout:
+        assert isinstance(tree, Quantity)
+        vector, axis = tree.arguments
+        event = self.naming.event_of_axis(axis)
+        assert event is not None
+        body = vector.arguments[0]  # type: ignore[union-attr]
+        assert isinstance(body, Name)
+        return operand(
+            say("derived.component-away", of=lay.Bold("v", body.name), wall=event.bodies[1])
+        )
+
+    def _ended(
+        self,
+        line: Line,
+        links: tuple[Link, ...],
+        sides: list[lay.Layout],
+        signs: list[str],
+    ) -> None:
+        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
+        left, right = links[0].left, links[-1].right
+        end = self.ends.get(line.number)
+        unit = self.measures.unit(left) if _is_value(left) else ""
+        asked = None if end is None else self.of_items.get(end.item)
+        if end is not None and not end.shown:
+            self._named(left, sides, signs)
+            if isinstance(asked, Value) and asked.percentage:
+                hundred = percentage(right)
+                if hundred is not None:
+                    sides.append(hundred)
+                    signs.append("=")
+                return
+            decimal = rounded(right) if links[-1].sign == "=" else None
+            if decimal is not None:
+                sides.append(decimal)
+                signs.append("≈")
+        if unit and (end is not None or is_plain(sides[-1])):
+            sides[-1] = with_unit(sides[-1], unit)
+
+    def _named(self, left: Expression, sides: list[lay.Layout], signs: list[str]) -> None:
+        """The name of what was asked before the letter that stands for it."""
+        if not isinstance(left, Letter):
+            return
+        meaning = self.naming.meanings.get(left.name)
+        if meaning is None or not isinstance(meaning.quantity, Quantity):
+            return
+        if meaning.quantity.kind in ("along", "across", "angle"):
+            return
+        sides.insert(0, operand(self.naming.quantity(meaning.quantity)))
+        signs.insert(0, "=")
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...]) -> Row:
         """``t = 1 or t = −1``, set at the first sign."""
         first, *rest = options
-        laid = of_chain(first, self.vectors, self._name_of)
-        others = [of_chain(each, self.vectors, self._name_of) for each in rest]
-        last = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
-        return Row((*laid.operands[:-1], last), laid.signs)
+        laid = self._bare(first)
+        others = [self._bare(each) for each in rest]
+        final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
+        return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 
-    def _name_of(self, tree: Quantity) -> lay.Layout | None:
-        """How a quantity of the motion is called among letters; vectors keep their own form."""
-        if tree.kind in _NAMED or tree == Quantity("impulse", (), tree.stage):
-            return operand(self._quantity(tree, None))
-        return None
+    def _bare(self, links: tuple[Link, ...]) -> lay.Relation:
+        trees = [links[0].left, *(each.right for each in links)]
+        sides = [self.naming.laid(each) for each in trees]
+        if _is_value(trees[0]) and is_plain(sides[-1]) and links[-1].sign == "=":
+            sides[-1] = with_unit(sides[-1], self.measures.unit(trees[0]))
+        return lay.Relation(tuple(sides), tuple(_sign(each) for each in links))
 
-    def _quantity(self, tree: Expression, sense: Expression | None) -> Sentence:
-        """A quantity as the working calls it, without the time, which its heading tells."""
-        match tree:
-            case Quantity("along" | "across" as kind, (vector, axis)):
-                return self._component(kind, vector, sense or axis)
-            case Quantity("impulse", (), _):
-                return say("derived.impulse-size")
-            case Quantity(kind, arguments, _) if kind in _OF:
-                return say(_OF[kind], of=tuple(self._plainly(each) for each in arguments))
-        return say("derived.value", value=of_tree(self._timeless(tree), self.vectors))
+    def _reached(
+        self, options: tuple[tuple[Link, ...], ...]
+    ) -> tuple[tuple[Link, ...], lay.Layout] | None:
+        """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
+        if len(options) != 2:
+            return None
+        (where, *_), value = options
+        if where.sign != "!=" or len(options[0]) != 1:
+            return None
+        place = Relation(((Link(where.left, "=", where.right),),))
+        return value, self.relation(place)
 
-    def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
-        body = vector.arguments[0] if isinstance(vector, Quantity) else vector
-        own = axis.operand if isinstance(axis, Negate) else axis
-        event = (
-            self.events.get(own.stage)
-            if isinstance(own, Quantity) and isinstance(own.stage, int)
-            else None
-        )
-        of = self._plainly(body)
-        if event is not None and event.wall:
-            return say(_AT_A_WALL[kind], body=of, wall=event.bodies[1])
-        if event is not None:
-            return say(_OF_CENTRES[kind], body=of)
-        return say(_OF_A_VECTOR[kind], body=of, axis=of_tree(axis))
-
-    def _plainly(self, tree: Expression) -> Any:
-        match tree:
-            case Name(name):
-                return name
-            case Quantity("velocity", (body,)):
-                return self._plainly(body)
-            case Unit():
-                return of_tree(tree)
-            case Quantity("line_of_centres", _):
-                return say("derived.centres")
-        return of_tree(self._timeless(tree), self.vectors)
-
-    @staticmethod
-    def _timeless(tree: Expression) -> Expression:
-        from restitution.explaining.trees import rebuilt
-
-        return rebuilt(
-            tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
-        )
+    def _extreme(self, line: Line) -> Row:
+        """The greatest or the least value, and where it is reached."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[-1]
+        name = "derived.greatest" if line.move.record == "greatest" else "derived.least"
+        called = operand(say(name, quantity=self.naming.laid(link.left)))
+        sides, signs = [called, self.naming.laid(link.right)], ["="]
+        self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
+        places = [
+            reached[1]
+            for ref in line.premises
+            if isinstance(ref, int)
+            and (behind := self.derivation.line(ref)) is not None
+            and isinstance(behind.relation, Relation)
+            and (reached := self._reached(behind.relation.options)) is not None
+        ]
+        reasons = tuple(say("derived.for", place=each) for each in places)
+        return Row(tuple(sides), tuple(signs), reasons=reasons)
 
 
-_NAMED = frozenset({"along", "across", "speed", "angle", "deflection"})
-_OF = {
-    "speed": "derived.speed",
-    "angle": "derived.angle",
-    "deflection": "derived.deflection",
-    "impulse": "derived.impulse",
-}
-_AT_A_WALL = {"along": "derived.component-towards", "across": "derived.component-parallel"}
-_OF_CENTRES = {"along": "derived.component-along", "across": "derived.component-across"}
-_OF_A_VECTOR = {
-    "along": "derived.component-along-vector",
-    "across": "derived.component-across-vector",
-}
-_FROM = {
-    "combine": "derived.add",
-    "put": "derived.put",
-    "divide": "derived.divide",
-    "square-add": "derived.square-add",
-}
+def _asked(step: Any) -> Iterator[Item | Show]:
+    if isinstance(step, Find):
+        yield from step.items
+    elif isinstance(step, Show):
+        yield step
+
+
+def _is_value(tree: Expression) -> bool:
+    """Whether a side names one quantity, whose dimension is known."""
+    return isinstance(tree, Letter | Quantity)
+
+
+def _sign(link: Link) -> str:
+    return lay.SIGNS.get(link.sign, link.sign)
+
+
 _BY = {
     "pythagoras": "derived.pythagoras",
     "double-angle": "derived.double-angle",
@@ -355,25 +720,28 @@ _TITLES = {
     "momentum": "momentum.title",
     "restitution": "restitution.title",
     "restitution-wall": "restitution.title",
-    "momentum-vector": "derived-momentum.title",
+    "momentum-vector": "momentum.vectors",
     "impulse-vector": "impulse.title",
     "opposite-impulses": "derived-opposite.title",
-    "across-the-impulse": "derived-axis.title",
-    "along-the-change": "derived-axis.title",
+    "across-the-impulse": "impulse-line.title",
+    "along-the-change": "impulse-line.title",
     "energy": "derived-energy.title",
     "energy-ratio": "derived-energy.title",
-    "energy-lost": "derived-energy.title",
+    "energy-lost": "loss-spheres.title",
     "total": "derived-energy.title",
+    "total-lost": "derived-energy.title",
     "tan": "derived-direction.title",
+    "tan-squared": "derived-direction.title",
     "tan-direction": "derived-direction.title",
     "scalar-angle": "derived-direction.title",
-    "tan-deflection": "derived-deflection.title",
-    "sum": "derived-deflection.title",
-    "difference": "derived-deflection.title",
+    "tan-deflection": "turned.title",
+    "sum": "turned.title",
+    "difference": "turned.title",
     "speed": "derived-speed.title",
-    "component": "derived-resolved.title",
     "assemble": "derived-assembled.title",
     "perpendicular": "derived-perpendicular.title",
     "parallel": "derived-parallel.title",
-    "straight-line": "derived-journey.title",
+    "straight-line": "flight.title",
 }
+
+__all__ = ["event_of", "explanation_of"]

@@ -125,7 +125,7 @@ def table_rows(row: Row) -> list[str]:
     """A line of mathematics as rows of a table: long chains take several."""
     mark = f'<td class="m">{escape(row.mark)}</td>'
     none = '<td class="m"></td>'
-    note = f' <span class="note">({said(row.note)})</span>' if row.note else ""
+    note = f' <span class="note">{said(row.note)}</span>' if row.note else ""
     left = _cell(row.operands[0])
     if not row.signs:
         return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']

@@ -157,7 +157,7 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
     for row in rows:
         wide = columns(row.operands[0]) > _LINE / 2
         said = _aside(row)
-        plain = replace(row, asides=()) if said else row
+        plain = replace(row, asides=(), reasons=(), number="") if said else row
         body = " \\\\\n".join(_lines(plain, _tag(plain)))
         last = blocks[-1] if blocks else ""
         if last.endswith(_END) and not wide and not fresh:
@@ -177,7 +177,7 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
 def _aside(row: Row) -> str:
     """A long note, as words below its line."""
     note = _note(row.note)
-    return f"({note})" if len(note) > _LINE / 2 else ""
+    return note if len(note) > _LINE / 2 else ""
 
 
 def _tag(row: Row) -> str:
@@ -195,7 +195,7 @@ def aligned(rows: Sequence[Row]) -> str:
 
 def _lines(row: Row, mark: str) -> list[str]:
     """A chain in one line, or with each sign on its own if it is long; ``mark`` ends it."""
-    note = rf"\quad\text{{({_note(row.note)})}}" if row.note else ""
+    note = rf"\quad\text{{{_note(row.note)}}}" if row.note else ""
     left = _operand(row.operands[0])
     if not row.signs:
         return [f"&{left}{note}{mark}"]
@@ -210,7 +210,7 @@ def _lines(row: Row, mark: str) -> list[str]:
             for part in _broken(sign, operand, piece, max(_LINE - columns(row.operands[0]), 40))
         ]
     if note and room > _LINE * 0.6:
-        lines.append(rf"\quad\text{{({_note(row.note)})}}")
+        lines.append(rf"\quad\text{{{_note(row.note)}}}")
         note = ""
     lines[-1] += note + mark
     if columns(row.operands[0]) > _LINE / 2 and (len(lines) > 1 or room > _LINE):

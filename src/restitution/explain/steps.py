@@ -32,8 +32,9 @@ class Row:
 
     ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
     only approximate or is no number), by which the line has been checked. ``operands[0]`` None
-    goes on from the line above. ``points`` are what an examiner would give; ``asides`` stand
-    behind the line; a line with ``alternatives`` offers several values.
+    goes on from the line above. ``points`` are what an examiner would give; ``reasons`` go on
+    from the line as words (*as α is acute*), ``asides`` stand behind it in brackets, as does its
+    ``number``, by which others name it; a line with ``alternatives`` offers several values.
     """
 
     operands: tuple[Layout | None, ...]
@@ -42,6 +43,8 @@ class Row:
     points: Marks = ()
     asides: tuple[Sentence, ...] = ()
     alternatives: bool = field(default=False, compare=False, repr=False)
+    reasons: tuple[Sentence, ...] = ()
+    number: str = ""
 
     @property
     def mark(self) -> str:
@@ -50,8 +53,16 @@ class Row:
 
     @property
     def note(self) -> Words:
-        """Words behind the line."""
-        return words_of(self.asides, str(say("list.semicolon"))) if self.asides else ()
+        """Words behind the line, with the brackets in which they stand."""
+        spoken: list[str | Layout] = []
+        if self.reasons:
+            spoken += [str(say("list.comma"))]
+            spoken += words_of(self.reasons, str(say("list.comma")))
+        for each in (self.asides, (say("derived.value", value=self.number),) if self.number else ()):
+            if each:
+                gap = " " if spoken else ""
+                spoken += [f"{gap}(", *words_of(each, str(say("list.semicolon"))), ")"]
+        return tuple(spoken)
 
 
 @dataclass(frozen=True)

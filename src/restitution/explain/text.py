@@ -161,14 +161,15 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
             continue
         current += piece
     lines.append(current)
-    note = f"({said(row.note)})" if row.note else ""
+    note = said(row.note)
+    gap = "" if note.startswith(",") else "   "
     if note and columns(lines[-1]) + columns(note) + 3 <= limit:
-        lines[-1] = f"{lines[-1]}   {note}"
+        lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
     made = _plain(lines)
     made[-1] = replace(made[-1], mark=row.mark)
     if note:
-        made += _plain([" " * (_INDENT + 2) + each for each in wrapped(note, width - _INDENT - 2)])
+        made += _plain([" " * (_INDENT + 2) + each for each in wrapped(note.removeprefix(", "), width - _INDENT - 2)])
     return made
 
 

@@ -74,7 +74,7 @@ def _step(step: Step) -> list[str]:
 def _row(row: Row) -> list[str]:
     """Arrays of the left side, the sign, the right side and the mark."""
     left = _operand(row.operands[0])
-    note = f" #text(size: 0.9em)[({_said(row.note)})]" if row.note else ""
+    note = f" #text(size: 0.9em)[{_said(row.note)}]" if row.note else ""
     mark = literal(row.mark)
     if not row.signs:
         return [f"([{left}{note}], none, [], {mark})"]

@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
+from fractions import Fraction as Ratio
+from functools import reduce
+from math import isqrt
 from typing import Any
 
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Expression, Letter, Quantity
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pi,
+    Quantity,
+    Unit,
+    walk,
+)
 from restitution.render import layout as lay
 
 _SIGNS = {
@@ -26,20 +42,163 @@ Names = Callable[[Quantity], lay.Layout | None]
 
 
 def of_tree(
-    tree: Expression, vectors: AbstractSet[str] = frozenset(), names: Names | None = None
+    tree: Expression,
+    vectors: AbstractSet[str] = frozenset(),
+    names: Names | None = None,
+    forms: Forms | None = None,
 ) -> lay.Layout:
-    """A tree as it is written; the letters that are ``vectors`` stand in bold type."""
+    """A tree as it is printed; the letters that are ``vectors`` stand in bold type."""
     called: dict[str, lay.Layout] = {}
 
-    def change(node: Expression) -> Expression:
+    def change(node: Expression) -> Expression | None:
         name = names(node) if names is not None and isinstance(node, Quantity) else None
         if name is None:
-            return node
+            return None
         called[f"q_{len(called)}"] = name
         return Letter(f"q_{len(called) - 1}")
 
-    own = lay.from_tree(rebuilt(tree, change) if names is not None else tree)
-    return _put(own, vectors, called) if vectors or called else own
+    own = lay.from_tree((forms or Forms()).printed(_renamed(tree, change)))
+    return _shaped(_put(own, vectors, called) if vectors or called else own)  # type: ignore[no-any-return]
+
+
+def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> Any:
+    """A tree with nodes replaced, outermost first: what is inside of a replaced one goes."""
+    if isinstance(tree, tuple):
+        return tuple(_renamed(each, change) for each in tree)
+    if isinstance(tree, AtTime):
+        return AtTime(_renamed(tree.time, change))
+    if not isinstance(tree, Expression):
+        return tree
+    new = change(tree)
+    if new is not None:
+        return new
+    inner = {each.name: getattr(tree, each.name) for each in fields(tree) if each.name != "place"}
+    put = {name: _renamed(value, change) for name, value in inner.items()}
+    return replace(tree, **{k: v for k, v in put.items() if v is not inner[k]})
+
+
+class Forms:
+    """The one form in which a number is printed: no root below a line, unless it was typed so.
+
+    ``typed`` are trees of the statement: a number that stands there with a root below a line is
+    printed like that everywhere.
+    """
+
+    def __init__(self, typed: Iterable[Expression] = ()) -> None:
+        self._typed: dict[tuple[Ratio, int], Expression] = {}
+        for tree in typed:
+            for node in walk(tree):
+                if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
+                    parts = _parts(node)
+                    if parts is not None and not parts[2]:
+                        self._typed.setdefault(parts[:2], node)
+
+    def printed(self, tree: Expression) -> Expression:
+        """The tree in which each number has its form, and no component is nothing."""
+        return rebuilt(tree, self._node)
+
+    def _node(self, node: Expression) -> Expression:
+        match node:
+            case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
+                return left
+            case Binary("/", left, right) if _root_below(right):
+                return self._rational(left, right) or node
+            case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
+                return Binary("*", first, Binary("/", a, b))
+        return self._known(node)
+
+    def _known(self, node: Expression) -> Expression:
+        """A number with a root as it was typed in the statement."""
+        if not self._typed or not isinstance(node, Binary):
+            return node
+        parts = _parts(node)
+        return self._typed.get(parts[:2], node) if parts is not None and not parts[2] else node
+
+    def _rational(self, left: Expression, right: Expression) -> Expression | None:
+        above, below = _parts(left), _parts(right)
+        if above is None or below is None:
+            return None
+        (p, n, first), (q, m, second) = above, below
+        size = p / (q * m)
+        root, radicand = _square_free(n * m)
+        known = self._typed.get((size * root, radicand))
+        number = known or _number(size * root, radicand)
+        whole = reduce(lambda a, b: Binary("*", a, b), first, number)
+        if first and number == Number(Ratio(1)):
+            whole = reduce(lambda a, b: Binary("*", a, b), first)
+        return (
+            whole
+            if not second
+            else Binary("/", whole, reduce(lambda a, b: Binary("*", a, b), second))
+        )
+
+
+_Parts = tuple[Ratio, int, tuple[Expression, ...]]
+
+
+def _parts(tree: Expression) -> _Parts | None:
+    """A product as a rational number, what stands under a root, and its other factors.
+
+    None where a factor that is divided by is no number, or a number was typed with decimals.
+    """
+    match tree:
+        case Number(value):
+            return None if value.denominator != 1 or value == 0 else (value, 1, ())
+        case Apply("sqrt", Number(value)) if value.denominator == 1 and value > 0:
+            root, inside = _square_free(int(value))
+            return Ratio(root), inside, ()
+        case Binary("*", left, right):
+            first, second = _parts(left), _parts(right)
+            if first is None or second is None:
+                return None
+            root, inside = _square_free(first[1] * second[1])
+            return first[0] * second[0] * root, inside, (*first[2], *second[2])
+        case Binary("/", left, right):
+            first, second = _parts(left), _parts(right)
+            if first is None or second is None or second[2]:
+                return None
+            root, inside = _square_free(first[1] * second[1])
+            return first[0] * root / (second[0] * second[1]), inside, first[2]
+        case Negate() | Degrees() | Pi():
+            return None
+    return Ratio(1), 1, (tree,)
+
+
+def _square_free(value: int) -> tuple[int, int]:
+    """The root of the greatest square in a whole number, and what is left."""
+    root = max((k for k in range(1, isqrt(value) + 1) if value % (k * k) == 0), default=1)
+    return root, value // (root * root)
+
+
+def _number(size: Ratio, radicand: int) -> Expression:
+    """``a√n/b``: a number with at most one root, which stands above the line."""
+    above: Expression = Number(Ratio(size.numerator))
+    if radicand > 1:
+        root = Apply("sqrt", Number(Ratio(radicand)))
+        above = root if size.numerator == 1 else Binary("*", above, root)
+    if size.denominator == 1:
+        return above
+    return Binary("/", above, Number(Ratio(size.denominator)))
+
+
+def _root_below(tree: Expression) -> bool:
+    """Whether a root of a number is a factor of what stands below a line."""
+    match tree:
+        case Apply("sqrt", Number()):
+            return True
+        case Binary("*", left, right):
+            return _root_below(left) or _root_below(right)
+    return False
+
+
+def _whole(tree: Expression) -> bool:
+    """Whether a tree is a product of whole numbers: 2 × 3/5 stands on one line."""
+    match tree:
+        case Number(value):
+            return value.denominator == 1
+        case Binary("*", left, right):
+            return _whole(left) and _whole(right)
+    return False
 
 
 def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout]) -> Any:
@@ -54,10 +213,72 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         inside = _put(layout.argument, vectors, called)
         words = isinstance(inside, lay.Phrase | lay.Words)
         return replace(layout, argument=lay.Brackets(inside) if words else inside)
+    if isinstance(layout, lay.Product) and called:
+        put = tuple(_put(each, vectors, called) for each in layout.factors)
+        return replace(layout, factors=tuple(map(_worded, put)))
     if isinstance(layout, lay.Layout):
-        put = {e.name: _put(getattr(layout, e.name), vectors, called) for e in fields(layout)}
-        return replace(layout, **put)
+        changed = {e.name: _put(getattr(layout, e.name), vectors, called) for e in fields(layout)}
+        return replace(layout, **changed)
     return layout
+
+
+def _worded(layout: lay.Layout) -> lay.Layout:
+    """A factor that is a name of several words, in brackets."""
+    return lay.Brackets(layout) if isinstance(layout, lay.Phrase | lay.Words) else layout
+
+
+def _shaped(layout: Any) -> Any:
+    """A layout in which no product runs into the next: ``(u cos α)v``, ``⅔ × ⅗u``."""
+    if isinstance(layout, tuple):
+        return tuple(_shaped(each) for each in layout)
+    if not isinstance(layout, lay.Layout):
+        return layout
+    put = {each.name: _shaped(getattr(layout, each.name)) for each in fields(layout)}
+    layout = replace(layout, **put)
+    return _grouped(layout) if isinstance(layout, lay.Product) else layout
+
+
+def _grouped(product: lay.Product) -> lay.Layout:
+    first, *rest = product.factors
+    if isinstance(first, lay.Product) and first.sign == "×":
+        if product.sign:
+            return lay.Product((*first.factors, *rest), product.sign)
+        *head, last = first.factors
+        joined = lay.product(last, *rest)
+        own = _grouped(joined) if isinstance(joined, lay.Product) else joined
+        return lay.Product((*head, own), "×")
+    if product.sign:
+        return product
+    if _numeric(rest[0]) and not _numeric(first):
+        return _grouped(lay.Product((rest[0], first, *rest[1:])))
+    groups: list[list[lay.Layout]] = [[]]
+    for factor in product.factors:
+        before = groups[-1][-1:]
+        if before and isinstance(before[0], lay.Function) and not _ends(factor):
+            groups.append([])
+        groups[-1].append(factor)
+    if len(groups) == 1:
+        return product
+    whole = [
+        lay.Brackets(lay.Product(tuple(each)) if len(each) > 1 else each[0])
+        if isinstance(each[-1], lay.Function)
+        else lay.Product(tuple(each))
+        if len(each) > 1
+        else each[0]
+        for each in groups
+    ]
+    return lay.Product(tuple(whole))
+
+
+def _numeric(factor: lay.Layout) -> bool:
+    if isinstance(factor, lay.Fraction):
+        return _numeric(factor.above) and _numeric(factor.below)
+    return isinstance(factor, lay.Number)
+
+
+def _ends(factor: lay.Layout) -> bool:
+    """Whether a factor stands behind a sine without being taken for its angle."""
+    return isinstance(factor, lay.Function | lay.Bold)
 
 
 def chains(links: tuple[Link, ...]) -> list[tuple[Link, ...]]:
@@ -75,19 +296,25 @@ def of_chain(
     links: tuple[Link, ...],
     vectors: AbstractSet[str] = frozenset(),
     names: Names | None = None,
+    forms: Forms | None = None,
 ) -> lay.Relation:
     """A chain: operands with signs between them."""
     operands = [links[0].left, *(each.right for each in links)]
     return lay.Relation(
-        tuple(of_tree(each, vectors, names) for each in operands),
+        tuple(of_tree(each, vectors, names, forms) for each in operands),
         tuple(_SIGNS.get(each.sign, each.sign) for each in links),
     )
 
 
-def of_relation(relation: Relation, vectors: AbstractSet[str] = frozenset()) -> lay.Layout:
+def of_relation(
+    relation: Relation,
+    vectors: AbstractSet[str] = frozenset(),
+    names: Names | None = None,
+    forms: Forms | None = None,
+) -> lay.Layout:
     """A whole relation in one line."""
     options = [
-        _joined([of_chain(each, vectors) for each in chains(links)], ", ")
+        _joined([of_chain(each, vectors, names, forms) for each in chains(links)], ", ")
         for links in relation.options
     ]
     return _joined(options, " or ")

@@ -1,0 +1,137 @@
+"""Values as a working gives them: with their units, rounded where a reader wants a decimal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Meaning
+from restitution.expression.dimensions import Dimension, dimension_of
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Negate
+from restitution.language.measuring import dimensions_of_letters
+from restitution.problem import Problem
+from restitution.render import layout as lay
+from restitution.vector import Vector
+from restitution.wording.units import style_of
+
+_FIGURES = 3
+
+
+class Measures:
+    """The units of one statement, and of the letters that its working introduces."""
+
+    def __init__(self, problem: Problem, meanings: Mapping[str, Meaning]) -> None:
+        self._style = style_of(problem)
+        known: dict[str, Dimension] = dict(dimensions_of_letters(problem))
+        for name, meaning in meanings.items():
+            dimension = dimension_of(meaning.quantity, known)
+            if dimension is not None:
+                known[name] = dimension
+        self._letters = known
+
+    def unit(self, tree: Expression) -> str:
+        """The unit of a quantity, with blanks that hold; nothing where letters give the scale."""
+        dimension = dimension_of(tree, self._letters)
+        return self._style.unit(dimension).lstrip()
+
+
+def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
+    """A value with its unit; a sum in brackets."""
+    if not unit:
+        return value
+    several = isinstance(value, lay.Sum) and len(value.terms) > 1
+    return lay.Phrase((lay.Brackets(value) if several else value, lay.Words(unit)), "\u00a0")
+
+
+def is_plain(value: lay.Layout) -> bool:
+    """Whether a value is a number, or a vector of numbers: nothing is left to be worked out."""
+    match value:
+        case lay.Number():
+            return True
+        case lay.Bold(name, ""):
+            return name in ("i", "j")
+        case lay.Root(inside):
+            return is_plain(inside)
+        case lay.Fraction(above, below):
+            return is_plain(above) and is_plain(below)
+        case lay.Product(factors, ""):
+            return all(isinstance(e, lay.Bold) or is_plain(e) for e in factors)
+        case lay.Sum(terms):
+            alone = len(terms) == 1
+            return all(is_plain(e) and (alone or _along_an_axis(e)) for _, e in terms)
+    return False
+
+
+def _along_an_axis(term: lay.Layout) -> bool:
+    last = term.factors[-1] if isinstance(term, lay.Product) else term
+    return isinstance(last, lay.Bold)
+
+
+def rounded(tree: Expression) -> lay.Layout | None:
+    """A value to three figures; None where its exact form says enough, or is no number.
+
+    A vector has three figures in every component, or none.
+    """
+    try:
+        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    except RestitutionError:
+        return None
+    if isinstance(value, Vector):
+        return _rounded_vector(value.x, value.y)
+    if not isinstance(value, sp.Expr):
+        return None
+    if _terminates(value):
+        return None
+    return _rounded(value, _is_angle(tree))
+
+
+def percentage(tree: Expression) -> lay.Layout | None:
+    """A number as a percentage."""
+    try:
+        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    except RestitutionError:
+        return None
+    shown = lay.display(value, percentage=True)
+    return shown.operands[-1] if isinstance(shown, lay.Relation) else shown
+
+
+def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
+    shown = lay.display(value, angle=angle)
+    if isinstance(shown, lay.Relation):
+        return shown.operands[-1]
+    return None
+
+
+def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
+    parts = [sp.sympify(each, strict=True) for each in (x, y)]
+    if any(each.free_symbols for each in parts):
+        return None
+    if all(_terminates(each) or _rounded(each, False) is None for each in parts):
+        return None
+    return lay.vector(*(_decimal(each) for each in parts))
+
+
+def _decimal(value: sp.Expr) -> lay.Layout:
+    return lay.Number("0") if value == 0 else lay.decimal_number(value, _FIGURES)
+
+
+def _terminates(value: sp.Expr) -> bool:
+    """Whether a number is a decimal with an end, that no rounding makes plainer."""
+    return isinstance(value, sp.Rational) and 1000 % value.q == 0
+
+
+def _is_angle(tree: Expression) -> bool:
+    match tree:
+        case Degrees():
+            return True
+        case Apply(function, _):
+            return function.startswith("arc")
+        case Negate(operand):
+            return _is_angle(operand)
+        case Binary("+" | "-" | "*" | "/", left, right):
+            return _is_angle(left) or _is_angle(right)
+    return False

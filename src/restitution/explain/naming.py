@@ -1,0 +1,344 @@
+"""How a working calls the quantities of the motion: letters that a reader knows, or plain words.
+
+A velocity is **v** with the name of its body, and **u** before anything happens. When something is
+so is told only where it is not plain from what stands above: the heading of an impact, or the end
+of the motion.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from restitution.explaining.derivation import Derivation, Event, Meaning, Relation
+from restitution.explaining.layouts import Forms, of_relation, of_tree
+from restitution.explaining.saying import Sentence, operand, say
+from restitution.explaining.sentences import SENTENCES
+from restitution.explaining.trees import settled, trees_of
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    Stage,
+    Unit,
+    letters,
+    walk,
+)
+from restitution.problem import Arrival, Problem
+from restitution.problem import trees as trees_of_problem
+from restitution.render import layout as lay
+
+
+def event_of(event: Event, several: bool) -> Sentence:
+    """What an event is called within a sentence: *the impact*, *the second impact*."""
+    if event.kind == "kick":
+        return say("event.kick", body=event.bodies[0])
+    if not several:
+        return say("event.only")
+    if f"ordinal.{event.number}" in SENTENCES:
+        return say("event.impact", order=say(f"ordinal.{event.number}"))
+    return say("event.impact-number", number=event.number)
+
+
+@dataclass
+class Naming:
+    """The names of one working; ``now`` is the event under whose heading the next line stands."""
+
+    derivation: Derivation
+    problem: Problem
+    now: int | None = None
+    _own: dict[Expression, lay.Layout] = field(default_factory=dict)
+    _pending: list[Sentence] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.meanings: Mapping[str, Meaning] = self.derivation.meanings
+        self.vectors = frozenset(name for name, each in self.meanings.items() if each.vector)
+        self.events = {each.number: each for each in self.derivation.events}
+        self.impacts = [each for each in self.events.values() if each.kind == "impact"]
+        happenings = [each for each in self.events.values() if each.kind != "arrival"]
+        self.several = len(happenings) > 1
+        shown = (each.answer for each in self.derivation.items if each.shown)
+        typed = [*trees_of_problem(self.problem)]
+        self.forms = Forms([*typed, *(t for each in shown for t in trees_of(each))])
+        self._used = {name for tree in typed for name in letters(tree)} | {*self.meanings}
+        for line in self.derivation.lines:
+            if not isinstance(line.relation, Meaning):
+                self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
+        self._often = Counter(
+            node
+            for line in self.derivation.lines
+            if line.shown != "silent" and not isinstance(line.relation, Meaning)
+            for node in set(self._nodes(trees_of(line.relation)))
+        )
+        self._inside = {
+            node
+            for line in self.derivation.lines
+            if not isinstance(line.relation, Meaning)
+            for tree in trees_of(line.relation)
+            for each in walk(tree)
+            if isinstance(each, Apply)
+            for node in walk(each.argument)
+            if isinstance(node, Quantity)
+        }
+
+    @staticmethod
+    def _nodes(trees: Iterable[Expression]) -> Iterator[Quantity]:
+        for tree in trees:
+            yield from (each for each in walk(tree) if isinstance(each, Quantity))
+
+    # --- for the writer -------------------------------------------------------------------------
+
+    def laid(self, tree: Expression) -> lay.Layout:
+        """A tree as it stands in a line."""
+        return of_tree(tree, self.vectors, self.name, self.forms)
+
+    def relation(self, relation: Relation) -> lay.Layout:
+        """A whole relation in one line."""
+        return of_relation(relation, self.vectors, self.name, self.forms)
+
+    @property
+    def bodies(self) -> dict[str, str]:
+        """The bodies of the story, and what each is."""
+        return {
+            body: "wall" if each.wall and n else "sphere"
+            for each in self.events.values()
+            for n, body in enumerate(each.bodies)
+        }
+
+    def introduced(self) -> tuple[Sentence, ...]:
+        """What letters stand for that have come into use since this was last asked."""
+        pending, self._pending = tuple(self._pending), []
+        return pending
+
+    def knows(self, tree: Expression, letter: str) -> None:
+        """A quantity has a letter from now on, and is called by it."""
+        if isinstance(tree, Quantity) and tree.kind in ("angle", "deflection", "time"):
+            self._own[tree] = lay.letter(letter)
+
+    def name(self, tree: Quantity) -> lay.Layout | None:
+        """What a quantity is called among letters."""
+        if tree in self._own:
+            return self._own[tree]
+        match tree:
+            case Quantity("velocity", (Name(body),), stage):
+                return self._velocity(tree, body, stage)
+            case Quantity("time", (), int(stage)) if stage in self.events:
+                return self._lettered(tree, "t", str(stage) if self.several else "")
+            case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
+                return self._lettered(tree, "delta")
+            case Quantity("restitution", (), _) | Quantity("dot", _, _):
+                return None
+        return operand(self.quantity(tree))
+
+    def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
+        """A letter for a quantity without a short name; words where the letter is taken."""
+        name = f"{letter}_{subscript}" if subscript else letter
+        words = self.quantity(tree)
+        if name in self._used:
+            return operand(words)
+        self._used.add(name)
+        laid = lay.letter(name)
+        self._own[tree] = laid
+        meaning = say("derived.meaning", letter=laid, quantity=words)
+        self._pending.append(say("derived.let", meanings=(meaning,)))
+        return laid
+
+    def _velocity(self, tree: Quantity, body: str, stage: Stage) -> lay.Layout:
+        number = self._settled(tree)
+        if number == 0 and "u" not in self.vectors:
+            laid = lay.Bold("u", body)
+            if tree not in self._own:
+                self._own[tree] = laid
+                words = say("derived.velocity", body=body)
+                late = say("derived.when", quantity=words, when=self._start())
+                meaning = say("derived.meaning", letter=laid, quantity=late)
+                self._pending.append(say("derived.let", meanings=(meaning,)))
+            return laid
+        when = self._when(number, body)
+        own = lay.Bold("v", body)
+        return own if when is None else operand(say("derived.when", quantity=own, when=when))
+
+    # --- words ----------------------------------------------------------------------------------
+
+    def quantity(self, tree: Expression) -> Sentence:
+        """A quantity in words, with the time where it is not plain."""
+        match tree:
+            case Quantity("along" | "across" as kind, (vector, axis)):
+                return self._component(kind, vector, axis)
+            case Quantity("impulse", (), stage):
+                return self._during(say("derived.impulse-size"), stage)
+            case Quantity("impulse", (Name(body),), stage):
+                return self._during(say("derived.impulse", of=(body,)), stage)
+            case Quantity("speed", (Name(body),), _):
+                return self._after(say("derived.speed", of=(body,)), tree, body)
+            case Quantity("energy", bodies, _):
+                return self._after(self._energy(bodies), tree, None)
+            case Quantity("energy_lost", _, stage):
+                return self._during(say("derived.energy-lost"), stage)
+            case Quantity("total_energy_lost", _, _):
+                return say("derived.energy-lost-all")
+            case Quantity("deflection", (Name(body),), stage):
+                return self._during(say("derived.deflection", of=(body,)), stage)
+            case Quantity("angle", arguments, _):
+                return say("derived.angle", of=tuple(self._side(each) for each in arguments))
+            case Quantity("time", (), int(stage)) if stage in self.events:
+                return say("derived.time", event=self._moment(stage, of=True))
+            case Quantity("position", (Name(body),), stage):
+                return self._at(say("derived.position", body=body), stage)
+            case Quantity("line_of_centres", _, _):
+                return say("derived.line")
+        return say("derived.value", value=lay.from_tree(self._timeless(tree)))
+
+    def of_letter(self, meaning: Meaning) -> Sentence:
+        """What a letter stands for."""
+        match meaning.quantity:
+            case Quantity("speed", (Name(body),), _) as tree if not self.several:
+                late = self._plain_when(self._settled(tree))
+                return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
+        return self.quantity(meaning.quantity)
+
+    def _side(self, tree: Expression) -> Sentence | lay.Layout | str:
+        match tree:
+            case Name(name):
+                return name
+            case Quantity("line_of_centres", _):
+                return say("derived.centres")
+        return self.laid(tree)
+
+    def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
+        names = tuple(each.name for each in bodies if isinstance(each, Name))
+        if names:
+            return say("derived.energy-of", bodies=names)
+        movers = {b for e in self.events.values() for n, b in enumerate(e.bodies) if not (e.wall and n)}
+        return say("derived.energy-all") if len(movers) > 1 else say("derived.energy")
+
+    def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
+        match vector:
+            case Quantity("velocity", (Name(body),), _):
+                number = self._settled(vector)
+                of: lay.Layout = lay.Bold("v" if number else "u", body)
+                if number == 0 and "u" in self.vectors:
+                    of = lay.Bold("v", body)
+            case Quantity("position", (Name(body),), stage) if isinstance(axis, Unit):
+                letter = lay.Letter("x" if axis.axis == "i" else "y")
+                return self._at(say("derived.coordinate", letter=letter, body=body), stage)
+            case _:
+                of = self.laid(vector)
+        event = self.event_of_axis(axis)
+        if event is None:
+            name = "derived.component-unit" if kind == "along" else "derived.component-across-vector"
+            if kind == "along" and isinstance(axis, Unit):
+                return say("derived.component-unit", axis=self.laid(axis), of=of)
+            if kind == "along":
+                return say("derived.component-along-vector", axis=self.laid(axis), of=of)
+            return say(name, axis=self.laid(axis), of=of)
+        if event.wall and kind == "along":
+            return say("derived.component-towards", of=of, wall=event.bodies[1])
+        if event.wall:
+            return say("derived.component-parallel", of=of, wall=event.bodies[1])
+        if kind == "along":
+            return say("derived.component-along", of=of)
+        return say("derived.component-across", of=of)
+
+    def event_of_axis(self, axis: Expression) -> Event | None:
+        """The event along whose axis a component is taken."""
+        own = axis.operand if isinstance(axis, Negate) else axis
+        if isinstance(own, Quantity) and own.kind == "line_of_centres":
+            return self.events.get(own.stage) if isinstance(own.stage, int) else None
+        return None
+
+    # --- times ----------------------------------------------------------------------------------
+
+    def _settled(self, tree: Quantity) -> int | None:
+        known = settled(tree, self.derivation.events)
+        stage = known.stage if isinstance(known, Quantity) else None
+        return stage if isinstance(stage, int) else None
+
+    def last(self, body: str | None) -> int:
+        """The number of the last event that changes a velocity."""
+        return max(
+            (
+                e.number
+                for e in self.events.values()
+                if e.kind != "arrival" and (body is None or body in e.bodies)
+            ),
+            default=0,
+        )
+
+    def _start(self) -> Sentence:
+        if self.several or len(self.impacts) != 1:
+            return say("derived.at-the-start")
+        return say("derived.before", event=say("event.only"))
+
+    def _when(self, number: int | None, body: str | None) -> Sentence | None:
+        """When a lasting quantity is meant; None where it is plain."""
+        if number is None or number == self.now or (number and number == self.last(body)):
+            return None
+        return self._plain_when(number)
+
+    def _plain_when(self, number: int | None) -> Sentence:
+        if not number:
+            return self._start()
+        return say("event.after", event=event_of(self.events[number], self.several))
+
+    def _after(self, words: Sentence, tree: Quantity, body: str | None) -> Sentence:
+        when = self._when(self._settled(tree) if body else _number(tree.stage), body)
+        return words if when is None else say("derived.when", quantity=words, when=when)
+
+    def _during(self, words: Sentence, stage: Stage) -> Sentence:
+        """What belongs to one event."""
+        number = _number(stage)
+        if number not in self.events or not self.several or number == self.now:
+            return words
+        during = say("event.during", event=event_of(self.events[number], True))
+        return say("derived.when", quantity=words, when=during)
+
+    def _moment(self, stage: int, of: bool = False) -> Sentence:
+        event = self.events[stage]
+        if event.kind == "arrival":
+            step = self._arrivals().get(stage)
+            target = self.laid(step.target) if step is not None else lay.Words("")
+            return say("event.arrival", body=event.bodies[0], target=target)
+        named = event_of(event, self.several)
+        return say("derived.of", event=named) if of else say("event.during", event=named)
+
+    def _arrivals(self) -> dict[int, Arrival]:
+        kinds = ("Impact", "Kick", "Arrival")
+        told = (step for _, step in self.problem.steps() if type(step).__name__ in kinds)
+        return {n: step for n, step in enumerate(told, 1) if isinstance(step, Arrival)}
+
+    def _at(self, words: Sentence, stage: Stage) -> Sentence:
+        match stage:
+            case AtTime(time):
+                when = say("derived.at-time", time=self.laid(time))
+            case 0:
+                when = say("derived.at-the-start")
+            case int(number) if number in self.events:
+                when = self._moment(number)
+            case _:
+                return words
+        return say("derived.when", quantity=words, when=when)
+
+    @staticmethod
+    def _timeless(tree: Expression) -> Expression:
+        from dataclasses import replace
+
+        from restitution.explaining.trees import rebuilt
+
+        return rebuilt(
+            tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
+        )
+
+
+def _number(stage: Stage) -> int | None:
+    return stage if isinstance(stage, int) else None
+
+
+def letter_of(tree: Expression) -> str | None:
+    """The name of a letter that stands alone."""
+    return tree.name if isinstance(tree, Letter) else None

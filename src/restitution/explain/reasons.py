@@ -1,0 +1,157 @@
+"""On what a line rests that is no equation: *as α is acute*, *as 0 ≤ e ≤ 1*."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression, Letter, letters
+from restitution.render import layout as lay
+
+_REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_UP, _DOWN = ("<", "<="), (">", ">=")
+
+
+class Reasons:
+    """The reasons of the lines of one derivation."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+
+    def of(self, line: Line) -> tuple[Sentence, ...]:
+        """What a line rests on, to stand behind it."""
+        if line.move.id not in _REASONED:
+            return ()
+        reasons = (*self._monotone(line), *self._known(line))
+        if line.move.id == "inverse":
+            reasons = ()  # the acute angle is what the arc functions give
+        if line.move.id == "reject" and not reasons:
+            reasons = tuple(self._positive(line))
+        return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        said: list[Sentence | lay.Layout] = []
+        bounds: list[Link] = []
+        for ref in line.premises:
+            match self._reason(ref, line):
+                case Relation(options=((link,),)) if link.sign in (*_UP, *_DOWN):
+                    bounds.append(link)
+                case Relation() as relation:
+                    said.append(self._laid(relation))
+                case Sentence() as sentence:
+                    said.append(sentence)
+        return (*said, *(self._laid(each) for each in _merged(bounds)))
+
+    def _reason(self, ref: Ref, line: Line) -> Sentence | Relation | None:
+        """What is known of a letter, as a reader would say it."""
+        if isinstance(ref, int):
+            own = self._derivation.line(ref)
+            excludes = line.move.id == "reject" and ref != line.premises[0]
+            return own.relation if excludes and own and isinstance(own.relation, Relation) else None
+        fact = self._derivation.fact(ref)
+        if fact is not None:
+            signs = {each.sign for links in fact.relation.options for each in links}
+            ordered = signs and signs <= {*_UP, *_DOWN, "!="}
+            return fact.relation if ordered and fact.kind in ("given", "range") else None
+        head, colon, text = ref.partition(":")
+        if colon and head.strip() == "acute":
+            angle = self._naming.laid(read_tree(text, self._naming.bodies))
+            return say("derived.acute", angle=angle)
+        return read_relation(ref, self._naming.bodies)
+
+    def _laid(self, relation: Relation) -> lay.Layout:
+        return self._naming.relation(relation)
+
+    def _positive(self, line: Line) -> Iterator[Sentence]:
+        """The silent reason: the letter stands for something positive."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if isinstance(left, Letter):
+            yield say("derived.positive", letter=self._naming.laid(left))
+
+    def _monotone(self, line: Line) -> Iterator[Sentence]:
+        """That a quantity increases, or decreases, between the ends that are cited."""
+        if line.move.id != "monotone":
+            return
+        above = [
+            own.relation.options[0][-1]
+            for ref in line.premises
+            if isinstance(ref, int)
+            and (own := self._derivation.line(ref)) is not None
+            and isinstance(own.relation, Relation)
+        ]
+        ends = [
+            link
+            for ref in line.premises
+            if isinstance(relation := self._reason(ref, line), Relation)
+            for links in relation.options
+            for link in links
+        ]
+        names = {
+            name
+            for each in ends
+            for side in (each.left, each.right)
+            for name in letters(side)
+        }
+        if len(above) != 1 or len(names) != 1:
+            return
+        (name,) = names
+        way = self._way(above[0].right, name, ends)
+        if way:
+            id_ = "derived.increases" if way > 0 else "derived.decreases"
+            quantity = self._naming.laid(above[0].left)
+            yield say(id_, quantity=quantity, letter=self._naming.laid(Letter(name)))
+
+    @staticmethod
+    def _way(tree: Expression, name: str, ends: list[Link]) -> int:
+        """The sign of the change from the lower to the upper end, all other letters being 1."""
+
+        def value(own: Expression, at: Any) -> Any:
+            return evaluate(own, lambda each: at if each == name else sp.Integer(1))
+
+        try:
+            places = sorted(
+                (
+                    value(side, sp.Integer(0))
+                    for each in ends
+                    for side in (each.left, each.right)
+                    if not letters(side)
+                ),
+                key=float,
+            )
+            low, high = places if len(places) == 2 else (places[0] / 2, places[0])
+            change = sp.sympify(value(tree, high) - value(tree, low))
+            return int(sp.sign(change)) if change.is_finite else 0
+        except (RestitutionError, TypeError, ValueError, IndexError):
+            return 0
+
+
+def _merged(bounds: list[Link]) -> Iterator[Relation]:
+    """Bounds of one letter as one chain: 0 ≤ e ≤ 1."""
+    rest = list(bounds)
+    while rest:
+        link = rest.pop(0)
+        other = next(
+            (
+                each
+                for each in rest
+                if each.left == link.left and (each.sign in _UP) != (link.sign in _UP)
+            ),
+            None,
+        )
+        if other is None:
+            yield Relation(((link,),))
+            continue
+        rest.remove(other)
+        low, high = (other, link) if link.sign in _UP else (link, other)
+        sign = "<" if low.sign == ">" else "<="
+        yield Relation(((Link(low.right, sign, low.left), high),))  # type: ignore[arg-type]

@@ -1,0 +1,105 @@
+"""From which lines a line comes, as a working says it, and the numbers that it needs for that."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from restitution.explaining.derivation import Derivation, Line, Ref, Relation
+from restitution.expression.tree import Expression
+
+_PAIRED = frozenset({"combine", "divide", "square-add"})
+_SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
+
+
+@dataclass(frozen=True)
+class Source:
+    """What is said of where a line comes from.
+
+    ``numbered`` are the lines named by their numbers, ``letters`` what is put in, ``facts`` the ids
+    of given facts that are. ``last`` tells that the line just above is what is put in, or that
+    into which it is.
+    """
+
+    kind: Literal["combine", "add", "divide", "square-add", "put"]
+    numbered: tuple[int, ...] = ()
+    letters: tuple[Expression, ...] = ()
+    facts: tuple[str, ...] = ()
+    eliminated: str = ""
+    last: bool = False
+
+
+class Sources:
+    """The sources of the lines of one derivation, and the numbers of those that are named."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self._derivation = derivation
+        shown = [
+            each
+            for each in derivation.lines
+            if each.shown != "silent" and isinstance(each.relation, Relation)
+        ]
+        self._above = {
+            line.number: before.number for before, line in zip(shown, shown[1:], strict=False)
+        }
+        self._of = {line.number: self._source(line) for line in shown}
+        named = {ref for source in self._of.values() if source for ref in source.numbered}
+        order = [each.number for each in shown if each.number in named]
+        self.numbers: Mapping[int, int] = {number: n for n, number in enumerate(order, 1)}
+
+    def of(self, line: Line) -> Source | None:
+        """What is to be said of a line; None where it is plain."""
+        return self._of.get(line.number)
+
+    def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
+        return [
+            ref
+            for ref in refs
+            if isinstance(ref, int)
+            and (line := self._derivation.line(ref)) is not None
+            and isinstance(line.relation, Relation)
+            and line.shown != "silent"
+        ]
+
+    def _source(self, line: Line) -> Source | None:
+        move, cited = line.move.id, self._equations(line.premises)
+        above = self._above.get(line.number)
+        if move in _SILENT:
+            return None
+        if move == "put":
+            return self._put(line, cited, above)
+        if move in _PAIRED and len(cited) == 2:
+            if move == "combine" and line.move.eliminated:
+                return Source("combine", tuple(cited), eliminated=line.move.eliminated)
+            kind = "add" if move == "combine" else move
+            return Source(kind, tuple(cited))  # type: ignore[arg-type]
+        if move == "reject":
+            cited = cited[:1]
+        if len(cited) > 1 or (cited and cited[0] != above):
+            return Source("add", tuple(cited))
+        return None
+
+    def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
+        first, *rest = line.premises
+        target = first if isinstance(first, int) and first in cited else None
+        values = [each for each in cited if each != target]
+        letters = tuple(
+            relation.options[0][0].left
+            for each in values
+            if (own := self._derivation.line(each)) is not None
+            and isinstance(relation := own.relation, Relation)
+        )
+        facts = tuple(
+            each
+            for each in rest
+            if isinstance(each, str)
+            and (fact := self._derivation.fact(each)) is not None
+            and fact.kind == "given"
+            and fact.relation.options[0][0].sign == "="
+        )
+        numbered = () if target is None or target == above else (target,)
+        last = bool(values) and values == [above]
+        if not (numbered or letters or facts):
+            return None
+        return Source("put", numbered, letters, facts, last=last)
