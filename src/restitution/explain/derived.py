@@ -30,7 +30,7 @@ from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
 from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
-from restitution.problem import Find, Item, Problem, Show, Value
+from restitution.problem import Find, Item, Meets, Problem, Show, Value
 from restitution.render import layout as lay
 
 _TITLED = frozenset({"law", "define"})
@@ -87,6 +87,7 @@ class _Writer:
     heading: int | None = None
     title: Sentence | None = None
     left: Expression | None = None
+    said: tuple[Sentence, ...] = ()
 
     def __post_init__(self) -> None:
         self.naming = Naming(self.derivation, self.problem)
@@ -105,6 +106,8 @@ class _Writer:
         self.cases = {n: each for each in self.derivation.cases for n in each.lines}
         self.case: int | None = None
         self.given: set[str] = set()
+        self.entered: set[int] = set()
+        self.stay: list[Line] = []
 
     def part_of(self, line: Line) -> str | None:
         """The label of the part to which a line belongs."""
@@ -140,8 +143,7 @@ class _Writer:
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None
             if self._stays(line) and not waiting:
-                waiting_too = [line]
-                self.stay = [*getattr(self, "stay", []), *waiting_too]
+                self.stay.append(line)
                 if after is not None and self._stays(after) and self._same_law(line, after):
                     continue
                 together, self.stay = self.stay, []
@@ -151,8 +153,22 @@ class _Writer:
                 waiting = []
             introduced = self.naming.introduced()
             if introduced:
+                step = self._whole(step, line)
                 yield Step("setting", sentences=introduced)
             yield step
+            claim = self._claim(line)
+            if claim is not None:
+                yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
+
+    def _whole(self, step: Step, line: Line) -> Step:
+        """A step whose first row goes on from the row above, with its left side after all."""
+        if not step.rows or step.rows[0].operands[0] is not None:
+            return step
+        assert isinstance(line.relation, Relation)
+        first, *rest = step.rows
+        left = self.naming.laid(line.relation.options[0][0].left)
+        first = replace(first, operands=(left, *first.operands[1:]))
+        return replace(step, rows=(first, *rest))
 
     def _entered(self, line: Line) -> Iterator[Step]:
         """What stands before the lines of an event, or of a case."""
@@ -175,9 +191,12 @@ class _Writer:
             return
         if line.move.record in _OF_THE_WHOLE:
             return
+        if line.move.id == "define" and number in self.entered:
+            return
         event = self.events.get(number)
         if event is not None and event.kind == "impact":
             self.heading = self.naming.now = number
+            self.entered.add(number)
             self.title = self.left = None
             first, second = event.bodies
             ordinal = f"ordinal.{number}"
@@ -312,7 +331,7 @@ class _Writer:
             assert isinstance(line.relation, Relation)
             sides = [self.naming.laid(each.right) for each in line.relation.only]
             unit = self.measures.unit(line.relation.only[0].left)
-            if is_plain(sides[-1]):
+            if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
                 sides[-1] = with_unit(sides[-1], unit)
             body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
             whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
@@ -344,8 +363,12 @@ class _Writer:
         sentences = given or tuple(self._sentences(line))
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self._rows(line, waiting, fresh))
-        if title is not None or sentences:
-            self.title = title
+        resolved = self._resolved(line) if line.move.record == "component" else None
+        if title is not None or sentences or resolved is not None:
+            self.title = title or resolved
+        if sentences and sentences == self.said and not given:
+            sentences = ()
+        self.said = sentences or self.said
         behind = self.sources.numbers.get(line.number)
         rows[-1] = replace(
             rows[-1],
@@ -377,7 +400,7 @@ class _Writer:
         if len(facts) != 1:
             return ()
         self.given |= {each.id for each in facts}
-        fact = self.relation(facts[0].relation)
+        fact = self.naming.fact(facts[0])
         assert isinstance(line.relation, Relation)
         nothing = _plain(self.naming.laid(line.relation.options[0][-1].right)) == "0"
         if line.move.record == "perpendicular" and nothing:
@@ -408,6 +431,10 @@ class _Writer:
                     return None
                 case "energy-lost":
                     return say("loss-wall.title")
+        if record == "assemble":
+            match line.relation:
+                case Relation(options=((Link(left=Quantity("position", _, _)), *_), *_)):
+                    return say("derived-assembled.place")
         if record == "impulse" and event is not None:
             return say("impulse-spheres.title", body=body or event.bodies[0])
         if record == "perpendicular":
@@ -421,25 +448,39 @@ class _Writer:
         """What is said before a row: how it comes from the ones above."""
         source = self.sources.of(line)
         if line.move.id == "fact":
-            yield say("derived.fact")
+            facts = [fact for ref in line.premises if (fact := self.derivation.fact(str(ref)))]
+            if facts and isinstance(words := self.naming.fact(facts[0]), Sentence):
+                yield say("given.fact", fact=words)
+            else:
+                yield say("given.data")
             return
         if line.move.record == "component" and line.move.id == "define":
-            if self._resolved(line) and self.title != self._resolved_title(line):
-                yield self._resolved_title(line)
+            title = self._resolved(line)
+            if title is not None and self.title != title:
+                yield title
             return
         if source is not None:
             yield from self._source(source)
         if line.move.id == "identity" and line.move.record in _BY:
             yield say(_BY[line.move.record])
 
-    def _resolved(self, line: Line) -> bool:
-        return line.number in self.ends or True
-
-    def _resolved_title(self, line: Line) -> Sentence:
-        event = self.events.get(line.move.event or 0)
-        if event is not None and event.wall:
+    def _resolved(self, line: Line) -> Sentence | None:
+        """What is said before components: of which time they are, and in which directions."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
+                event = self.naming.event_of_axis(axis)
+            case _:
+                return None
+        if event is None:
+            return None
+        if event.wall and stage < event.number:
             return say("resolved-wall.before", wall=event.bodies[1])
-        return say("resolved-spheres.before")
+        if event.wall:
+            return say("resolved-wall.after", wall=event.bodies[1])
+        if stage < event.number:
+            return say("resolved-spheres.before")
+        return say("resolved-spheres.after")
 
     def _source(self, source: Source) -> Iterator[Sentence]:
         equations = tuple(self._number(each) for each in source.numbered)
@@ -447,6 +488,8 @@ class _Writer:
             case "combine":
                 letter = self.naming.laid(read_tree(source.eliminated, self.naming.bodies))
                 yield say("derived.combine", letter=letter, equations=equations)
+            case "compare" if not equations:
+                yield say("given.compare")
             case "divide":
                 first, second = equations
                 yield say("derived.divide", first=first, second=second)
@@ -455,7 +498,12 @@ class _Writer:
             case "put":
                 letters = tuple(self.naming.laid(each) for each in source.letters)
                 facts = tuple(self._fact(each) for each in source.facts)
-                if facts and equations:
+                told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+                if len(facts) == 1 and told:
+                    yield say("given.fact", fact=facts[0])
+                elif facts and letters and not source.last and not equations:
+                    yield say("derived.since-put", facts=facts, letters=letters)
+                elif facts and equations:
                     yield say("derived.since-in", facts=facts, equation=equations[0])
                 elif facts:
                     yield say("derived.since", facts=facts)
@@ -474,20 +522,38 @@ class _Writer:
     def _number(self, ref: int) -> Sentence:
         return say("derived.number", number=str(self.sources.numbers[ref]))
 
-    def _fact(self, name: str) -> lay.Layout:
+    def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self.derivation.fact(name)
         assert fact is not None
-        return self.relation(fact.relation)
+        return self.naming.fact(fact)
 
     def _asides(self, line: Line) -> Iterator[Sentence]:
         """What stands behind a row in brackets: that it was to be shown."""
         end = self.ends.get(line.number)
         if end is not None and end.shown:
-            yield from REQUIRED
+            if self._claim(line) is None:
+                yield from REQUIRED
         elif end is not None and isinstance(line.relation, Relation):
             decimals = self._decimal_range(line.relation)
             if decimals is not None:
                 yield say("derived.value", value=decimals)
+
+    def _claim(self, line: Line) -> Sentence | None:
+        """What was to be shown, where it is a meeting and no equation."""
+        end = self.ends.get(line.number)
+        asked = None if end is None else self.of_items.get(end.item)
+        if not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            return None
+        one, other = asked.relation.first.name, asked.relation.second.name
+        again = say("again") if asked.relation.again else ""
+        happens = asked.relation.happens
+        if self.naming.bodies.get(other) == "wall":
+            if happens:
+                return say("claim.will-hit", body=one, wall=other, again=again)
+            return say("claim.will-not-hit", body=one, wall=other, again=again)
+        if happens:
+            return say("claim.will-collide", one=one, other=other, again=again)
+        return say("claim.will-not-collide", one=one, other=other, again=again)
 
     def _decimal_range(self, relation: Relation) -> lay.Layout | None:
         """A range with its ends to three figures, where they are no plain numbers."""
@@ -530,7 +596,11 @@ class _Writer:
                 whole = self._with(waiting, links)
             row = self._chain(line, whole, last=index == len(groups) - 1)
             same = left is not None and not fresh and whole[0].left == left
-            if same and line.move.id in _GOES_ON and whole[0].sign == "=" and row.signs:
+            named = len(row.signs) > len(whole) and row.operands[1:2] == (
+                self.naming.laid(whole[0].left),
+            )
+            goes_on = line.move.id in _GOES_ON and whole[0].sign == "=" and row.signs
+            if same and goes_on and not named:
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
             if whole[0].sign == "=" and len(whole) == 1:
@@ -630,7 +700,8 @@ class _Writer:
             if decimal is not None:
                 sides.append(decimal)
                 signs.append("≈")
-        if unit and (end is not None or is_plain(sides[-1])):
+        nothing = sides[-1] == lay.Number("0")
+        if unit and (end is not None or (is_plain(sides[-1]) and not nothing)):
             sides[-1] = with_unit(sides[-1], unit)
 
     def _named(self, left: Expression, sides: list[lay.Layout], signs: list[str]) -> None:
@@ -733,7 +804,7 @@ _TITLES = {
     "tan": "derived-direction.title",
     "tan-squared": "derived-direction.title",
     "tan-direction": "derived-direction.title",
-    "scalar-angle": "derived-direction.title",
+    "scalar-angle": "derived-direction.product",
     "tan-deflection": "turned.title",
     "sum": "turned.title",
     "difference": "turned.title",

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from restitution.explaining.derivation import Derivation, Event, Meaning, Relation
+from restitution.explaining.derivation import Derivation, Event, Fact, Meaning, Relation
 from restitution.explaining.layouts import Forms, of_relation, of_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
-from restitution.explaining.trees import settled, trees_of
+from restitution.explaining.trees import rebuilt, settled, trees_of
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.problem import Arrival, Problem
+from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 
@@ -101,6 +101,28 @@ class Naming:
         """A whole relation in one line."""
         return of_relation(relation, self.vectors, self.name, self.forms)
 
+    def fact(self, fact: Fact) -> Sentence | lay.Layout:
+        """A given fact, in words where it is told in words."""
+        for _, step in self.problem.steps():
+            if isinstance(step, Given) and step.place == fact.place:
+                match step.relations:
+                    case (Meets(Name(one), Name(other), again, happens),):
+                        more = say("again") if again else ""
+                        if happens:
+                            return say("claim.collide", one=one, other=other, again=more)
+                        return say("claim.not-collide", one=one, other=other, again=more)
+        link = fact.relation.options[0][0]
+        if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
+            return self.relation(fact.relation)
+        left, right = self._side(link.left), self._side(link.right)
+        if link.sign == "parallel to":
+            return say("claim.parallel", left=left, right=right)
+        if link.sign == "perpendicular to":
+            return say("claim.perpendicular", left=left, right=right)
+        if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
+            return say("derived.is", quantity=left, value=right)
+        return self.relation(fact.relation)
+
     @property
     def bodies(self) -> dict[str, str]:
         """The bodies of the story, and what each is."""
@@ -117,8 +139,20 @@ class Naming:
 
     def knows(self, tree: Expression, letter: str) -> None:
         """A quantity has a letter from now on, and is called by it."""
-        if isinstance(tree, Quantity) and tree.kind in ("angle", "deflection", "time"):
+        if not isinstance(tree, Quantity):
+            return
+        if tree.kind in ("angle", "deflection", "time"):
             self._own[tree] = lay.letter(letter)
+        meaning = self.meanings.get(letter)
+        if tree.kind == "along" and meaning is not None and meaning.sense in (None, tree.arguments[1]):
+            vector, axis = tree.arguments
+            axes = [axis]
+            event = self.event_of_axis(axis)
+            fact = self.derivation.fact(f"axis {event.number}") if event is not None else None
+            if fact is not None and fact.relation.only[0].sign == "=":
+                axes.append(fact.relation.only[0].right)
+            for each in axes:
+                self._own[replace(tree, arguments=(vector, each))] = lay.letter(letter)
 
     def name(self, tree: Quantity) -> lay.Layout | None:
         """What a quantity is called among letters."""
@@ -192,6 +226,9 @@ class Naming:
                 return self._at(say("derived.position", body=body), stage)
             case Quantity("line_of_centres", _, _):
                 return say("derived.line")
+            case Quantity(_, _, stage) if stage is not None:
+                words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
+                return self._at(words, stage)
         return say("derived.value", value=lay.from_tree(self._timeless(tree)))
 
     def of_letter(self, meaning: Meaning) -> Sentence:
@@ -214,7 +251,12 @@ class Naming:
         names = tuple(each.name for each in bodies if isinstance(each, Name))
         if names:
             return say("derived.energy-of", bodies=names)
-        movers = {b for e in self.events.values() for n, b in enumerate(e.bodies) if not (e.wall and n)}
+        movers = {
+            body
+            for each in self.events.values()
+            for n, body in enumerate(each.bodies)
+            if not (each.wall and n)
+        }
         return say("derived.energy-all") if len(movers) > 1 else say("derived.energy")
 
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
@@ -225,18 +267,21 @@ class Naming:
                 if number == 0 and "u" in self.vectors:
                     of = lay.Bold("v", body)
             case Quantity("position", (Name(body),), stage) if isinstance(axis, Unit):
-                letter = lay.Letter("x" if axis.axis == "i" else "y")
-                return self._at(say("derived.coordinate", letter=letter, body=body), stage)
+                words = (
+                    say("derived.coordinate-x", body=body)
+                    if axis.axis == "i"
+                    else say("derived.coordinate-y", body=body)
+                )
+                return self._at(words, stage)
             case _:
                 of = self.laid(vector)
         event = self.event_of_axis(axis)
         if event is None:
-            name = "derived.component-unit" if kind == "along" else "derived.component-across-vector"
             if kind == "along" and isinstance(axis, Unit):
                 return say("derived.component-unit", axis=self.laid(axis), of=of)
             if kind == "along":
                 return say("derived.component-along-vector", axis=self.laid(axis), of=of)
-            return say(name, axis=self.laid(axis), of=of)
+            return say("derived.component-across-vector", axis=self.laid(axis), of=of)
         if event.wall and kind == "along":
             return say("derived.component-towards", of=of, wall=event.bodies[1])
         if event.wall:
@@ -326,10 +371,6 @@ class Naming:
 
     @staticmethod
     def _timeless(tree: Expression) -> Expression:
-        from dataclasses import replace
-
-        from restitution.explaining.trees import rebuilt
-
         return rebuilt(
             tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
         )

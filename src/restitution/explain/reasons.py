@@ -29,7 +29,7 @@ class Reasons:
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
-        if line.move.id not in _REASONED:
+        if line.move.id not in _REASONED and not self._ordered(line):
             return ()
         reasons = (*self._monotone(line), *self._known(line))
         if line.move.id == "inverse":
@@ -37,6 +37,13 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    @staticmethod
+    def _ordered(line: Line) -> bool:
+        """Whether values were put into an inequality."""
+        assert isinstance(line.relation, Relation)
+        signs = {each.sign for links in line.relation.options for each in links}
+        return line.move.id == "put" and bool(signs & {*_UP, *_DOWN})
 
     def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         said: list[Sentence | lay.Layout] = []
@@ -58,6 +65,8 @@ class Reasons:
             excludes = line.move.id == "reject" and ref != line.premises[0]
             return own.relation if excludes and own and isinstance(own.relation, Relation) else None
         fact = self._derivation.fact(ref)
+        if fact is not None and line.move.id == "put":
+            return None
         if fact is not None:
             signs = {each.sign for links in fact.relation.options for each in links}
             ordered = signs and signs <= {*_UP, *_DOWN, "!="}

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from restitution.explaining.derivation import Derivation, Line, Ref, Relation
-from restitution.expression.tree import Expression
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Expression, Unit, walk
 
 _PAIRED = frozenset({"combine", "divide", "square-add"})
 _SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
@@ -22,7 +23,7 @@ class Source:
     into which it is.
     """
 
-    kind: Literal["combine", "add", "divide", "square-add", "put"]
+    kind: Literal["compare", "combine", "add", "divide", "square-add", "put"]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
@@ -40,9 +41,19 @@ class Sources:
             for each in derivation.lines
             if each.shown != "silent" and isinstance(each.relation, Relation)
         ]
+        parts = {each.item: each.part for each in derivation.items}
+        # What stands in another part is not just above.
         self._above = {
-            line.number: before.number for before, line in zip(shown, shown[1:], strict=False)
+            line.number: before.number
+            for before, line in zip(shown, shown[1:], strict=False)
+            if parts.get(before.item or "") == parts.get(line.item or "")
         }
+        self._vectors = {
+            each.number
+            for each in shown
+            if any(isinstance(n, Unit) for tree in trees_of(each.relation) for n in walk(tree))
+        }
+        self._lines = {each.number: each for each in shown}
         self._of = {line.number: self._source(line) for line in shown}
         named = {ref for source in self._of.values() if source for ref in source.numbered}
         order = [each.number for each in shown if each.number in named]
@@ -65,8 +76,16 @@ class Sources:
     def _source(self, line: Line) -> Source | None:
         move, cited = line.move.id, self._equations(line.premises)
         above = self._above.get(line.number)
+        if move == "triangle":
+            facts = self._given(line.premises)
+            return Source("put", facts=facts) if facts else None
         if move in _SILENT:
             return None
+        if cited and self._splits(line, cited[0]):
+            first = above == cited[0]
+            again = above in self._lines and self._splits(self._lines[above], cited[0])
+            named = () if first or again else tuple(cited)
+            return Source("compare", named) if not again else None
         if move == "put":
             return self._put(line, cited, above)
         if move in _PAIRED and len(cited) == 2:
@@ -80,8 +99,22 @@ class Sources:
             return Source("add", tuple(cited))
         return None
 
+    def _splits(self, line: Line, cited: int) -> bool:
+        """Whether a line is one component of an equation of vectors."""
+        return cited in self._vectors and line.number not in self._vectors
+
+    def _given(self, refs: tuple[Ref, ...]) -> tuple[str, ...]:
+        """The given facts among premises."""
+        return tuple(
+            each
+            for each in refs
+            if isinstance(each, str)
+            and (fact := self._derivation.fact(each)) is not None
+            and fact.kind in ("given", "range")
+        )
+
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
-        first, *rest = line.premises
+        first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
         values = [each for each in cited if each != target]
         letters = tuple(
@@ -90,14 +123,7 @@ class Sources:
             if (own := self._derivation.line(each)) is not None
             and isinstance(relation := own.relation, Relation)
         )
-        facts = tuple(
-            each
-            for each in rest
-            if isinstance(each, str)
-            and (fact := self._derivation.fact(each)) is not None
-            and fact.kind == "given"
-            and fact.relation.options[0][0].sign == "="
-        )
+        facts = self._given(line.premises)
         numbered = () if target is None or target == above else (target,)
         last = bool(values) and values == [above]
         if not (numbered or letters or facts):

@@ -58,7 +58,8 @@ class Row:
         if self.reasons:
             spoken += [str(say("list.comma"))]
             spoken += words_of(self.reasons, str(say("list.comma")))
-        for each in (self.asides, (say("derived.value", value=self.number),) if self.number else ()):
+        number = (say("derived.value", value=self.number),) if self.number else ()
+        for each in (number, self.asides):
             if each:
                 gap = " " if spoken else ""
                 spoken += [f"{gap}(", *words_of(each, str(say("list.semicolon"))), ")"]

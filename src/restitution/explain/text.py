@@ -8,7 +8,8 @@ from string import ascii_letters, digits
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.explaining.saying import note
-from restitution.render.layout import Layout, Relation, Sum
+from restitution.render.layout import Layout, Phrase, Relation, Sum
+from restitution.render.layout import Words as Upright
 from restitution.render.text import NO_BREAK, bold, wrapped
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
@@ -102,9 +103,20 @@ def _step(step: Step, width: int) -> list[_Line]:
 
 def said(words: Words) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
-    return "".join(
-        each if isinstance(each, str) else one_line(each).replace(" ", NO_BREAK) for each in words
-    )
+    return "".join(each if isinstance(each, str) else _unbroken(each) for each in words)
+
+
+def _unbroken(layout: Layout) -> str:
+    """A formula on one line; only among words, and at the signs of a chain, a line may end."""
+    if isinstance(layout, Upright):
+        return layout.text
+    if isinstance(layout, Phrase) and NO_BREAK not in layout.separator:
+        return layout.separator.join(map(_unbroken, layout.items))
+    if isinstance(layout, Relation):
+        first, *rest = map(_unbroken, layout.operands)
+        signs = zip(layout.signs, rest, strict=True)
+        return " ".join([first, *(f"{sign}{NO_BREAK}{each}" for sign, each in signs)])
+    return one_line(layout).replace(" ", NO_BREAK)
 
 
 def _rows(rows: Sequence[Row], width: int) -> list[_Line]:

@@ -213,9 +213,17 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         inside = _put(layout.argument, vectors, called)
         words = isinstance(inside, lay.Phrase | lay.Words)
         return replace(layout, argument=lay.Brackets(inside) if words else inside)
+    if isinstance(layout, lay.Fraction) and called:
+        above, below = (_put(each, vectors, called) for each in (layout.above, layout.below))
+        return lay.Fraction(_worded(above), _worded(below))
     if isinstance(layout, lay.Product) and called:
         put = tuple(_put(each, vectors, called) for each in layout.factors)
-        return replace(layout, factors=tuple(map(_worded, put)))
+        named = [each for each in put if isinstance(each, lay.Phrase | lay.Words)]
+        others = tuple(each for each in put if each not in named)
+        if len(named) != 1 or not others or layout.sign:
+            return replace(layout, factors=tuple(map(_worded, put)))
+        rest = others[0] if len(others) == 1 else replace(layout, factors=others)
+        return lay.Product((rest, named[0]), "×")
     if isinstance(layout, lay.Layout):
         changed = {e.name: _put(getattr(layout, e.name), vectors, called) for e in fields(layout)}
         return replace(layout, **changed)

@@ -120,6 +120,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "resolved-spheres.before": (
         "Components before the impact, along and across the line of centres:"
     ),
+    "resolved-spheres.after": "Components after the impact, along and across the line of centres:",
     "resolved-spheres.why": (
         "Along the line of centres momentum and Newton's experimental law hold; across it "
         "nothing changes. So each velocity is resolved in these two directions first, by sine "
@@ -129,7 +130,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: sine and cosine exchanged, an angle measured from the wrong line, and a "
         "scalar product with a vector that was not divided by its size."
     ),
-    "resolved-wall.before": ("Components before the impact, towards {wall} and parallel to it:"),
+    "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",
+    "resolved-wall.after": "Components after the impact, towards {wall} and parallel to it:",
     "resolved-wall.why": (
         "The two components behave differently at a wall: the one towards it is reversed and "
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
@@ -577,7 +579,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.impulse-size": "magnitude of the impulse",
     "derived.time": "time {event}",
     "derived.position": "position of {body}",
-    "derived.coordinate": "{letter}-coordinate of {body}",
+    "derived.coordinate-x": "x-coordinate of {body}",
+    "derived.coordinate-y": "y-coordinate of {body}",
     "derived.line": "line of centres",
     "derived.centres": "the line of centres",
     "derived.component-along": "component of {of} along the line of centres",
@@ -585,7 +588,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.component-towards": "component of {of} towards {wall}",
     "derived.component-away": "component of {of} away from {wall}",
     "derived.component-parallel": "component of {of} parallel to {wall}",
-    "derived.component-unit": "{axis}-component of {of}",
+    "derived.component-unit": "component of {of} along {axis}",
     "derived.component-along-vector": "component of {of} in the direction of {axis}",
     "derived.component-across-vector": "component of {of} perpendicular to {axis}",
     "derived.stays": "the component of {of} stays {value}.",
@@ -601,8 +604,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.half-angle": "By the formulae for the half angle:",
     "derived.sum-of-angles": "By the formulae for a sum of angles:",
     "derived.complement": "By the complement of the angle:",
-    "derived.fact": "It is given that",
+    "derived.is": "the {quantity} is {value}",
     "derived.since": "Since {facts:and}:",
+    "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.as": "as {reasons:and}",
     "derived.for": "when {place}",
@@ -616,8 +620,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "momentum.vectors": "Conservation of momentum",
     "impulse-line.title": "The impulse acts along the line of centres",
     "impulse-normal.title": "The impulse acts perpendicular to {wall}",
-    "resolved-spheres.title": "Resolved along and perpendicular to the line of centres",
-    "resolved-wall.title": "Resolved parallel and perpendicular to {wall}",
     "turned.title": "Angle of deflection",
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost",
@@ -628,6 +630,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived-speed.title": "Speed, from its components",
     "derived-perpendicular.title": "At right angles, the scalar product is zero",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
+    "derived-direction.product": "Angle between two directions, by the scalar product",
+    "derived-assembled.place": "The place, from its coordinates",
     "derived-assembled.title": "The velocity, from its components",
     "derived-opposite.title": "The impulses on the two spheres are equal and opposite",
     # --- what is amiss ----------------------------------------------------------------------------
