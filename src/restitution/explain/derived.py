@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from restitution.explain.measured import Measures, is_plain, percentage, rounded, with_unit
 from restitution.explain.naming import Naming, event_of
@@ -33,6 +33,9 @@ from restitution.expression.tree import Expression, Letter, Name, Negate, Quanti
 from restitution.problem import Find, Item, Meets, Problem, Show, Value
 from restitution.render import layout as lay
 
+if TYPE_CHECKING:
+    from restitution.solve.solution import Solution
+
 _TITLED = frozenset({"law", "define"})
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(
@@ -40,11 +43,18 @@ _OF_THE_WHOLE = frozenset(
 )
 # In these the second line of an equation leaves out the side that stays.
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
+# So many lines after a letter was introduced a reader still knows what it stands for.
+_REMEMBERED = 3
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
 
-def explanation_of(derivation: Derivation, problem: Problem) -> Explanation:
-    """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of."""
+def explanation_of(
+    derivation: Derivation, problem: Problem, solution: Solution | None = None
+) -> Explanation:
+    """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of.
+
+    With the ``solution`` it can be illustrated.
+    """
     writer = _Writer(derivation, problem)
     parts: list[PartExplanation] = []
     by_part = groupby(derivation.lines, writer.part_of)
@@ -54,7 +64,7 @@ def explanation_of(derivation: Derivation, problem: Problem) -> Explanation:
         asked = tuple(writer.asked(each) for each in dict.fromkeys(e.item for e in ends))
         answers = tuple(_plain(writer.relation(each.answer)) for each in ends)
         parts.append(PartExplanation(label, asked, steps, answers))
-    return Explanation(problem.title, tuple(parts), problem.warnings)
+    return Explanation(problem.title, tuple(parts), problem.warnings, solution)
 
 
 def _joined(steps: Iterator[Step]) -> Iterator[Step]:
@@ -215,9 +225,7 @@ class _Writer:
                 yield say(
                     "derived.name",
                     equations=tuple(
-                        lay.Relation(
-                            (self._letter(each), self.naming.laid(each.quantity)), ("=",)
-                        )
+                        lay.Relation((self._letter(each), self.naming.laid(each.quantity)), ("=",))
                         for each in meanings
                     ),
                 )
@@ -400,7 +408,7 @@ class _Writer:
         if len(facts) != 1:
             return ()
         self.given |= {each.id for each in facts}
-        fact = self.naming.fact(facts[0])
+        told = self.naming.fact(facts[0])
         assert isinstance(line.relation, Relation)
         nothing = _plain(self.naming.laid(line.relation.options[0][-1].right)) == "0"
         if line.move.record == "perpendicular" and nothing:
@@ -408,10 +416,10 @@ class _Writer:
                 case Quantity("along" | "across"):
                     pass
                 case _:
-                    return (say("given.product", fact=fact),)
+                    return (say("given.product", fact=told),)
         if line.move.record == "parallel":
-            return (say("given.proportion", fact=fact),)
-        return (say("given.fact", fact=fact),)
+            return (say("given.proportion", fact=told),)
+        return (say("given.fact", fact=told),)
 
     def _title(self, line: Line) -> Sentence | None:
         record, event = line.move.record, self.events.get(line.move.event or 0)
@@ -429,8 +437,12 @@ class _Writer:
                     return say("impulse-normal.title", wall=wall)
                 case "component":
                     return None
+                case "sum" | "difference":
+                    return say("turned-wall.title")
                 case "energy-lost":
                     return say("loss-wall.title")
+        if record == "straight-line" and body is not None and self.naming.movers > 1:
+            return say("flight.title-of", body=body)
         if record == "assemble":
             match line.relation:
                 case Relation(options=((Link(left=Quantity("position", _, _)), *_), *_)):
@@ -448,8 +460,8 @@ class _Writer:
         """What is said before a row: how it comes from the ones above."""
         source = self.sources.of(line)
         if line.move.id == "fact":
-            facts = [fact for ref in line.premises if (fact := self.derivation.fact(str(ref)))]
-            if facts and isinstance(words := self.naming.fact(facts[0]), Sentence):
+            given = [each for ref in line.premises if (each := self.derivation.fact(str(ref)))]
+            if given and isinstance(words := self.naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
             else:
                 yield say("given.data")
@@ -534,6 +546,9 @@ class _Writer:
             if self._claim(line) is None:
                 yield from REQUIRED
         elif end is not None and isinstance(line.relation, Relation):
+            called = self._called(line)
+            if called is not None:
+                yield called
             decimals = self._decimal_range(line.relation)
             if decimals is not None:
                 yield say("derived.value", value=decimals)
@@ -584,7 +599,7 @@ class _Writer:
             yield replace(row, reasons=(say("derived.for", place=where),))
             return
         if len(options) > 1:
-            yield self._alternatives(options)
+            yield self._alternatives(options, line.number in self.ends)
             return
         if line.move.record in ("greatest", "least") and line.move.id == "answer":
             yield self._extreme(line)
@@ -596,11 +611,8 @@ class _Writer:
                 whole = self._with(waiting, links)
             row = self._chain(line, whole, last=index == len(groups) - 1)
             same = left is not None and not fresh and whole[0].left == left
-            named = len(row.signs) > len(whole) and row.operands[1:2] == (
-                self.naming.laid(whole[0].left),
-            )
             goes_on = line.move.id in _GOES_ON and whole[0].sign == "=" and row.signs
-            if same and goes_on and not named:
+            if same and goes_on:
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
             if whole[0].sign == "=" and len(whole) == 1:
@@ -641,7 +653,9 @@ class _Writer:
         """An operand; a component that is resolved is called by its direction alone."""
         if not index and line.move.id == "define" and line.move.record == "component":
             match tree:
-                case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)):
+                case Quantity(
+                    "along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)
+                ):
                     event = self.naming.event_of_axis(axis)
                     if event is not None and event.wall:
                         name = "operand.towards" if kind == "along" else "operand.parallel"
@@ -689,7 +703,6 @@ class _Writer:
         unit = self.measures.unit(left) if _is_value(left) else ""
         asked = None if end is None else self.of_items.get(end.item)
         if end is not None and not end.shown:
-            self._named(left, sides, signs)
             if isinstance(asked, Value) and asked.percentage:
                 hundred = percentage(right)
                 if hundred is not None:
@@ -704,32 +717,42 @@ class _Writer:
         if unit and (end is not None or (is_plain(sides[-1]) and not nothing)):
             sides[-1] = with_unit(sides[-1], unit)
 
-    def _named(self, left: Expression, sides: list[lay.Layout], signs: list[str]) -> None:
-        """The name of what was asked before the letter that stands for it."""
-        if not isinstance(left, Letter):
-            return
-        meaning = self.naming.meanings.get(left.name)
-        if meaning is None or not isinstance(meaning.quantity, Quantity):
-            return
-        if meaning.quantity.kind in ("along", "across", "angle"):
-            return
-        sides.insert(0, operand(self.naming.quantity(meaning.quantity)))
-        signs.insert(0, "=")
+    def _called(self, line: Line) -> Sentence | None:
+        """What a letter stands for that was introduced a while ago, where it is what was asked."""
+        end = self.ends.get(line.number)
+        asked = None if end is None else self.of_items.get(end.item)
+        if not isinstance(asked, Value) or not isinstance(asked.expression, Quantity):
+            return None
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Letter) or left.name not in self.naming.meanings:
+            return None
+        meaning = self.naming.meanings[left.name]
+        numbers = [each.number for each in self.derivation.lines]
+        since = next(e.number for e in self.derivation.lines if e.relation == meaning)
+        if numbers.index(line.number) - numbers.index(since) <= _REMEMBERED:
+            return None
+        return say("derived.called", quantity=self.naming.quantity(meaning.quantity))
 
-    def _alternatives(self, options: tuple[tuple[Link, ...], ...]) -> Row:
+    def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign."""
         first, *rest = options
-        laid = self._bare(first)
-        others = [self._bare(each) for each in rest]
+        laid = self._bare(first, asked)
+        others = [self._bare(each, asked) for each in rest]
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 
-    def _bare(self, links: tuple[Link, ...]) -> lay.Relation:
+    def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
         trees = [links[0].left, *(each.right for each in links)]
         sides = [self.naming.laid(each) for each in trees]
-        if _is_value(trees[0]) and is_plain(sides[-1]) and links[-1].sign == "=":
+        signs = [_sign(each) for each in links]
+        decimal = rounded(trees[-1]) if asked and signs[-1] == "=" else None
+        if decimal is not None:
+            sides.append(decimal)
+            signs.append("≈")
+        if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self.measures.unit(trees[0]))
-        return lay.Relation(tuple(sides), tuple(_sign(each) for each in links))
+        return lay.Relation(tuple(sides), tuple(signs))
 
     def _reached(
         self, options: tuple[tuple[Link, ...], ...]

@@ -7,11 +7,11 @@ from html import escape
 from restitution.draw.svg import to_svg
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.explaining.saying import note, say
-from restitution.render.layout import Layout, Phrase, Relation, Sum
+from restitution.render.layout import Layout, Phrase, Product, Relation, Sum
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
-from restitution.render.text import to_text, width
+from restitution.render.text import NO_BREAK, to_text, width
 
 # Columns of plain text below which a sum is never broken.
 _WHOLE = 24
@@ -40,6 +40,7 @@ STYLE = """
 .restitution .mark { float: right; padding: .4rem 0 0 .6rem; }
 .restitution figure { margin: .8rem 0; text-align: center; break-inside: avoid; }
 .restitution figure svg { width: 30rem; max-width: 100%; height: auto; }
+.restitution .u { white-space: nowrap; }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
   font-size: 1.05em; }
@@ -125,7 +126,8 @@ def table_rows(row: Row) -> list[str]:
     """A line of mathematics as rows of a table: long chains take several."""
     mark = f'<td class="m">{escape(row.mark)}</td>'
     none = '<td class="m"></td>'
-    note = f' <span class="note">{said(row.note)}</span>' if row.note else ""
+    note = f'<span class="note">{said(row.note)}</span>' if row.note else ""
+    note = note if goes_on(row.note) or not note else f" {note}"
     left = _cell(row.operands[0])
     if not row.signs:
         return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']
@@ -143,6 +145,11 @@ def table_rows(row: Row) -> list[str]:
             f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
         )
     return out
+
+
+def goes_on(words: Words) -> bool:
+    """Whether words behind a line begin with a comma."""
+    return bool(words) and isinstance(words[0], str) and words[0].startswith(",")
 
 
 def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
@@ -164,10 +171,13 @@ def _cell(layout: Layout | None) -> str:
         return ""
     if isinstance(layout, Sum) and len(layout.terms) > 1 and width(to_text(layout)) > _WHOLE:
         first, *rest = layout.terms
-        pieces = [to_mathml(Sum((first,)))]
+        plain = first[0] == "+" and isinstance(first[1], Phrase | Said)
+        pieces = [_cell(first[1]) if plain else to_mathml(Sum((first,)))]
         for sign, term in rest:
             pieces.append(f'<math><mo form="infix">{"−" if sign == "-" else "+"}</mo>')
-            pieces.append(to_mathml(term).removeprefix("<math>"))
+            worded = isinstance(term, Phrase | Said)
+            own = f"</math>{_cell(term)}" if worded else to_mathml(term).removeprefix("<math>")
+            pieces.append(own)
         return "".join(pieces).replace("</math><math>", "</math><wbr><math>")
     if isinstance(layout, Said):
         return escape(layout.text)
@@ -179,5 +189,10 @@ def _cell(layout: Layout | None) -> str:
         )
     if isinstance(layout, Phrase):
         gap = escape(layout.separator)
-        return gap.join(_cell(each) for each in layout.items)
+        whole = gap.join(_cell(each) for each in layout.items)
+        return f'<span class="u">{whole}</span>' if layout.separator == NO_BREAK else whole
+    if isinstance(layout, Product) and isinstance(layout.factors[-1], Phrase | Said):
+        *head, last = layout.factors
+        before = Product(tuple(head)) if len(head) > 1 else head[0]
+        return f"{_cell(before)} <math><mo>{layout.sign}</mo></math> {_cell(last)}"
     return to_mathml(layout)

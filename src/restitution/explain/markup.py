@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from unicodedata import decomposition
 
+from restitution.explain.html import goes_on
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.explaining.saying import note
 from restitution.render.latex import to_latex as laid_latex
@@ -195,7 +196,8 @@ def aligned(rows: Sequence[Row]) -> str:
 
 def _lines(row: Row, mark: str) -> list[str]:
     """A chain in one line, or with each sign on its own if it is long; ``mark`` ends it."""
-    note = rf"\quad\text{{{_note(row.note)}}}" if row.note else ""
+    gap = "" if goes_on(row.note) else r"\quad"
+    note = rf"{gap}\text{{{_note(row.note)}}}" if row.note else ""
     left = _operand(row.operands[0])
     if not row.signs:
         return [f"&{left}{note}{mark}"]

@@ -144,11 +144,16 @@ class Naming:
         if tree.kind in ("angle", "deflection", "time"):
             self._own[tree] = lay.letter(letter)
         meaning = self.meanings.get(letter)
-        if tree.kind == "along" and meaning is not None and meaning.sense in (None, tree.arguments[1]):
+        if (
+            tree.kind == "along"
+            and meaning is not None
+            and meaning.sense in (None, tree.arguments[1])
+        ):
             vector, axis = tree.arguments
             axes = [axis]
             event = self.event_of_axis(axis)
-            fact = self.derivation.fact(f"axis {event.number}") if event is not None else None
+            name = "" if event is None else " ".join(("axis", str(event.number)))
+            fact = self.derivation.fact(name)
             if fact is not None and fact.relation.only[0].sign == "=":
                 axes.append(fact.relation.only[0].right)
             for each in axes:
@@ -165,7 +170,7 @@ class Naming:
                 return self._lettered(tree, "t", str(stage) if self.several else "")
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
                 return self._lettered(tree, "delta")
-            case Quantity("restitution", (), _) | Quantity("dot", _, _):
+            case Quantity("dot", _, _):
                 return None
         return operand(self.quantity(tree))
 
@@ -204,6 +209,8 @@ class Naming:
         match tree:
             case Quantity("along" | "across" as kind, (vector, axis)):
                 return self._component(kind, vector, axis)
+            case Quantity("restitution", (), stage):
+                return self._during(say("derived.coefficient"), stage)
             case Quantity("impulse", (), stage):
                 return self._during(say("derived.impulse-size"), stage)
             case Quantity("impulse", (Name(body),), stage):
@@ -251,13 +258,12 @@ class Naming:
         names = tuple(each.name for each in bodies if isinstance(each, Name))
         if names:
             return say("derived.energy-of", bodies=names)
-        movers = {
-            body
-            for each in self.events.values()
-            for n, body in enumerate(each.bodies)
-            if not (each.wall and n)
-        }
-        return say("derived.energy-all") if len(movers) > 1 else say("derived.energy")
+        return say("derived.energy-all") if self.movers > 1 else say("derived.energy")
+
+    @property
+    def movers(self) -> int:
+        """How many bodies move."""
+        return sum(each == "sphere" for each in self.bodies.values())
 
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
         match vector:

@@ -106,10 +106,7 @@ class Reasons:
             for link in links
         ]
         names = {
-            name
-            for each in ends
-            for side in (each.left, each.right)
-            for name in letters(side)
+            name for each in ends for side in (each.left, each.right) for name in letters(side)
         }
         if len(above) != 1 or len(names) != 1:
             return

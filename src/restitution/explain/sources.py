@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from restitution.explaining.derivation import Derivation, Line, Ref, Relation
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Expression, Unit, walk
+from restitution.expression.tree import Apply, Expression, Quantity, Unit, children
 
 _PAIRED = frozenset({"combine", "divide", "square-add"})
 _SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
@@ -31,6 +32,18 @@ class Source:
     last: bool = False
 
 
+def _is_vector(tree: Expression) -> bool:
+    """Whether a side of an equation is written as a vector."""
+    match tree:
+        case Unit():
+            return True
+        case Quantity("velocity" | "impulse" | "position" | "momentum", arguments):
+            return bool(arguments)
+        case Quantity() | Apply():
+            return False
+    return any(map(_is_vector, children(tree)))
+
+
 class Sources:
     """The sources of the lines of one derivation, and the numbers of those that are named."""
 
@@ -45,13 +58,13 @@ class Sources:
         # What stands in another part is not just above.
         self._above = {
             line.number: before.number
-            for before, line in zip(shown, shown[1:], strict=False)
+            for before, line in pairwise(shown)
             if parts.get(before.item or "") == parts.get(line.item or "")
         }
         self._vectors = {
             each.number
             for each in shown
-            if any(isinstance(n, Unit) for tree in trees_of(each.relation) for n in walk(tree))
+            if any(_is_vector(tree) for tree in trees_of(each.relation))
         }
         self._lines = {each.number: each for each in shown}
         self._of = {line.number: self._source(line) for line in shown}

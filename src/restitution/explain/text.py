@@ -45,7 +45,7 @@ def to_text(explanation: Explanation, width: int = 80, styled: bool = False) -> 
         lines += _plain(wrapped(note(warning), width))
     while lines and lines[-1] == _Line():
         lines.pop()
-    return "\n".join(_finished(line, width, styled) for line in lines)
+    return "\n".join(_finished(line, width, styled) for line in lines).replace(NO_BREAK, " ")
 
 
 def _plain(texts: Sequence[str]) -> list[_Line]:
@@ -153,6 +153,10 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     pad = " " * (_INDENT + max(0, room - columns(left)))
     limit = width - _margin(row)
     lines: list[str] = []
+    if row.operands[0] is not None and _INDENT + columns(left) > width:
+        *above, left = _broken(row.operands[0], limit - _INDENT)
+        lines += [" " * _INDENT + each for each in above]
+        pad = " " * _INDENT
     current = pad + left
     start = " " * (_INDENT + room)
     if columns(left) > room:
@@ -181,7 +185,12 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     made = _plain(lines)
     made[-1] = replace(made[-1], mark=row.mark)
     if note:
-        made += _plain([" " * (_INDENT + 2) + each for each in wrapped(note.removeprefix(", "), width - _INDENT - 2)])
+        made += _plain(
+            [
+                " " * (_INDENT + 2) + each
+                for each in wrapped(note.removeprefix(", "), width - _INDENT - 2)
+            ]
+        )
     return made
 
 

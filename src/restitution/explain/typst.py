@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.draw.svg import to_svg
-from restitution.explain.html import lines
+from restitution.explain.html import goes_on, lines
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.explaining.saying import note
 from restitution.render.layout import Layout
@@ -74,7 +74,8 @@ def _step(step: Step) -> list[str]:
 def _row(row: Row) -> list[str]:
     """Arrays of the left side, the sign, the right side and the mark."""
     left = _operand(row.operands[0])
-    note = f" #text(size: 0.9em)[{_said(row.note)}]" if row.note else ""
+    note = f"#text(size: 0.9em)[{_said(row.note)}]" if row.note else ""
+    note = note if goes_on(row.note) or not note else f" {note}"
     mark = literal(row.mark)
     if not row.signs:
         return [f"([{left}{note}], none, [], {mark})"]

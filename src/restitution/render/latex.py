@@ -76,7 +76,7 @@ def to_latex(layout: Layout) -> str:
         case Words("∞"):
             return r"\infty"
         case Words(text):
-            return rf"\text{{{escape(text)}}}"
+            return rf"\text{{{_words(text)}}}"
         case Sum(terms):
             return _sum(terms)
         case Product(factors, times):
@@ -110,6 +110,11 @@ def to_latex(layout: Layout) -> str:
             return " ".join(parts)
         case Phrase(items, separator):
             return _phrase(items, separator)
+
+
+def _words(text: str) -> str:
+    """Upright words; the powers of units as mathematics, blanks that hold as ties."""
+    return escape(text).replace("⁻¹", "$^{-1}$").replace("\u00a0", "~")
 
 
 def escape(text: str) -> str:

@@ -1,0 +1,386 @@
+"""Workings by hand on paper: what a reader sees of a derivation, in every format."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+from derivations import FOLDER, derivation_of, read_derivation
+
+import restitution.examples
+from restitution.errors import StatementError
+from restitution.explain.derived import explanation_of
+from restitution.explain.html import to_html
+from restitution.explain.markup import columns, to_latex, to_markdown
+from restitution.explain.measured import Measures, percentage, rounded, with_unit
+from restitution.explain.naming import Naming
+from restitution.explain.principles import about
+from restitution.explain.steps import Explanation, Step
+from restitution.explain.text import to_text
+from restitution.explain.typst import PREAMBLE, to_markup
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.layouts import Forms, of_tree
+from restitution.explaining.saying import Sentence, Slot
+from restitution.expression import read_expression
+from restitution.expression.tree import Letter, Quantity, walk
+from restitution.language import parse
+from restitution.problem import Problem
+from restitution.problem import trees as trees_of_problem
+from restitution.render.layout import Phrase, Words
+from restitution.render.text import to_text as one_line
+from restitution.render.text import width
+
+FILES = sorted(FOLDER.glob("*.txt"))
+EACH = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+FORMATS = (to_text, to_markdown, to_latex, to_html, to_markup)
+
+
+@cache
+def working(path: Path) -> tuple[Problem, Derivation]:
+    return read_derivation(path)
+
+
+@cache
+def explained(path: Path) -> Explanation:
+    problem, derivation = working(path)
+    return explanation_of(derivation, problem)
+
+
+def steps_of(explanation: Explanation) -> list[Step]:
+    return [step for part in explanation.parts for step in part.steps]
+
+
+def printed(name: str) -> str:
+    return to_text(explained(FOLDER / f"{name}.txt"))
+
+
+# --- laws -----------------------------------------------------------------------------------------
+
+
+@EACH
+def test_no_line_is_wider_than_a_terminal_and_marks_end_it(path: Path) -> None:
+    text = to_text(explained(path))
+    for line in text.splitlines():
+        assert width(line) <= 80, line
+        if re.search(r"  (?:D?[MAB]1(?:ft|\*)?)$", line):
+            assert width(line) == 80, line
+    marks = re.findall(r"(?<!\S)D?[MAB]\d(?:ft|\*)?(?!\S)", text)
+    assert len(marks) == explained(path).marks
+
+
+@EACH
+def test_lines_of_latex_leave_room_for_the_marks(path: Path) -> None:
+    """What stands between two breaks of a display fits beside the tag."""
+    for row in explained(path).rows():
+        if row.operands[0] is not None:
+            assert columns(row.operands[0]) <= 90
+    latex = to_latex(explained(path), document=False)
+    assert latex.count(r"\begin{align*}") == latex.count(r"\end{align*}") > 0
+    assert "⁻" not in latex
+
+
+def numbers_in(slot: Slot) -> set[str]:
+    """The numbers of equations that a sentence names."""
+    if isinstance(slot, tuple):
+        return set().union(*map(numbers_in, slot))
+    if not isinstance(slot, Sentence):
+        return set()
+    if slot.id == "derived.number":
+        return {str(dict(slot.slots)["number"])}
+    return set().union(*(numbers_in(each) for _, each in slot.slots))
+
+
+@EACH
+def test_an_equation_has_a_number_exactly_if_a_later_line_names_it(path: Path) -> None:
+    above: list[str] = []
+    cited: set[str] = set()
+    for step in steps_of(explained(path)):
+        named = set().union(*map(numbers_in, step.sentences))
+        assert named <= set(above), "a number is named below its equation"
+        cited |= named
+        above += [row.number for row in step.rows if row.number]
+    assert above == [str(n) for n in range(1, len(above) + 1)]
+    assert cited == set(above)
+
+
+@EACH
+def test_no_title_stands_twice_in_succession(path: Path) -> None:
+    for part in explained(path).parts:
+        last: str | None = None
+        for step in part.steps:
+            led = step.sentences and step.title is None
+            if step.kind in ("heading", "note") or led:
+                last = None
+            if step.title is not None:
+                assert str(step.title) != last, last
+                last = str(step.title)
+
+
+@EACH
+def test_every_item_has_a_last_line(path: Path) -> None:
+    problem, derivation = working(path)
+    text = re.sub(r"\s+", " ", to_text(explained(path)))
+    naming = Naming(derivation, problem)
+    for end in derivation.items:
+        if end.shown:
+            assert "as required" in text
+            continue
+        for links in end.answer.options:
+            value = re.sub(r"\s+", " ", one_line(naming.laid(links[-1].right)))
+            assert value in text
+    required = text.count("as required")
+    assert required == sum(each.shown for each in derivation.items)
+
+
+@EACH
+def test_no_name_of_the_notation_is_printed(path: Path) -> None:
+    for form in FORMATS:
+        text = form(explained(path))
+        visible = re.sub(r"<style>.*?</style>", "", text, flags=re.DOTALL)
+        assert not re.search(r"\bevent\b|along\(|None|velocity\(|in the sense of", visible)
+
+
+@EACH
+def test_laws_tell_why(path: Path) -> None:
+    laws = [s for s in steps_of(explained(path)) if s.title is not None]
+    asked = {"derived-energy", "derived-direction", "derived-speed", "derived-perpendicular"}
+    asked |= {"derived-parallel", "derived-assembled", "derived-opposite"}
+    for step in laws:
+        assert step.title is not None
+        assert about(step) or step.title.topic in asked, step.title.id
+
+
+@EACH
+def test_paper_is_set(path: Path) -> None:
+    typst = pytest.importorskip("typst")
+    markup = PREAMBLE + to_markup(explained(path))
+    assert typst.compile(markup.encode(), format="pdf", ignore_system_fonts=True)[:4] == b"%PDF"
+
+
+# --- classes of faults ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        ("centres-from-the-impulse", ["M = 2 kg", "e = ⅔ "]),
+        ("centres-slanted", ["= ((7/5)𝐢 + ⅕𝐣) m s⁻¹", "= 7 − 1 = 6 N s", "v = 1 m s⁻¹"]),
+        ("times-between-walls", ["t₂ = 7/2 s", "= ((21/2)𝐢 + 3𝐣) m "]),
+        ("wall-impulse", ["= 2√13 ≈ 7.21 m s⁻¹", "= 3 J", "e = ½ ", "stays 8 cos 30° = 4√3 m s⁻¹"]),
+        ("find-the-blow", ["= (−1.5𝐢 + 2𝐣) N s", "J = 2.5 N s, as J is positive", "≈ 36.9°"]),
+        ("distance-afterwards", ["≈ 7.21 m "]),
+        ("both-moving", ["= √17 u ≈ 4.12u ", "= m(4u + 4u) = 8mu "]),
+        ("sphere-then-wall", ["𝐯_A = −¼u𝐢 ", "stays 0."]),
+        ("wall-percentage", ["= ⅕ = 20% "]),
+    ],
+)
+def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[str]) -> None:
+    text = re.sub(r"\s+", " ", printed(name)) + " "
+    for each in lines:
+        assert each in text
+    if name in ("both-moving", "sphere-then-wall"):
+        assert not re.search(r" m s| N s| J ", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        ("either-sign", ["If p = 4:", "If p = −4:", "𝐯_P = (4𝐢 + 2𝐣) m s⁻¹"]),
+        ("rejected-root", ["e = ½, as e ≤ 1"]),
+        ("half-angle", ["t = √3/3, as α/2 is acute"]),
+        ("brought-to-rest", ["as v increases with e and 0 ≤ e ≤ 1 (as required)"]),
+        ("greatest-deflection", ["greatest value of tan δ = ¾, when tan α = ½"]),
+        (
+            "direction-reversed",
+            ["Let v and w be the components of the velocities of A and B", "Since v < 0:"],
+        ),
+        ("heavier-sphere-before-a-wall", ["So B will hit W, as required."]),
+        ("three-in-line", ["It is given that A and B do not collide again:"]),
+        ("corner-of-60", ["It is given that 𝐯_P is perpendicular to BC, so the scalar product"]),
+        ("turned-by-a-wall", ["the angle of deflection of P is 90°", "From (1): tan²α ≥ 1"]),
+        ("find-the-blow", ["Comparing components: J sin θ = 1.5", "Dividing (1) by (2):"]),
+        ("right-angle", ["0 < tan α ≤ 1/√3, as α is acute (as required)"]),
+        ("velocities-before", ["Let 𝐮_A be the velocity of A before the impact."]),
+        ("two-coefficients", ["𝐯_P after the first impact = (−8𝐢 + 3𝐣) m s⁻¹"]),
+        ("corner-of-120", ["component of 𝐯_P away from BC = (√3/16)u"]),
+        ("energy-inequality", ["≤ ½ × total kinetic energy before the impact"]),
+        ("wall-by-angles", ["(the speed of P)"]),
+        ("struck-ball", ["Components after the impact, along and across the line of centres:"]),
+    ],
+)
+def test_a_working_says_what_a_reader_looks_for(name: str, lines: list[str]) -> None:
+    text = re.sub(r"\s+", " ", printed(name))
+    for each in lines:
+        assert each in text
+
+
+@pytest.mark.parametrize(
+    ("tree", "text"),
+    [
+        ("1/sqrt(3)", "√3/3"),
+        ("u/sqrt(2)", "(√2/2)u"),
+        ("3u/(4sqrt(2))", "(3√2/8)u"),
+        ("2u/sqrt(13)", "(2√13/13)u"),
+        ("6/sqrt(3)", "2√3"),
+        ("sqrt(12)/sqrt(3)", "2"),
+        ("u/(v sqrt(2))", "(√2/2)u/v"),
+        ("0.5/sqrt(2)", "0.5/√2"),
+        ("sqrt(3)/2 * 1/3 u", "(√3/2) × ⅓u"),
+        ("7/16 * 1/2 m u^2", "(7/16) × ½mu²"),
+        ("2 * 3/5", "(2 × 3)/5"),
+        ("8/3 i + 0j", "(8/3)𝐢"),
+        ("5i - 0j", "5𝐢"),
+        ("u cos(alpha) v", "(u cos α)v"),
+        ("u sin(alpha) u sin(alpha)", "(u sin α)(u sin α)"),
+        ("(8 - x) 1/2 u", "½(8 − x)u"),
+        ("0.2 v", "0.2v"),
+        ("1/5 v", "⅕v"),
+    ],
+)
+def test_a_number_has_one_form(tree: str, text: str) -> None:
+    assert one_line(of_tree(read_expression(tree))) == text
+
+
+def test_a_form_that_was_typed_is_kept_everywhere() -> None:
+    forms = Forms([read_expression("tan(alpha) - 1/sqrt(3)")])
+    for each in ("1/sqrt(3)", "sqrt(3)/3", "2/(2sqrt(3))"):
+        assert one_line(of_tree(read_expression(each), forms=forms)) == "1/√3"
+    assert one_line(of_tree(read_expression("1/sqrt(2)"), forms=forms)) == "√2/2"
+
+
+@pytest.mark.parametrize(
+    ("tree", "text"),
+    [
+        ("sqrt(181)", "13.5"),
+        ("8/17", "0.471"),
+        ("7/5", None),
+        ("1/3", None),
+        ("15", None),
+        ("sqrt(17) u", "4.12u"),
+        ("u cos(alpha)", None),
+        ("arctan(3/4)", "36.9°"),
+        ("60°", None),
+        ("2i + sqrt(3) j", "2.00𝐢 + 1.73𝐣"),
+        ("2i + 1/4 j", None),
+        ("sqrt(3) j", "1.73𝐣"),
+        ("u i + sqrt(3) j", None),
+    ],
+)
+def test_three_figures_in_every_component_or_none(tree: str, text: str | None) -> None:
+    decimal = rounded(read_expression(tree))
+    assert (None if decimal is None else one_line(decimal)) == text
+
+
+def test_a_percentage() -> None:
+    assert one_line(percentage(read_expression("1/5"))) == "20%"  # type: ignore[arg-type]
+    assert one_line(percentage(read_expression("1/3"))) == "33.3%"  # type: ignore[arg-type]
+
+
+def test_units_follow_what_a_letter_stands_for() -> None:
+    problem, derivation = working(FOLDER / "unknown-wall.txt")
+    measures = Measures(problem, derivation.meanings)
+    assert measures.unit(Letter("R")) == "N\u00a0s"
+    assert measures.unit(Letter("x")) == ""
+    assert with_unit(Words("v"), "") == Words("v")
+    assert with_unit(Words("v"), "m") == Phrase((Words("v"), Words("m")), "\u00a0")
+
+
+# --- what the notation can hold -------------------------------------------------------------------
+
+SPHERES = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find along(velocity(A), i)
+"""
+LINES = """
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, mass B, velocity A, velocity B, axis 1, 1, 2 | m u = m v + m w
+4 a | law restitution 1 A B | velocity A, velocity B, axis 1, e 1, 1, 2 | w - v = 1/2 u
+5 a | combine w | 3, 4 | 2v = 1/2 u
+6 a | rearrange | 5 | v = 1/4 u
+a: 6 v = 1/4 u
+"""
+
+
+def shown_as(shown: str, number: int) -> str:
+    problem = parse(SPHERES)
+    derivation = derivation_of(problem, LINES)
+    lines = tuple(
+        replace(each, shown=shown) if each.number == number else each for each in derivation.lines
+    )
+    return to_text(explanation_of(replace(derivation, lines=lines), problem))
+
+
+def test_a_silent_line_is_not_printed() -> None:
+    assert "2v = ½u" in shown_as("line", 5)
+    assert "2v = ½u" not in shown_as("silent", 5)
+
+
+def test_an_inline_line_joins_the_next_as_a_chain() -> None:
+    problem = parse(SPHERES)
+    text = LINES.replace("2v = 1/2 u\n", "v = 1/2 * 1/2 u\n")
+    derivation = derivation_of(problem, text)
+    lines = tuple(
+        replace(each, shown="inline") if each.number == 5 else each for each in derivation.lines
+    )
+    assert "v = ½ × ½u = ¼u" in to_text(explanation_of(replace(derivation, lines=lines), problem))
+
+
+def test_the_sense_of_a_component_is_told() -> None:
+    problem = parse(SPHERES)
+    text = LINES.replace("let v = c(A, 1)", "let v = c(A, 1) in the sense of -line_of_centres(1)")
+    told = re.sub(r"\s+", " ", to_text(explanation_of(derivation_of(problem, text), problem)))
+    assert "Let v be the component of the velocity of A along the line of centres" in told
+    assert "from B to A" in told and "from A to B" in told
+
+
+def test_a_component_at_a_wall_counts_away_from_it() -> None:
+    problem = parse(
+        "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind velocity(P)"
+    )
+    text = """
+1 a | let | | let v = c(P, 1) in the sense of -line_of_centres(1)
+2 a | law restitution-wall 1 P | velocity P, axis 1, e 1, 1 | v = 1/2 * 4
+3 a | rearrange | 2 | v = 2
+a: 3 v = 2
+"""
+    lines = to_text(explanation_of(derivation_of(problem, text), problem)).splitlines()
+    told = " ".join(lines[:2])
+    assert "perpendicular to W, away from it, after the impact" in told
+    assert lines[-2:] == ["    v = ½ × 4", "      = 2 m s⁻¹"]
+
+
+def every_statement() -> list[Path]:
+    folders = (Path(restitution.examples.__file__).parent, FOLDER.with_name("questions"))
+    return sorted(each for folder in folders for each in folder.glob("*.impact"))
+
+
+def test_every_quantity_of_every_statement_has_a_name() -> None:
+    """Whatever a working may speak of is called in words that a reader knows."""
+    paths = every_statement()
+    assert len(paths) > 100
+    for path in paths:
+        try:
+            problem = parse(path.read_text(encoding="utf-8"))
+        except StatementError:
+            continue
+        derivation = Derivation(facts_of(problem), (), (), events_of(problem))
+        naming = Naming(derivation, problem)
+        said = [
+            one_line(naming.laid(each))
+            for tree in trees_of_problem(problem)
+            for each in walk(tree)
+            if isinstance(each, Quantity)
+        ]
+        for fact in derivation.facts:
+            told = naming.fact(fact)
+            words = told.words if isinstance(told, Sentence) else (told,)
+            said.append("".join(w if isinstance(w, str) else one_line(w) for w in words))
+        for text in said:
+            assert not re.search(r"\bevents?\b|\bq_?\d|None|_of_|  ", text), (path.name, text)
