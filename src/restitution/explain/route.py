@@ -142,11 +142,12 @@ def _printed(
         if part is None or label == part
     )
     warnings = list(solution.warnings)
+    followed: bool | None = None
     if check:
         complaints = follow(derivation, Oracle(roles(solution.problem)))
         warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
-        warnings += [] if complaints else [str(say("amiss.followed"))]
-    return Explanation(solution.problem.title, parts, tuple(warnings), solution)
+        followed = not complaints
+    return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
 
 
 def _part(

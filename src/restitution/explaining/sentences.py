@@ -640,7 +640,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- what is amiss ----------------------------------------------------------------------------
     "amiss.line": "a line of the working was left out: {line}",
     "amiss.complaint": "the working does not follow: {complaint}",
-    "amiss.followed": "every line of the working was followed",
     "amiss.pictures": "the pictures could not be drawn, by a fault of the program",
     # --- what a mark is given for -----------------------------------------------------------------
     "mark.method": "a principle or a method, with its values put in",
