@@ -134,14 +134,14 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
     left, right = (_measured(value(each)) for each in (link.left, link.right))
     if link.sign in ("parallel to", "perpendicular to"):
         a, b = (_direction(each) for each in (left, right))
-        gap = a.cross(b) if link.sign == "parallel to" else a.dot(b)
-        return abs(gap) <= _ROUNDING * math.hypot(*a) * math.hypot(*b)
+        tie = a.cross(b) if link.sign == "parallel to" else a.dot(b)
+        return bool(abs(tie) <= _ROUNDING * math.hypot(*a) * math.hypot(*b))
     if isinstance(left, Vector) or isinstance(right, Vector):
-        size = max(_size(left), _size(right), 1e-300)
         a, b = (each if isinstance(each, Vector) else Vector(each, each) for each in (left, right))
-        near = max(abs(a.x - b.x), abs(a.y - b.y)) <= _ROUNDING * size
+        near = max(abs(a.x - b.x), abs(a.y - b.y)) <= _ROUNDING * max(_size(a), _size(b))
         return near if link.sign == "=" else not near
-    gap, size = left - right, max(abs(left), abs(right), 1e-300)
+    gap: float = left - right
+    size: float = max(abs(left), abs(right))
     match link.sign:
         case "=":
             return abs(gap) <= _ROUNDING * max(size, _inside(link, value))

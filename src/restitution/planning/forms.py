@@ -52,7 +52,7 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
         return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
     own = sp.sympify(value, strict=True)
     own = own if as_it_is else tidy(own)
-    names = {tuple(_parted(each.name)): each.name for each in own.free_symbols}
+    names = {_parted(each.name): each.name for each in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)
 
 
@@ -90,12 +90,11 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
         case lay.Brackets(inside):
             return of(inside)
         case lay.Degrees(inside):
-            degrees = of(inside)
-            if isinstance(degrees, Number):
-                return Degrees(degrees.value)
-            match degrees:
-                case Binary("/", Number(above), Number(below)):
-                    return Degrees(above / below)
+            match of(inside):
+                case Number(value):
+                    return Degrees(value)
+                case Binary("/", Number(whole), Number(part)):
+                    return Degrees(whole / part)
     raise UnwrittenError(layout)
 
 
@@ -176,6 +175,8 @@ def square(tree: Expression) -> Expression:
     """A tree squared."""
     if isinstance(tree, Negate):
         tree = tree.operand
+    if is_zero(tree):
+        return tree
     return Binary("^", tree, Number(Fraction(2)))
 
 

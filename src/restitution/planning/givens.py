@@ -166,7 +166,7 @@ def _directed(scene: Scene, tree: Expression) -> tuple[str, int] | None:
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     refs: list[int] = []
-    values = {}
+    values: dict[Expression, Expression] = {}
     own = each.link
     for side in (own.left, own.right):
         for node in walk(side):

@@ -15,7 +15,6 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Name,
-    Number,
     Polar,
     Quantity,
     Unit,
@@ -338,10 +337,7 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
     for body in scene.spheres(event):
         early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
         mass = scene.mass(body)
-        squared = [
-            square(tree_of(e.value)) if e.value != 0 else Number(number(0).value)
-            for e in (early, late)
-        ]  # type: ignore[union-attr]
+        squared = [square(tree_of(each.value)) for each in (early, late)]
         change = difference(*squared)
         terms.append(product(Binary("/", *_HALF), tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)

@@ -166,7 +166,7 @@ class Scene:
 
     def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
         """The fact that gives a sine, cosine or tangent of an angle as a number."""
-        return self.ratio_facts.get(symbol.name)  # type: ignore[attr-defined]
+        return self.ratio_facts.get(str(symbol))
 
     @cached_property
     def ratio_facts(self) -> Mapping[str, Fact]:
