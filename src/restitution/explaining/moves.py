@@ -882,7 +882,9 @@ def _inverse(step: Step, relation: Relation) -> bool:
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
     found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
     low, high, closed = _range_of(step, ratio_.argument)
-    if low is None or high is None or not _only_there(ratio_.function, low, high):
+    if low is None or high is None:
+        return False
+    if not _only_there(ratio_.function, low, high) and not _but_straight(step, ratio_, value, high):
         return False
     sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
@@ -956,6 +958,15 @@ def _only_there(function: str, low: sp.Expr, high: sp.Expr) -> bool:
     if function == "cos":
         return bool(low >= 0 and high <= sp.pi)
     return bool(low >= -sp.pi / 2 and high <= sp.pi / 2)
+
+
+def _but_straight(step: Step, ratio_: Apply, value: Expression, high: sp.Expr) -> bool:
+    """Whether an angle of up to 180° has a tangent that is not zero: there is one such angle."""
+    number = _in_radians(step, value)
+    low = _range_of(step, ratio_.argument)[0]
+    if ratio_.function != "tan" or low != 0 or not bool(high <= sp.pi):
+        return False
+    return Oracle(step.setting.roles).proves(Claim(number, "!="))
 
 
 def _value(step: Step, relation: Relation) -> bool:

@@ -7,7 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Quantity
 from restitution.planning.closing import not_negative
@@ -16,6 +15,7 @@ from restitution.planning.forms import swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.scene import Scene
+from restitution.planning.turning import write_angle
 from restitution.problem import Compare, Extremum, Range, Show, Value
 from restitution.solve.solution import ItemResult
 from restitution.vector import Vector
@@ -51,9 +51,8 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
             if len(relation.options) == 1:
                 relation = chain(asked, (_right(scene, line), None))
             scene.desk.end(name, line, relation)
-        case Quantity("angle"):
-            line, value = write_angle(scene, formula(scene, asked))
-            scene.desk.end(name, line, chain(asked, (value, None)))
+        case Quantity("angle" | "deflection" | "direction"):
+            scene.desk.end(name, *write_angle(scene, asked))
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)
@@ -72,13 +71,12 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         (line,) = (each for each in known.refs if isinstance(each, int))
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         return
+    if quantity.kind in ("angle", "deflection", "direction"):
+        scene.desk.end(name, *write_angle(scene, quantity))
+        return
     own = formula(scene, quantity)
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
-    if quantity.kind == "angle":
-        line, value = write_angle(scene, own)
-    else:
-        line, value = write_formula(scene, own), tree_of(own.value)
-    scene.desk.end(name, line, chain(asked, (value, None)))
+    scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
 
 
 def _right(scene: Scene, line: int) -> Expression:
@@ -90,7 +88,9 @@ def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
     if isinstance(value, Vector):
         return [sp.sympify(each, strict=True) for each in value]
     if hasattr(value, "measure"):
-        return [sp.sympify(each, strict=True) for each in (value.y / value.x,)]
+        # Of a right angle there is no tangent.
+        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        return [x / y if scene.model.sign(x) == 0 else y / x]
     return [sp.sympify(value, strict=True)]
 
 
@@ -123,20 +123,6 @@ def _trivial(right: Expression, final: Expression) -> bool:
         case Apply("sqrt", Binary("^", base, _)):
             return base == final
     return False
-
-
-def write_angle(scene: Scene, own: Formula) -> tuple[int, Expression]:
-    """An angle by its tangent: the line that says what it is, and its value."""
-    right = swept(own.right)
-    final = tree_of(own.value)
-    line = scene.desk.write(
-        own.move, own.refs, chain(own.left, (right, None), (final, "rearrange"))
-    )
-    measure = tree_of(tidy(sp.atan(own.value)), angle=True, as_it_is=True)
-    number = scene.desk.write(
-        Move("inverse"), (line, "0° <= x <= 90°"), chain(own.quantity, (measure, None))
-    )
-    return number, measure
 
 
 def _show(scene: Scene, solver: Solver, item: Show, asked: Expression, name: str) -> None:

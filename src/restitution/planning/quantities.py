@@ -210,7 +210,7 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         raise NotPlannedError("a right angle")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
-    refs = together(above.whole, below.whole)
+    refs = together(above.whole, below.whole, frame.names_axis("along"), frame.names_axis("across"))
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,

@@ -1,0 +1,324 @@
+"""Angles that are asked: a letter, a ratio of it by components, the angle, and its decimal."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+)
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.impacts import in_direction
+from restitution.planning.quantities import (
+    body_and_stage,
+    formula,
+    velocity_source,
+)
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+_LETTERS = {
+    "deflection": ("delta", "phi", "psi"),
+    "angle": ("beta", "theta", "phi", "psi", "gamma"),
+    "direction": ("theta", "phi", "beta", "psi", "gamma"),
+}
+_RANGES = {"deflection": "0° <= {} <= 180°", "direction": "-180° < {} <= 180°"}
+_FIGURES = 3
+
+Components = tuple[Source, Source]
+
+
+def write_angle(scene: Scene, asked: Quantity) -> tuple[int, Relation]:
+    """The lines of an angle that is asked: the number of the last, and the answer that it says.
+
+    Raises NotPlannedError where there is no plan for it.
+    """
+    line = angle_line(scene, asked)
+    return write_decimal(scene, line)
+
+
+def angle_line(scene: Scene, asked: Quantity) -> int:
+    """The line that says what an angle is, exactly; it is written once."""
+    known = scene.desk.known(asked)
+    if known is not None:
+        return next(ref for ref in known.refs if isinstance(ref, int))
+    match asked:
+        case Quantity("deflection", (Name(body),), int(event)):
+            line = _deflection(scene, body, event, asked)
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            line = _between(scene, asked)
+        case Quantity("angle"):
+            line = _to_a_line(scene, asked)
+        case _:
+            raise NotPlannedError(f"no way to the {asked.kind}")
+    scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
+    return line
+
+
+def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
+    """The line again in figures, where it says a number that needs them, and the answer."""
+    own = scene.desk.last_link(line)
+    answer = Relation((((Link(own.left, "=", own.right),)),))
+    value = scene.scalar(own.right)
+    if value.free_symbols or _in_degrees(own.right):
+        return line, answer
+    rounded = _rounded(value * 180 / sp.pi)
+    answer = Relation(((Link(own.left, "≈", rounded),),))
+    return scene.desk.write(Move("value"), (line,), answer), answer
+
+
+def _in_degrees(tree: Expression) -> bool:
+    return isinstance(tree, Degrees) or (
+        isinstance(tree, Negate) and isinstance(tree.operand, Degrees)
+    )
+
+
+def _rounded(degrees: Any) -> Expression:
+    """An angle to three figures."""
+    number = Fraction(str(exact.significant(degrees, _FIGURES)).replace("−", "-"))
+    return Negate(Degrees(-number)) if number < 0 else Degrees(number)
+
+
+# --- letters -----------------------------------------------------------------------------------
+
+
+def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
+    """The letter for an angle, and the line or the fact that introduces it."""
+    for fact in scene.desk.facts:
+        match fact.relation.options:
+            case (((Link(left, "=", Letter(name)),),),) if left == asked and fact.id[:3] == "let":
+                return name, fact.id
+    taken = letters_taken(scene)
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            return each.relation.letter, each.number
+    names = _LETTERS[asked.kind]
+    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    letter = next(each for each in (*names, *numbered) if each not in taken)
+    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+
+
+def letters_taken(scene: Scene) -> set[str]:
+    """The letters that a new one must not be."""
+    own = {each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)}
+    symbols = {each.symbol.name for each in scene.model.components.values()}
+    return own | symbols | set(scene.model.unknowns.roles)
+
+
+# --- ratios ------------------------------------------------------------------------------------
+
+
+def _ratio_line(
+    scene: Scene,
+    move: Move,
+    refs: tuple[Ref, ...],
+    ratio: Expression,
+    right: Expression,
+    value: Any,
+) -> int:
+    """A ratio of an angle by components, and what that comes to."""
+    return scene.desk.write(
+        move, refs, chain(ratio, (swept(right), None), (tree_of(value), "rearrange"))
+    )
+
+
+def _inverse(scene: Scene, line: int, letter: str, function: str, value: Any, extent: str) -> int:
+    """The angle of a ratio, in the range that is cited."""
+    inverse = {"tan": sp.atan, "cos": sp.acos}[function](value)
+    degrees = sp.nsimplify(inverse * 180 / sp.pi) if not inverse.has(sp.atan, sp.acos) else None
+    if degrees is not None and degrees.is_Rational:
+        right: Expression = Degrees(Fraction(int(degrees.p), int(degrees.q)))
+        if degrees < 0:
+            right = Negate(Degrees(-Fraction(int(degrees.p), int(degrees.q))))
+    else:
+        right = Apply(f"arc{function}", tree_of(value))
+    return scene.desk.write(Move("inverse"), (line, extent), chain(Letter(letter), (right, None)))
+
+
+def _to_a_line(scene: Scene, asked: Quantity) -> int:
+    """The angle to a wall, to the line of centres, or to **i** or **j**."""
+    own = formula(scene, asked)
+    letter, meaning = _named(scene, asked)
+    move = Move("define", "tan", own.move.event, own.move.bodies)
+    line = _ratio_line(
+        scene,
+        move,
+        together(own.refs, (meaning,)),
+        Apply("tan", Letter(letter)),
+        own.right,
+        own.value,
+    )
+    return _inverse(scene, line, letter, "tan", own.value, f"0° <= {letter} <= 90°")
+
+
+def _between(scene: Scene, asked: Quantity) -> int:
+    """The angle between two velocities, by their scalar product."""
+    pair = [body_and_stage(scene, each) for each in asked.arguments]
+    sources = [velocity_source(scene, *each) for each in pair]
+    move = Move("define", "scalar-angle", pair[0][1] or None, tuple(body for body, _ in pair))
+    return _by_scalar(scene, move, sources, asked)
+
+
+def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> int:
+    """An angle between two vectors that are known, by their scalar product."""
+    letter, meaning = _named(scene, asked)
+    a, b = (each.value for each in sources)
+    right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    refs = together((meaning,), *(each.whole for each in sources))
+    line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    return _inverse(scene, line, letter, "cos", value, _RANGES["deflection"].format(letter))
+
+
+def cosine(
+    pairs: list[tuple[Expression, Expression]], a: Any, b: Any
+) -> tuple[Expression, sp.Expr]:
+    """The cosine of the angle between two vectors: as it is written, and what it comes to."""
+    above = total(product(p, q) for p, q in pairs)
+    sizes = []
+    for n in (0, 1):
+        own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        alone = one[0].operand if isinstance(one[0], Negate) else one[0]
+        sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
+    dot = sp.expand(sum(p * q for p, q in zip(a, b, strict=True)))
+    size = sp.sqrt(sp.expand(sum(p**2 for p in a))) * sp.sqrt(sp.expand(sum(q**2 for q in b)))
+    return Binary("/", above, product(*sizes)), tidy(dot / size)
+
+
+# --- deflections -------------------------------------------------------------------------------
+
+
+def _deflection(scene: Scene, body: str, event: int, asked: Quantity) -> int:
+    frame = scene.frame(event)
+    early, late = (
+        tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+        for stage in (event - 1, event)
+    )
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    refs = together(*(each.whole for each in (*early, *late)), names)
+    a, b = (Vector(*(each.value for each in own)) for own in (early, late))
+    dot, cross = tidy(sp.expand(a.dot(b))), tidy(sp.expand(a.cross(b)))
+    if scene.model.identically_zero(dot) or scene.model.identically_zero(cross):
+        move = Move("define", "scalar-angle", event, (body,))
+        pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
+        right, value = cosine(pairs, a, b)
+        value = sp.Integer(scene.model.sign(value))
+        letter, meaning = _named(scene, asked)
+        refs = together((meaning,), refs)
+        line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+        return _inverse(scene, line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    if frame.wall is not None:
+        return _by_sum(scene, body, event, asked)
+    if _vectors_in_numbers(scene, body, event, a, b):
+        sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
+        move = Move("define", "scalar-angle", event, (body,))
+        return _by_scalar(scene, move, sources, asked)
+    letter, meaning = _named(scene, asked)
+    return _by_tangent(scene, body, event, early, late, together((meaning,), refs), letter)
+
+
+def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
+    """Whether both velocities are vectors of numbers with **i** and **j**."""
+    if any(sp.sympify(each, strict=True).free_symbols for each in (*a, *b)):
+        return False
+    fact = scene.facts.get(f"velocity {body}")
+    if scene.last_event(body, event - 1) or fact is None:
+        return False
+    return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))
+
+
+def _by_tangent(
+    scene: Scene,
+    body: str,
+    event: int,
+    early: Any,
+    late: Any,
+    refs: tuple[Ref, ...],
+    letter: str,
+) -> int:
+    """Tan δ by the components before and after."""
+    (c, s), (d, t) = early, late
+    dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
+    cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
+    trees = [tree_of(each.value) for each in (c, s, d, t)]
+    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
+    if scene.model.sign(cross) < 0:
+        above, cross = above[::-1], -cross
+    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
+    line = _ratio_line(
+        scene,
+        Move("define", "tan-deflection", event, (body,)),
+        refs,
+        Apply("tan", Letter(letter)),
+        Binary("/", difference(*above), below),
+        tidy(cross / dot),
+    )
+    return _inverse(
+        scene, line, letter, "tan", tidy(cross / dot), _RANGES["deflection"].format(letter)
+    )
+
+
+def _by_sum(scene: Scene, body: str, event: int, asked: Quantity) -> int:
+    """At a wall the angles to it before and after, added."""
+    frame = scene.frame(event)
+    assert frame.wall is not None
+    terms: list[Expression] = []
+    refs: list[Ref] = []
+    total_: Any = 0
+    for stage in (event - 1, event):
+        velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
+        quantity = Quantity("angle", (velocity, Name(frame.wall)))
+        given = _given_angle(scene, velocity, frame.wall)
+        if given is not None:
+            terms.append(tree_of(given.value, angle=True))
+            refs += given.refs
+            total_ += given.value
+            continue
+        line = angle_line(scene, quantity)
+        own = scene.desk.last_link(line)
+        value = scene.scalar(own.right)
+        total_ += value
+        terms.append(own.right)
+        refs += [line, _named(scene, quantity)[1]]
+    right = total(terms)
+    value = exact.tidy_angle(total_)
+    tree = tree_of(value, angle=True, as_it_is=True)
+    if value.has(sp.atan) and not value.free_symbols:
+        tree = right
+    return scene.desk.write(
+        Move("define", "sum", event, (body,)),
+        together(refs),
+        chain(asked, (right, None), (tree, "rearrange")),
+    )
+
+
+def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
+    """The angle to a wall at which a velocity is given."""
+    if velocity.stage:
+        return None
+    (body,) = velocity.arguments
+    fact = scene.facts.get(f"velocity {body.name}")
+    match fact.relation.only[0].right if fact is not None else None:
+        case Polar(_, angle, wall=Name(name)) if name == wall:
+            assert fact is not None
+            value, refs = scene.put(scene.scalar(angle))
+            return Source(value, together((fact.id,), refs))
+    return None
+
+
+__all__ = ["angle_line", "letters_taken", "write_angle", "write_decimal"]
