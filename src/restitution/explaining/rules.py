@@ -71,7 +71,8 @@ class Rules:
             if single and (not others or key[0] == "sin"):
                 return n, power
             vector = key[0] in ("x", "y") and all(k[0] in ("x", "y", "root") for k in others)
-            if not single and vector and power == 1 and own.below.is_ground:
+            below = self.world.keys(own.below).values()
+            if not single and vector and power == 1 and all(k[0] == "root" for k in below):
                 return n, power
         return None
 
