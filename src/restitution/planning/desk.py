@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
@@ -171,3 +171,27 @@ class Desk:
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item."""
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
+
+    # --- trials ---------------------------------------------------------------------------------
+
+    def mark(self) -> Mark:
+        """The state of the desk, to which ``back`` returns."""
+        sources = {key: list(values) for key, values in self._sources.items()}
+        return Mark(len(self.lines), len(self.ends), sources, dict(self._parts))
+
+    def back(self, mark: Mark) -> None:
+        """Takes away all that was written since a mark."""
+        del self.lines[mark.lines :]
+        del self.ends[mark.ends :]
+        self._sources = {key: list(values) for key, values in mark.sources.items()}
+        self._parts = dict(mark.parts)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What stood on a desk at some time."""
+
+    lines: int
+    ends: int
+    sources: Mapping[Expression, list[Source]]
+    parts: Mapping[Ref, frozenset[str]]

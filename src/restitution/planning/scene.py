@@ -56,6 +56,8 @@ class Scene:
     desk: Desk
     others: tuple[Model, ...] = ()
     frames: dict[int, Frame] = field(default_factory=dict)
+    free: set[sp.Symbol] = field(default_factory=set)
+    """Letters that an item leaves open, though facts tie them to others."""
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -114,7 +116,9 @@ class Scene:
             symbol
             for each in put
             for symbol in each.free_symbols
-            if symbol in self.model.final and not self._by_ratios(symbol)
+            if symbol in self.model.final
+            and symbol not in self.free
+            and not self._by_ratios(symbol)
         )
 
     def _by_ratios(self, symbol: sp.Symbol) -> bool:
