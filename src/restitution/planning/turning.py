@@ -311,8 +311,8 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     """The angle to a wall at which a velocity is given."""
     if velocity.stage:
         return None
-    (body,) = velocity.arguments
-    fact = scene.facts.get(f"velocity {body.name}")
+    body, _ = body_and_stage(scene, velocity)
+    fact = scene.facts.get(f"velocity {body}")
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
             assert fact is not None
