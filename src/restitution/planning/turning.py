@@ -100,9 +100,10 @@ def _rounded(degrees: Any) -> Expression:
 def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     """The letter for an angle, and the line or the fact that introduces it."""
     for fact in scene.desk.facts:
-        match fact.relation.options:
-            case (((Link(left, "=", Letter(name)),),),) if left == asked and fact.id[:3] == "let":
-                return name, fact.id
+        if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
+            letter = fact.relation.only[0].right
+            assert isinstance(letter, Letter)
+            return letter.name, fact.id
     taken = letters_taken(scene)
     for each in scene.desk.lines:
         if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
