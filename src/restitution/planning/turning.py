@@ -101,9 +101,9 @@ def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     """The letter for an angle, and the line or the fact that introduces it."""
     for fact in scene.desk.facts:
         if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
-            letter = fact.relation.only[0].right
-            assert isinstance(letter, Letter)
-            return letter.name, fact.id
+            name = fact.relation.only[0].right
+            assert isinstance(name, Letter)
+            return name.name, fact.id
     taken = letters_taken(scene)
     for each in scene.desk.lines:
         if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
