@@ -35,6 +35,8 @@ RIGHT_ANGLE = Degrees(Fraction(90))
 
 def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
     """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
+    if step.move.record == "straight-line" and event is not None:
+        yield from _journeys(step, event)
     for tree in (*walk(line.left), *walk(line.right)):
         match tree:
             case Quantity("position", _, AtTime()):
@@ -50,6 +52,31 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
                     for each in (a, b)
                 ]
                 yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
+                if isinstance(stage, AtTime):
+                    there = [Quantity("position", (each,), stage) for each in (a, b)]
+                    yield Link(tree, "=", Apply("abs", Binary("-", there[0], there[1])))
+
+
+def _journeys(step: Step, event: Event) -> Iterator[Link]:
+    """How a body comes to an event from its last one, where others happened in between."""
+    for body in step.move.bodies:
+        own = [e.number for e in step.setting.events if body in e.bodies[:2]]
+        since = max((each for each in own if each < event.number), default=0)
+        if since == event.number - 1:
+            continue
+        name = Name(body)
+        last, first = (Quantity("position", (name,), each) for each in (event.number, since))
+        late, early = (Quantity("time", (), each) for each in (event.number, since))
+        velocity = Quantity("velocity", (name,), since)
+        flight = Binary("-", late, early)
+        yield Link(Binary("-", last, first), "=", Binary("*", velocity, flight))
+        ways, paces = [], []
+        for axis in "ij":
+            a, b, pace = (Quantity("along", (e, _unit(axis))) for e in (last, first, velocity))
+            ways.append(Binary("-", a, b))
+            paces.append(pace)
+            yield Link(ways[-1], "=", Binary("*", pace, flight))
+        yield Link(Binary("*", ways[1], paces[0]), "=", Binary("*", ways[0], paces[1]))
 
 
 def _stage_of(step: Step, body: Expression, stage: Any) -> Any:
@@ -59,12 +86,13 @@ def _stage_of(step: Step, body: Expression, stage: Any) -> Any:
 
 
 def _place_of(place: Expression, event: Event | None) -> Expression:
-    """A place; at a time after an event, by the place and the velocity there."""
+    """A place; at a time after an event, or after the start, by the place and the velocity then."""
     match place:
-        case Quantity("position", (body,), AtTime(time)) if event is not None:
-            since = Binary("-", time, Quantity("time", (), event.number))
-            velocity = Quantity("velocity", (body,), event.number)
-            start = Quantity("position", (body,), event.number)
+        case Quantity("position", (body,), AtTime(time)):
+            number = 0 if event is None else event.number
+            since = Binary("-", time, Quantity("time", (), number))
+            velocity = Quantity("velocity", (body,), number)
+            start = Quantity("position", (body,), number)
             return Binary("+", start, Binary("*", velocity, since))
     return place
 

@@ -10,6 +10,7 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
+from restitution.planning import journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
@@ -69,7 +70,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
             return _component(scene, each)
-        if not has_quantity(own.right):
+        if not has_quantity(own.right) and not journeys.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     return _of_several(scene, each)
 
@@ -177,6 +178,11 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             ):
                 continue
             if not isinstance(node.stage, int):
+                continue
+            if journeys.serves(node):
+                number, value = journeys.write(scene, node)
+                values[node] = tree_of(value)
+                refs.append(number)
                 continue
             made = formula(scene, node)
             number = scene.desk.write(

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.planning import journeys
 from restitution.planning.closing import not_negative
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import swept, tree_of
@@ -53,6 +54,9 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
             scene.desk.end(name, line, relation)
         case Quantity("angle" | "deflection" | "direction"):
             scene.desk.end(name, *write_angle(scene, asked))
+        case _ if journeys.serves(asked) or journeys.is_duration(asked):
+            line, value = journeys.write(scene, asked)
+            scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)

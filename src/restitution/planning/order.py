@@ -15,6 +15,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
+from restitution.planning import journeys
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import tree_of
@@ -52,6 +53,7 @@ class Solver:
         self.scene = scene
         self.laws = [*self._laws(), *self._across()]
         self.givens = {each.fact.id: each for each in scene.given}
+        self.paths = {each.candidate.id: each for each in journeys.paths(scene)}
         self.used: set[str] = set()
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]] = {}
@@ -121,6 +123,7 @@ class Solver:
             for own in (
                 *(each.candidate for each in self.laws),
                 *(self._of_given(each) for each in scene.given),
+                *(each.candidate for each in self.paths.values()),
             )
             if own.id not in self.used
         ]
@@ -327,6 +330,8 @@ class Solver:
             law = self._law(own)
             if given is not None:
                 number = write_given(self.scene, given)
+            elif own.id in self.paths:
+                number = journeys.write_path(self.scene, self.paths[own.id])
             elif law is not None and law.kind not in _LAWS:
                 body = law.body or self.scene.spheres(law.number)[0]
                 kind = "along" if law.kind == "wall" else "across"

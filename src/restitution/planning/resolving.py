@@ -1,0 +1,48 @@
+"""Components along **i** and **j** of velocities that are known in other directions."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import Name, Quantity, Unit
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.impacts import after
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+
+def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> Source:
+    """The component of a velocity along **i** or **j**, after so many events."""
+    last = scene.last_event(body, stage)
+    unit = Vector(1, 0) if axis == "i" else Vector(0, 1)
+    if last == 0:
+        initial = scene.initial(body)
+        return Source(tidy(initial.value.dot(unit)), initial.refs)
+    frame = scene.frame(last)
+    for kind in ("along", "across"):
+        share = tidy(frame.direction(kind).dot(unit))
+        if share in (1, -1):
+            own = after(scene, kind, body, frame)
+            named = frame.component(kind, body, last).arguments[-1] == Unit(axis)
+            refs = own.refs if named else together(own.refs, own.axis, frame.refs)
+            return Source(share * own.value, refs)
+    quantity = Quantity("along", (Quantity("velocity", (Name(body),), last), Unit(axis)))
+    known = scene.desk.known(quantity)
+    if known is not None:
+        return known
+    parts = []
+    for kind in ("along", "across"):
+        own = after(scene, kind, body, frame)
+        value, refs = scene.put(own.value)
+        parts.append((value, frame.direction(kind).dot(unit), together(own.whole, refs)))
+    value = tidy(sum(value * share for value, share, _ in parts))
+    tree = total(product(tree_of(a), tree_of(tidy(b))) for a, b, _ in parts if a != 0)
+    number = scene.desk.write(
+        Move("define", "component", last, (body,)),
+        together(*(refs for *_, refs in parts), frame.refs),
+        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (number,))
