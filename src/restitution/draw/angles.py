@@ -4,13 +4,25 @@ from __future__ import annotations
 
 import math
 
-from restitution.draw.event import RADIUS, Body, Drawing, View
+from restitution.draw.event import (
+    LINE,
+    RADIUS,
+    RIGHT,
+    WALL,
+    Body,
+    Drawing,
+    View,
+    is_on_axes,
+    room_beside,
+)
 from restitution.draw.geometry import sides_towards
 from restitution.draw.said import Angle
-from restitution.draw.scene import Arc, Label, Line
+from restitution.draw.scene import Arc, Arrow, Label, Line
 from restitution.render import layout as lay
 from restitution.staging.geometry import direction
 from restitution.vector import Vector
+
+_FOOT = 7.5  # of a line that is drawn for an angle to start from
 
 
 def put_angle(
@@ -82,6 +94,46 @@ def put_arc(
     at, *moves = (vertex + middle * (radius + out) for out in (0.0, 1.2, 2.4))
     if label is None:
         return
+    drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
+
+
+def put_inclination(view: View, drawing: Drawing) -> None:
+    """The angle that a wall or a line of centres makes with **i**, where it is given.
+
+    It stands at the end of the wall, or of the line, at which there is the most room.
+    """
+    angle = view.said.lines.get(view.number)
+    if angle is None or is_on_axes(view):
+        return
+    if view.kind == "wall":
+        ends = [view.t * WALL, -view.t * WALL]
+    else:
+        ends = [body.centre * (1 + LINE / RADIUS) for body in view.bodies]
+    pieces = list(drawing.ink())
+    best: tuple[float, Vector, Vector] | None = None
+    for end in ends:
+        way = direction(-end)
+        reference = RIGHT if way.x > 0 else -RIGHT
+        between = abs(math.atan2(reference.cross(way), reference.dot(way)))
+        start = end + reference * 2 + direction(reference + way) * (0.5 if between > 0.2 else 0)
+        room = room_beside(Arrow("across", start, end + reference * _FOOT), pieces)
+        if best is None or room > best[0] + 0.1:
+            best = room, end, way
+    assert best is not None
+    _, end, way = best
+    reference = RIGHT if way.x > 0 else -RIGHT
+    between = math.atan2(reference.cross(way), reference.dot(way))
+    label = angle.shown(abs(between))
+    if label is None or abs(between) < 0.1:
+        return
+    radius = min(5.0, max(3.4, 1.5 / math.tan(abs(between) / 2)))
+    a, b = math.atan2(reference.y, reference.x), math.atan2(way.y, way.x)
+    if between < 0:
+        a, b = b, a
+    drawing.shapes.append(Line("across", end, end + reference * _FOOT))
+    drawing.shapes.append(Arc("angle", end, radius, a, b if b > a else b + 2 * math.pi))
+    middle = direction(reference + way)
+    at, *moves = (end + middle * (radius + out) for out in (0.0, 1.2, 2.4))
     drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
 
 

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.draw import describe
+from restitution.draw.angles import put_inclination
 from restitution.draw.bodies import put_lines, put_names, put_wall
 from restitution.draw.event import (
     LONGEST_LABEL,
@@ -155,6 +156,8 @@ def _panel(view: View, when: When, scale: float) -> Drawing:
     if when == "after":
         put_impulses(view, drawing)
     put_lines(view, drawing)
+    if when == "before":
+        put_inclination(view, drawing)
     for body in view.bodies:
         put_names(view, body, drawing)
     drawing.labels = [label for label in drawing.labels if _is_readable(label)]
@@ -195,7 +198,7 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
         if not any(overlap(box, each, 0.5) for each in taken):
             break
     else:
-        lowered = size + 2.0
+        lowered = size + 4.5  # with the letter above
         corner = Vector(left + edge, edge - lowered)
     origin = corner + Vector(0.5, 0.5)
     named: tuple[tuple[Vector, str, Side], ...] = (RIGHT, "i", "e"), (UP, "j", "n")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from restitution.draw.event import RADIUS, UP, Body, Drawing, View
+from restitution.draw.event import LINE, RADIUS, UP, WALL, Body, Drawing, View
 from restitution.draw.geometry import sides_towards
 from restitution.draw.scene import Label, Line, RoundWall, StraightWall
 from restitution.render import layout as lay
@@ -26,7 +26,7 @@ def put_lines(view: View, drawing: Drawing) -> None:
     """The line of centres and its perpendicular, or the normal of a wall: outside the circles."""
     if view.kind == "blow":
         return
-    reach = RADIUS + 5.5
+    reach = LINE
     if view.kind == "wall":
         centre = view.bodies[0].centre
         top = centre + view.n * (reach + 1)
@@ -46,7 +46,7 @@ def put_wall(view: View, drawing: Drawing) -> None:
     """The wall at the place of impact; of a round one, an arc."""
     name = view.motion.told.frames[view.number].wall or ""
     wall = view.motion.story.walls[name]
-    half = 9.5
+    half = WALL
     if wall.centre is None:
         ends = view.t * half
         drawing.shapes.append(StraightWall(name, -ends, ends, -view.n))

@@ -19,6 +19,8 @@ from restitution.staging.values import Motion, When
 from restitution.vector import Vector
 
 RADIUS = 4.2  # of a sphere on paper
+WALL = 9.5  # of a wall, to either side of the contact
+LINE = RADIUS + 5.5  # of a line of centres, from the centre of a sphere outwards
 LONGEST_LABEL = 60  # of any label, in signs on one line
 ZERO = 1e-9
 _FAR = 3.0  # enough room beside an arrow

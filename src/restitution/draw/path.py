@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from restitution.draw.bodies import name_of
 from restitution.draw.describe import listed
@@ -13,7 +14,7 @@ from restitution.draw.geometry import sides_towards
 from restitution.draw.ink import ink, overlap, padded, touched
 from restitution.draw.known import Known
 from restitution.draw.path_words import description, note
-from restitution.draw.said import sayings, speaks_of_vectors
+from restitution.draw.said import is_angle, sayings, speaks_of_vectors
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -29,13 +30,16 @@ from restitution.draw.scene import (
     Side,
     StraightWall,
 )
-from restitution.expression.tree import Expression, Pair, Unit, walk
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Binary, Degrees, Expression, Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Kick, Problem
+from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Layout, Number
+from restitution.render.short import angle_label
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
-from restitution.staging.geometry import length, unit
+from restitution.staging.geometry import direction, length, unit
 from restitution.staging.plan import Leg, Plan, Stop, Straight
 from restitution.staging.planning import lay_out
 from restitution.staging.values import Motion, motion
@@ -138,6 +142,7 @@ class _Drawing:
     def everything(self) -> None:
         """Draws all of it, in an order in which the later can make room for the earlier."""
         self.walls()
+        self.corners()
         self.paths()
         self.bodies()
         self.angles()
@@ -172,6 +177,45 @@ class _Drawing:
                 )
             )
             self.shapes.append(Dot("", round_.centre, 0.5))
+
+    def corners(self) -> None:
+        """The angles at which walls meet, where they are given by angles."""
+        told = {each.name: each.along for each in self.values.solution.problem.walls}
+        for wall in self.plan.walls:
+            for other in self.plan.walls:
+                one, two = told.get(wall.name), told.get(other.name)
+                if other.name not in wall.corners or wall.name > other.name:
+                    continue
+                tree = _between(one, two)
+                if tree is not None:
+                    self._corner(wall, other, tree)
+
+    def _corner(self, wall: Straight, other: Straight, tree: Expression) -> None:
+        ends = [(a, b) for a in (wall.start, wall.end) for b in (other.start, other.end)]
+        corner, same = min(ends, key=lambda each: length(each[0] - each[1]))
+        if length(corner - same) > _NEAR:
+            return
+        ways = [
+            direction(each.end - corner if each.start in (corner, same) else each.start - corner)
+            for each in (wall, other)
+        ]
+        turn = math.acos(max(-1.0, min(1.0, ways[0].dot(ways[1]))))
+        if abs(turn - math.pi / 2) < _NEAR or turn < 0.1 or turn > math.pi - 0.1:
+            return
+        try:
+            found = self.values.motion.story.evaluator(0).value(tree)
+            value = float(found.measure() if hasattr(found, "measure") else found)
+        except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
+            return
+        label = angle_label(tree, value, turn, lay.from_tree(tree))
+        if label is None:
+            return
+        low, high = sorted(map(_bearing, ways))
+        if high - low > math.pi:
+            low, high = high, low + 2 * math.pi
+        self.shapes.append(Arc("angle", corner, _ARC, low, high))
+        way = Vector(math.cos((low + high) / 2), math.sin((low + high) / 2))
+        self.labels.append(Label(label, corner + way * _ARC, sides_towards(way), gap=0.7, size=2.7))
 
     def _wall_name(self, wall: Straight) -> None:
         letters = _ends_named(wall.name)
@@ -491,6 +535,19 @@ class _Drawing:
 
 
 # --- small geometry -------------------------------------------------------------------------------
+
+
+def _between(one: object, other: object) -> Expression | None:
+    """The angle between walls that run along **i** or at an angle with it; None for others."""
+    trees = [Degrees(Fraction(0)) if each == Unit("i") else each for each in (one, other)]
+    first, second = trees
+    if not isinstance(first, Expression) or not isinstance(second, Expression):
+        return None
+    if not (is_angle(first) and is_angle(second)):
+        return None
+    if first == Degrees(Fraction(0)):
+        return second
+    return first if second == Degrees(Fraction(0)) else Binary("-", second, first)
 
 
 def _bearing(v: Vector) -> float:

@@ -100,13 +100,14 @@ class Sayings:
     """What a statement says, by velocity and by event.
 
     ``deflections`` and ``impulses`` are those that are given or asked for, ``blows`` the angles
-    of impulses from outside.
+    of impulses from outside, ``lines`` those that walls and lines of centres make with **i**.
     """
 
     velocities: dict[Key, Words]
     deflections: dict[tuple[int, str], Layout]
     impulses: dict[int, Layout]
     blows: dict[int, Angle]
+    lines: dict[int, Angle]
 
     def of(self, body: str, state: int) -> Words:
         """What is said of a velocity; nothing, where nothing is."""
@@ -139,6 +140,8 @@ def sayings(motion: Motion) -> Sayings:
     for happening in motion.story.happenings:
         if isinstance(happening.step, Kick):
             reader.kick(happening.number, happening.step)
+        elif isinstance(happening.step, Impact):
+            reader.line(happening.number, happening.step)
     reader.name_what_is_asked()
     return reader.found
 
@@ -176,7 +179,7 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
 class _Reader:
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
-        self.found = Sayings({}, {}, {}, {})
+        self.found = Sayings({}, {}, {}, {}, {})
         self.taken = set(motion.told.unknowns.taken)
         self.deflections: list[tuple[int, str]] = []
         self.impulses: list[int] = []
@@ -255,6 +258,13 @@ class _Reader:
         angle = self.polar(tree, number - 1) if isinstance(tree, Polar) else None
         if angle is not None:
             self.found.blows[number] = angle
+
+    def line(self, number: int, step: Impact) -> None:
+        """The angle at which a wall or a line of centres is given to run."""
+        wall = self.motion.story.walls.get(step.second)
+        tree = step.along if wall is None else wall.along
+        if isinstance(tree, Expression) and is_angle(tree):
+            self.found.lines[number] = self.known_angle(Vector(1.0, 0.0), tree, number - 1)
 
     # --- what is asked ----------------------------------------------------------------------
 
@@ -355,6 +365,11 @@ class _Reader:
             return Vector(float(x) / size, float(y) / size)
         except _UNREADABLE:
             return None
+
+
+def is_angle(tree: Expression) -> bool:
+    """Whether a direction is given by its angle with **i**, and not by a vector."""
+    return not any(isinstance(node, Unit | Pair | Polar | Name | Quantity) for node in walk(tree))
 
 
 def _alike(a: Vector, b: Vector) -> bool:

@@ -138,6 +138,10 @@ def _triangle(
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
     seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
+    untold = [part is None or _laid(part) is None for _, _, part in legs]
+    if when == "before" and all(untold):  # lines without a word
+        _own_label(view, body, when, (tail, tip), corner, drawing)
+        return
     drawing.shapes += [Arrow("component", *leg) for leg in ends]
     inside = (tail + tip + corner) / 3
     for (start, end), (axis, value, part), long in zip(ends, legs, seen):
@@ -152,6 +156,18 @@ def _triangle(
     if min(abs(along), abs(across)) > 2.5:
         sides = direction(tail - corner), direction(tip - corner)
         drawing.shapes.append(RightAngle(corner, *sides, 1.3))
+    _own_label(view, body, when, (tail, tip), corner, drawing)
+
+
+def _own_label(
+    view: View,
+    body: Body,
+    when: When,
+    arrow: tuple[Vector, Vector],
+    corner: Vector,
+    drawing: Drawing,
+) -> None:
+    """The label of a velocity itself, on the side away from its components."""
     words = view.words(body.name, when)
     label = words.size
     if label is None and not is_on_axes(view):
@@ -159,6 +175,7 @@ def _triangle(
     if label is None and view.kind == "blow":
         label = words.vector or lay.Bold("u" if when == "before" else "v")
     if label is not None:
+        tail, tip = arrow
         drawing.labels.append(beside(label, tail, tip, direction((tail + tip) / 2 - corner)))
 
 
