@@ -26,10 +26,9 @@ from restitution.solve import solve
 
 FILES = sorted(FOLDER.glob("*.txt"))
 
-# Where rule and hand differ by two. Both components are needed for "parallel", where the rule gives
-# B1 for the first, and an A1 on the way to an answer is not earned beside it: the hand is generous.
-# A sphere beside the plane of the blow, once more at rest across the centres, is B1 by the rule.
-BY_TWO = {("parallel-afterwards", None): -2, ("three-spheres", None): 2}
+# Where rule and hand differ by two. The hand has a mark for each of two components that the data
+# show, and one for a value on the way to an answer: it is generous.
+BY_TWO = {("parallel-afterwards", None): -2}
 
 
 @cache
@@ -115,6 +114,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("repeated", "repeated", 7, "", "", ""),
     ("coefficient sought", "sphere-then-wall", 11, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
     ("component at a wall", "corner-of-120", 6, "B1", "M1 A1", "B1"),
+    ("component that stays zero", "speed-from-impulse", 4, "", "", ""),
     ("first component unchanged", "show-tangent", 3, "B1", "B1", "B1"),
     ("component unchanged, by an angle", "two-conditions", 10, "B1", "B1", "B1"),
     ("component unchanged", "deflection-decimal", 8, "", "", ""),
@@ -141,7 +141,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("velocity in components", "deflection-decimal", 9, "A1", "A1", "A1"),
     ("speed, size, angle, distance", "both-moving", 11, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("condition on one component", "mass-ratio", 1, "B1", "B1", "B1"),
-    ("condition", "corner-of-60", 3, "M1", "DM1", "M1"),
+    ("condition", "corner-of-60", 3, "M1", "DM1 A1", "M1"),
     ("difference of angles", "greatest-deflection", 9, "", "", ""),
     ("angle by a difference", "equal-elastic", 11, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
@@ -196,7 +196,7 @@ def test_marks_agree_with_each_other(path, style: Style) -> None:  # type: ignor
             max(map(len, each.relation.options)) if hasattr(each.relation, "options") else 1
             for each in lines
         )
-        assert marks <= links
+        assert marks <= links + 1
 
 
 def test_without_a_root_to_reject_nothing_is_earned_for_it() -> None:

@@ -10,13 +10,14 @@ that fits a line says what it earns, in each style. Then, part by part:
 - An A whose line puts in a value that an earlier part or item found follows through.
 - A principle that an earlier part has used of the same bodies earns nothing again.
 - Of several solutions, methods count once, and each further one adds its answers.
-- A part has no more marks than lines; a link of a chain counts as a line.
+- A part has at most one mark more than it has lines; a link of a chain counts as a line.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from restitution.explaining.derivation import (
     Derivation,
@@ -34,7 +35,9 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
+    Unit,
     has_quantity,
     letters,
     walk,
@@ -92,6 +95,7 @@ RULES: tuple[Rule, ...] = (
     _rule("repeated", "law", "", when="repeated"),
     _rule("coefficient sought", "law", "M A", "restitution-wall", "sought"),
     _rule("component at a wall", "law", "B", "unchanged restitution-wall", "wall", m4="M A"),
+    _rule("component that stays zero", "law", "", "unchanged", "zero"),
     _rule("first component unchanged", "law", "B", "unchanged", "first-at-event"),
     _rule("component unchanged, by an angle", "law", "B", "unchanged", "by-angle same-part"),
     _rule("component unchanged", "law", "", "unchanged"),
@@ -121,7 +125,7 @@ RULES: tuple[Rule, ...] = (
     # Facts closed into equations, and what is asked.
     _rule("speed, size, angle, distance", "define", "M V", "speed size scalar-angle distance"),
     _rule("condition on one component", "define", "B", "perpendicular parallel", "of-facts"),
-    _rule("condition", "define", "M", _CLOSING),
+    _rule("condition", "define", "M", _CLOSING, m4="M A"),
     _rule("difference of angles", "define", "", "difference", "of-angles on-the-way"),
     _rule("angle by a difference", "define", "M", "difference", "of-angles"),
     _rule("data", "define", "", f"straight-line {_ENERGIES}", "of-facts on-the-way"),
@@ -266,13 +270,14 @@ class _Awarding:
         return out
 
     def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
-        """The same, with no more points in a part than it has lines.
+        """The same, with at most one point more in a part than it has lines.
 
+        M1 A1 for an equation and A1 for its solution are three marks for two lines.
         The first to go are those of accuracy on the way, from the top; an item keeps its last.
         """
         for part in dict.fromkeys(self.parts.values()):
             own = [each for each in self.derivation.lines if self.part(each) == part]
-            over = sum(len(points[each.number]) for each in own) - self._room(part)
+            over = sum(len(points[each.number]) for each in own) - self._room(part) - 1
             for kind in "AB":
                 for line in own:
                     if over > 0 and line.number not in self.ends and kind in points[line.number]:
@@ -440,7 +445,15 @@ def _repeated(work: _Awarding, line: Line) -> bool:
 
 
 def _first_at_event(work: _Awarding, line: Line) -> bool:
-    return not any(_is_law(e, ("unchanged",), line.move.event) for e in work.above(line))
+    return not any(
+        _is_law(e, ("unchanged",), line.move.event) and not _zero(work, e) for e in work.above(line)
+    )
+
+
+def _zero(work: _Awarding, line: Line) -> bool:
+    """A component of a body that has none: nothing is to be worked out."""
+    sides = None if isinstance(line.relation, Meaning) else _single(line.relation)
+    return sides is not None and sides[1] == Number(Fraction(0))
 
 
 def _same_part(work: _Awarding, line: Line) -> bool:
@@ -576,11 +589,23 @@ def _of_angles(work: _Awarding, line: Line) -> bool:
 
 def _of_one_term(work: _Awarding, line: Line) -> bool:
     """There is nothing to put together: only one component is not zero."""
-    return not any(
-        isinstance(node, Binary) and node.op in ("+", "-")
-        for tree in trees_of(line.relation)
-        for node in walk(tree)
+    nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+    squares = any(_is_sum(each) and _has_power(each) for each in nodes)
+    rooted = any(
+        isinstance(each, Apply)
+        and each.function in ("sqrt", "abs")
+        and any(map(_is_sum, walk(each.argument)))
+        for each in nodes
     )
+    return not (squares or rooted or len({e.axis for e in nodes if isinstance(e, Unit)}) > 1)
+
+
+def _is_sum(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op in ("+", "-")
+
+
+def _has_power(tree: Expression) -> bool:
+    return any(isinstance(each, Binary) and each.op == "^" for each in walk(tree))
 
 
 def _opposite(work: _Awarding, line: Line) -> bool:
@@ -618,6 +643,7 @@ def _fact_of_motion(work: _Awarding, line: Line) -> bool:
 CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
+    "zero": _zero,
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
     "first-at-event": _first_at_event,
     "same-part": _same_part,
