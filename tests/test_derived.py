@@ -15,7 +15,7 @@ from restitution.errors import StatementError
 from restitution.explain.derived import explanation_of
 from restitution.explain.html import to_html
 from restitution.explain.markup import columns, to_latex, to_markdown
-from restitution.explain.measured import Measures, percentage, rounded, with_unit
+from restitution.explain.measured import Measures, as_decimal, percentage, rounded, with_unit
 from restitution.explain.naming import Naming
 from restitution.explain.principles import about
 from restitution.explain.steps import Explanation, Step
@@ -278,6 +278,31 @@ def test_three_figures_in_every_component_or_none(tree: str, text: str | None) -
 def test_a_percentage() -> None:
     assert one_line(percentage(read_expression("1/5"))) == "20%"  # type: ignore[arg-type]
     assert one_line(percentage(read_expression("1/3"))) == "33.3%"  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("tree", "text"),
+    [
+        ("3/2", "1.5"),
+        ("-1/8", "−0.125"),
+        ("1/3", "⅓"),
+        ("3/2 i - 1/4 j", "1.5𝐢 − 0.25𝐣"),
+        ("1/2 * 3", "½ × 3"),
+    ],
+)
+def test_beside_decimals_a_quantity_is_a_decimal(tree: str, text: str) -> None:
+    assert one_line(of_tree(as_decimal(read_expression(tree)))) == text
+
+
+def test_decimals_stay_as_they_were_typed() -> None:
+    statement = SPHERES.replace("mass m, velocity u i", "mass 0.2, velocity 3i")
+    problem = parse(statement.replace("mass m, at rest", "mass 0.4, at rest"))
+    lines = LINES.replace("m u = m v + m w", "0.2 * 3 = 0.2v + 0.4w").replace("1/2 u", "1/2 * 3")
+    text = to_text(explanation_of(derivation_of(problem, lines.replace("1/4 u", "-0")), problem))
+    assert "0.2 × 3 = 0.2v + 0.4w" in text
+    lines = lines.replace("1/4 u", "3/4")
+    text = to_text(explanation_of(derivation_of(problem, lines), problem))
+    assert "v = 0.75 m s⁻¹" in text and "w − v = ½ × 3" in text
 
 
 def test_units_follow_what_a_letter_stands_for() -> None:

@@ -11,7 +11,14 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from restitution.explain.measured import Measures, is_plain, percentage, rounded, with_unit
+from restitution.explain.measured import (
+    Measures,
+    as_decimal,
+    is_plain,
+    percentage,
+    rounded,
+    with_unit,
+)
 from restitution.explain.naming import Naming, event_of
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
@@ -96,7 +103,7 @@ class _Writer:
     problem: Problem
     heading: int | None = None
     title: Sentence | None = None
-    left: Expression | None = None
+    left: tuple[Expression, str | None] | None = None
     said: tuple[Sentence, ...] = ()
 
     def __post_init__(self) -> None:
@@ -191,7 +198,7 @@ class _Writer:
                 assert isinstance(behind.relation, Relation)
                 options = (behind.relation.options[case.option],)
                 values = (self.relation(Relation(options)),)
-                yield Step("note", sentences=(say("heading.case", values=values),))
+                yield Step("heading", sentences=(say("heading.case", values=values),))
         yield from self._heading(line)
 
     def _heading(self, line: Line) -> Iterator[Step]:
@@ -374,9 +381,9 @@ class _Writer:
         resolved = self._resolved(line) if line.move.record == "component" else None
         if title is not None or sentences or resolved is not None:
             self.title = title or resolved
-        if sentences and sentences == self.said and not given:
-            sentences = ()
-        self.said = sentences or self.said
+        again = bool(sentences) and sentences == self.said and not given
+        self.said = sentences
+        sentences = () if again else sentences
         behind = self.sources.numbers.get(line.number)
         rows[-1] = replace(
             rows[-1],
@@ -470,6 +477,9 @@ class _Writer:
             title = self._resolved(line)
             if title is not None and self.title != title:
                 yield title
+            return
+        if line.move.record in ("perpendicular", "parallel") and self._title(line) is None:
+            yield say("so")
             return
         if source is not None:
             yield from self._source(source)
@@ -591,7 +601,8 @@ class _Writer:
     def _rows(self, line: Line, waiting: Sequence[Line], fresh: bool) -> Iterator[Row]:
         assert isinstance(line.relation, Relation)
         options = line.relation.options
-        left, self.left = self.left, None
+        (left, item), self.left = self.left or (None, None), None
+        left = left if item == line.item else None
         place = self._reached(options)
         if place is not None:
             value, where = place
@@ -616,7 +627,7 @@ class _Writer:
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
             if whole[0].sign == "=" and len(whole) == 1:
-                self.left = whole[0].left
+                self.left = (whole[0].left, line.item)
             fresh = False
 
     @staticmethod
@@ -640,6 +651,8 @@ class _Writer:
             sides = (self.naming.laid(links[0].left), self.naming.laid(links[0].right))
             return Row((operand(say(words, left=sides[0], right=sides[1])),), ())
         trees = [links[0].left, *(each.right for each in links)]
+        if self.measures.decimals and self.measures.unit(links[0].left):
+            trees[1:] = map(as_decimal, trees[1:])
         sides_ = [self._laid(line, each, n) for n, each in enumerate(trees)]
         signs = [_sign(each) for each in links]
         if self._towards(line, links, sides_):

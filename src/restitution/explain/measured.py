@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -11,7 +12,17 @@ from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Meaning
 from restitution.expression.dimensions import Dimension, dimension_of
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Apply, Binary, Degrees, Expression, Negate
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Negate,
+    Number,
+    Unit,
+    has_quantity,
+    walk,
+)
 from restitution.language.measuring import dimensions_of_letters
 from restitution.problem import Problem
 from restitution.render import layout as lay
@@ -26,6 +37,12 @@ class Measures:
 
     def __init__(self, problem: Problem, meanings: Mapping[str, Meaning]) -> None:
         self._style = style_of(problem)
+        #: Whether the statement has decimals: then quantities with units are decimals too.
+        self.decimals = any(
+            isinstance(node, Number) and node.value.denominator > 1
+            for tree in _quantities(problem)
+            for node in walk(tree)
+        )
         known: dict[str, Dimension] = dict(dimensions_of_letters(problem))
         for name, meaning in meanings.items():
             dimension = dimension_of(meaning.quantity, known)
@@ -37,6 +54,43 @@ class Measures:
         """The unit of a quantity, with blanks that hold; nothing where letters give the scale."""
         dimension = dimension_of(tree, self._letters)
         return self._style.unit(dimension).lstrip()
+
+
+def _quantities(problem: Problem) -> Iterator[Expression]:
+    """The masses, velocities and places of a statement."""
+    for sphere in problem.spheres:
+        for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
+            if isinstance(value, Expression):
+                yield value
+
+
+def as_decimal(tree: Expression) -> Expression:
+    """A fraction that is a decimal with an end as that decimal, also as a component."""
+    match tree:
+        case Negate(operand):
+            return Negate(as_decimal(operand))
+        case Binary("/", Number(above), Number(below)) if _ends(above / below):
+            return Number(above / below)
+        case Binary("*", size, Unit() as unit):
+            return Binary("*", as_decimal(size), unit)
+        case Binary("+" | "-" as op, left, right) if _of_units(left) and _of_units(right):
+            return Binary(op, as_decimal(left), as_decimal(right))
+    return tree
+
+
+def _of_units(tree: Expression) -> bool:
+    match tree:
+        case Negate(operand):
+            return _of_units(operand)
+        case Binary("*", _, Unit()) | Unit():
+            return True
+        case Binary("+" | "-", left, right):
+            return _of_units(left) and _of_units(right)
+    return False
+
+
+def _ends(value: Fraction) -> bool:
+    return 1000 % value.denominator == 0
 
 
 def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
@@ -76,6 +130,8 @@ def rounded(tree: Expression) -> lay.Layout | None:
 
     A vector has three figures in every component, or none.
     """
+    if has_quantity(tree):
+        return None
     try:
         value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     except RestitutionError:
@@ -91,6 +147,8 @@ def rounded(tree: Expression) -> lay.Layout | None:
 
 def percentage(tree: Expression) -> lay.Layout | None:
     """A number as a percentage."""
+    if has_quantity(tree):
+        return None
     try:
         value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     except RestitutionError:
