@@ -37,7 +37,6 @@ from restitution.planning.forms import (
     swept,
     total,
     tree_of,
-    vector,
 )
 from restitution.planning.impacts import in_direction
 from restitution.planning.resolving import along_axis
