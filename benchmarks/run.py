@@ -39,13 +39,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--pairs", type=int, default=15)
-    parser.add_argument("--only", choices=["cold", "warm", "drawing", "following"])
+    parser.add_argument("--only", choices=["cold", "warm", "drawing", "following", "planning"])
     options = parser.parse_args()
     parts = {
         "cold": lambda: cold(options.pairs),
         "warm": lambda: warm(options.repeat),
         "drawing": lambda: drawing(options.repeat),
         "following": lambda: following(options.repeat),
+        "planning": lambda: planning(options.repeat),
     }
     for name, part in parts.items():
         if options.only in (None, name):
@@ -313,6 +314,41 @@ def following(repeat: int) -> None:
             f"| {1000 * most:.1f} | {name} |"
         )
     print(f"| a working followed, as a multiple of solving: median | {median(ratios):.1f} | | | |")
+
+
+# --- planning ---------------------------------------------------------------------------------
+
+
+def planning(repeat: int) -> None:
+    """Every example planned: in ms an item, and against solving it."""
+    from restitution import parse, solve
+    from restitution.planning.desk import NotPlannedError
+    from restitution.planning.planner import plan
+
+    items, ratios, unplanned = [], [], 0
+    for path in sorted(EXAMPLES.glob("*.impact")):
+        solution = solve(parse(path.read_text()))
+        count = sum(len(each.items) for each in solution.parts.values())
+        try:
+            plan(solution)
+        except NotPlannedError:
+            unplanned += 1
+            continue
+        solving = _shortest(lambda s=solution.problem: solve(s), repeat)
+        taken = _shortest(lambda s=solution: plan(s), repeat)
+        if solving is None or taken is None:
+            continue
+        items.append((taken / count, path.stem))
+        ratios.append(taken / solving)
+    ordered = sorted(1000 * seconds for seconds, _ in items)
+    most, name = max(items)
+    print("\n| planning | median | 95 % | most | of |\n|---|---:|---:|---:|---|")
+    print(
+        f"| an item planned, ms | {median(ordered):.1f} | {ordered[int(0.95 * len(ordered))]:.1f} "
+        f"| {1000 * most:.1f} | {name} |"
+    )
+    print(f"| a working planned, as a multiple of solving: median | {median(ratios):.1f} | | | |")
+    print(f"\n{len(items)} examples are planned, {unplanned} are not.")
 
 
 def _ms(seconds: float | None) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
-from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning import journeys
 from restitution.planning.closing import not_negative
 from restitution.planning.desk import NotPlannedError, chain, together
@@ -61,6 +61,8 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
             own = formula(scene, asked)
             line = write_formula(scene, own)
             scene.desk.end(name, line, chain(asked, (tree_of(own.value), None)))
+        case _ if not has_quantity(asked):
+            _of_letters(scene, asked, name)
         case _:
             raise NotPlannedError("an expression of several quantities")
 
@@ -81,6 +83,25 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     own = formula(scene, quantity)
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
+
+
+def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
+    """A ratio of an angle, or another expression of letters: it stands in a line, or is made."""
+    known = scene.desk.known(asked)
+    if known is not None:
+        (line,) = (each for each in known.refs if isinstance(each, int))
+        scene.desk.end(name, line, scene.desk.relation(line))
+        return
+    value, refs = scene.put(scene.scalar(asked))
+    if scene.unknown(value) or not any(isinstance(each, int) for each in refs):
+        raise NotPlannedError("an expression of letters that are open")
+    relation = chain(asked, (tree_of(value), None))
+    lines = [each for each in refs if isinstance(each, int)]
+    first, *rest = lines
+    move = Move("put") if rest else Move("rearrange")
+    if rest or len(lines) != len(refs):
+        raise NotPlannedError("an expression of several letters")
+    scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
 
 
 def _right(scene: Scene, line: int) -> Expression:

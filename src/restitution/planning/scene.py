@@ -139,15 +139,16 @@ class Scene:
         refs: list[Ref] = []
         for _ in range(6):
             changes: dict[sp.Basic, sp.Expr] = {}
-            for symbol in own.free_symbols:
-                source = self.desk.known(Letter(symbol.name))
-                if source is not None:
-                    changes[symbol] = source.value
-                    refs += source.refs
             for each in own.atoms(*_RATIOS):
                 source = self._ratio(each)
                 if source is not None:
                     changes[each] = source.value
+                    refs += source.refs
+            # A ratio that is known stands for its angle.
+            for symbol in own.xreplace(changes).free_symbols if changes else own.free_symbols:
+                source = self.desk.known(Letter(symbol.name))
+                if source is not None:
+                    changes[symbol] = source.value
                     refs += source.refs
             if not changes:
                 break
