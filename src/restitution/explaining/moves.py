@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Quantity,
@@ -869,10 +870,15 @@ def _is_identical(step: Step, link: Link) -> bool:
 
 def _inverse(step: Step, relation: Relation) -> bool:
     """The angle of a ratio: the only one in the range that is cited."""
-    base = _base(step)
-    if base is None or len(base.options) != 1 or len(relation.options) != 1:
+    if len(relation.options) != 1:
         return False
-    known = next(filter(None, (_ratio_of(step, each) for each in _flat(base.only))), None)
+    cited = (
+        link
+        for each in step.cited
+        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        for link in _flat(each.relation.only)
+    )
+    known = next(filter(None, (_ratio_of(step, each) for each in cited)), None)
     if known is None or len(relation.only) != 1:
         return False
     (link,) = relation.only
@@ -884,7 +890,11 @@ def _inverse(step: Step, relation: Relation) -> bool:
     low, high, closed = _range_of(step, ratio_.argument)
     if low is None or high is None:
         return False
-    if not _only_there(ratio_.function, low, high) and not _but_straight(step, ratio_, value, high):
+    if not (
+        _only_there(ratio_.function, low, high)
+        or _but_straight(step, ratio_, value, high)
+        or _in_its_quadrant(step, ratio_, angle)
+    ):
         return False
     sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
@@ -969,6 +979,24 @@ def _but_straight(step: Step, ratio_: Apply, value: Expression, high: sp.Expr) -
     return Oracle(step.setting.roles).proves(Claim(number, "!="))
 
 
+def _in_its_quadrant(step: Step, ratio_: Apply, angle: sp.Expr) -> bool:
+    """Whether the direction of a velocity lies on the side to which its component points.
+
+    Of the two directions with one tangent, the component in the direction of **i** tells which.
+    """
+    meaning = step.setting.meanings.get(getattr(ratio_.argument, "name", ""))
+    match meaning.quantity if meaning is not None else None:
+        case Quantity("direction", (Name() as body,), int(stage)) if ratio_.function == "tan":
+            velocity = step.world.value(Quantity("velocity", (body,), stage))
+        case _:
+            return False
+    known = step.rules().put_into(velocity)
+    if not (isinstance(velocity, Plane) and isinstance(known, Plane)) or known.x == velocity.x:
+        return False
+    share = step.world.expression(known.x, step.roles)
+    return step.oracle.proves(Claim(share * sp.cos(angle), ">"))
+
+
 def _value(step: Step, relation: Relation) -> bool:
     """A decimal of what is exact: within half a unit of its last place."""
     base = _base(step)
@@ -985,17 +1013,21 @@ def _value(step: Step, relation: Relation) -> bool:
     if printed is None or value.free_symbols:
         return False
     number, unit = printed
-    if isinstance(link.right, Degrees):
+    if isinstance(_unsigned(link.right), Degrees):
         value = value * 180 / sp.pi
     gap = sp.Abs(value - sp.Rational(number.numerator, number.denominator))
     half = sp.Rational(unit.numerator, unit.denominator * 2)
     return Oracle({}).proves(compared(gap, "<=", half))
 
 
+def _unsigned(tree: Expression) -> Expression:
+    return tree.operand if isinstance(tree, Negate) else tree
+
+
 def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
     """A decimal and the unit of its last place."""
     negative = isinstance(tree, Negate)
-    own = tree.operand if isinstance(tree, Negate) else tree
+    own = _unsigned(tree)
     if not isinstance(own, Number | Degrees):
         return None
     value, places = own.value, 0

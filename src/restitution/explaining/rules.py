@@ -40,8 +40,9 @@ class Rules:
             self._add(own, value * CONSTANT(sense))
 
     def _add(self, own: Quotient, value: Quotient) -> None:
+        plane = self._of_a_vector(own)
         own, value = self.put_into(own), self.put_into(value)  # type: ignore[assignment]
-        pivot = self._pivot(own)
+        pivot = self._pivot(own, plane)
         if pivot is None:
             return
         number, power = pivot
@@ -57,7 +58,13 @@ class Rules:
         self.found = [(n, p, self._once(each, number, power, result)) for n, p, each in self.found]
         self.found.append((number, power, self.world.reduced(result)))
 
-    def _pivot(self, own: Quotient) -> tuple[int, int] | None:
+    def _of_a_vector(self, own: Quotient) -> bool:
+        """Whether it is made of the components of vectors alone, with numbers and roots."""
+        keys = self.world.keys(own.above).values()
+        below = self.world.keys(own.below).values()
+        return all(k[0] in ("x", "y", "root") for k in keys) and all(k[0] == "root" for k in below)
+
+    def _pivot(self, own: Quotient, plane: bool) -> tuple[int, int] | None:
         keys = self.world.keys(own.above)
         powers = {
             n: {m[n] for m in own.above if m[n]} for n in keys if keys[n][0] not in ("root", "size")
@@ -70,9 +77,7 @@ class Rules:
             others = [k for k in keys.values() if k != key]
             if single and (not others or key[0] == "sin"):
                 return n, power
-            vector = key[0] in ("x", "y") and all(k[0] in ("x", "y", "root") for k in others)
-            below = self.world.keys(own.below).values()
-            if not single and vector and power == 1 and all(k[0] == "root" for k in below):
+            if not single and plane and key[0] in ("x", "y") and power == 1:
                 return n, power
         return None
 

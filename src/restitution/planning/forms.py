@@ -215,7 +215,7 @@ def _quotient(above: Expression, below: Expression) -> Expression:
     if isinstance(above, Negate) and isinstance(below, Negate):
         return Binary("/", above.operand, below.operand)
     if isinstance(above, Negate):
-        return Negate(Binary("/", above.operand, below))
+        return Negate(_quotient(above.operand, below))
     if isinstance(below, Negate):
-        return Negate(Binary("/", above, below.operand))
+        return Negate(_quotient(above, below.operand))
     return Binary("/", above, below)

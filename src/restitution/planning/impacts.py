@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move
-from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import difference, negative, product, swept, total, tree_of
 from restitution.planning.frames import Frame
@@ -35,6 +35,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     if last == 0:
         initial = scene.initial(body)
         value = tidy(initial.value.dot(direction))
+        if _is_slanted(frame) and not _is_polar(scene, body):
+            return _by_scalar_product(scene, tree, initial, frame, direction)
         return _put(scene, Source(value, initial.refs, frame.refs))
     own = scene.frame(last)
     for each in ("along", "across"):
@@ -46,6 +48,62 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
                 axis = together(axis, own.unit_free, frame.unit_free)
             return _put(scene, Source(sign * source.value, source.refs, axis))
     return _resolved(scene, kind, body, last, frame)
+
+
+def _is_slanted(frame: Frame) -> bool:
+    """Whether the directions of a frame are given as vectors beside **i** and **j**."""
+    return frame.across is None and frame.n.x != 0 and frame.n.y != 0
+
+
+def _is_polar(scene: Scene, body: str) -> bool:
+    """Whether a velocity at the start is given by its size and an angle."""
+    (link,) = scene.facts[f"velocity {body}"].relation.only
+    return any(isinstance(each, Polar) for each in walk(link.right))
+
+
+def _by_scalar_product(
+    scene: Scene, quantity: Quantity, source: Source, frame: Frame, direction: Vector
+) -> Source:
+    """A component of a vector of numbers in a direction that is one: a line of its own."""
+    whole, length = whole_direction(direction)
+    own = _put(scene, source)
+    source = Source(own.value, own.refs)
+    value = tidy(source.value.dot(direction))
+    if value == 0 and not any(source.value):
+        return Source(value, source.refs, frame.refs)
+    terms = total(
+        product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True)
+    )
+    number = scene.desk.write(
+        Move("define", "component", frame.number, _body(quantity)),
+        together(source.refs, frame.refs),
+        chain(
+            quantity,
+            (swept(terms if length == 1 else Binary("/", terms, tree_of(length))), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _body(component: Quantity) -> tuple[str, ...]:
+    """The body of which a quantity is a component of the velocity."""
+    return tuple(
+        each.arguments[0].name
+        for each in component.arguments
+        if isinstance(each, Quantity) and each.arguments and isinstance(each.arguments[0], Name)
+    )
+
+
+def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
+    """A unit vector as a vector of whole numbers, where there is one, and its length."""
+    x, y = direction
+    if x == 0 or y == 0 or not sp.sympify(y / x).is_Rational:
+        return direction, sp.Integer(1)
+    ratio = sp.Rational(y / x)
+    size = sp.sqrt(ratio.p**2 + ratio.q**2)
+    sign = 1 if x.is_positive else -1
+    return Vector(sign * sp.Integer(ratio.q), sign * sp.Integer(ratio.p)), size
 
 
 def _put(scene: Scene, source: Source) -> Source:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,7 +32,7 @@ from restitution.planning.forms import (
     vector,
 )
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import in_direction
+from restitution.planning.impacts import in_direction, whole_direction
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
@@ -117,13 +117,9 @@ def _velocity(scene: Scene, quantity: Quantity) -> Formula:
 
 def _unit_tree(direction: Vector) -> Expression:
     """A unit vector as a whole number of **i** and **j** over its length."""
-    x, y = direction
-    length = sp.sqrt(x**2 + y**2)
-    if length != 1 or not all(sp.sympify(each, strict=True).is_Rational for each in (x, y)):
-        return vector(tree_of(x), tree_of(y))
-    scale = sp.Integer(sp.ilcm(x.q, y.q))
-    whole = vector(tree_of(x * scale), tree_of(y * scale))
-    return whole if scale == 1 else Binary("/", whole, tree_of(scale))
+    whole, length = whole_direction(direction)
+    tree = vector(*map(tree_of, whole))
+    return tree if length == 1 else Binary("/", tree, tree_of(length))
 
 
 def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
@@ -132,9 +128,15 @@ def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, t
         return _initial_square(scene, body)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
-    refs = together(*(each.refs for each in own))
+    refs = together(*(each.refs for each in own), _bridge(frame, own))
     tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
     return tree, sum(each.value**2 for each in own), refs
+
+
+def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
+    """The axis, where one component is named by it and the other by **i** or **j**."""
+    mixed = isinstance(frame.along, Quantity) and frame.across is not None
+    return frame.refs if mixed and not any(each.axis for each in components) else ()
 
 
 def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
@@ -189,17 +191,14 @@ def tangent(tree: Expression) -> Expression:
 def _angle(scene: Scene, quantity: Quantity) -> Formula:
     velocity, line = quantity.arguments
     body, stage = body_and_stage(scene, velocity)
+    if isinstance(line, Unit):
+        return _angle_to_unit(scene, quantity, body, stage, line)
     frame = frame_after(scene, body, stage)
     along, across = parts(scene, body, stage, frame)
     if isinstance(line, Name) and line.name == frame.wall:
         above, below = along, across
     elif isinstance(line, Quantity) and line.kind == "line_of_centres":
         above, below = across, along
-    elif isinstance(line, Unit) and line in (frame.along, frame.across):
-        above, below = (across, along) if line == frame.along else (along, across)
-    elif isinstance(line, Unit) and frame.n in (Vector(1, 0), Vector(0, 1)):
-        own = Vector(1, 0) if line.axis == "i" else Vector(0, 1)
-        above, below = (across, along) if frame.n == own else (along, across)
     else:
         raise NotPlannedError(f"an angle to {line}")
     trees = []
@@ -218,6 +217,62 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         Binary("/", *trees),
         tidy(value),
         refs,
+    )
+
+
+def _angle_to_unit(
+    scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit
+) -> Formula:
+    """The angle to **i** or **j**, of up to 180°: what stands above is taken positive."""
+    x, y = in_the_plane(scene, body, stage)
+    above, below = (y, x) if line.axis == "i" else (x, y)
+    if scene.model.identically_zero(below.value):
+        raise NotPlannedError("a right angle")
+    size = -above.value if scene.model.sign(above.value) < 0 else above.value
+    return Formula(
+        Move("define", "tan", stage or None, (body,)),
+        tangent,
+        quantity,
+        Binary("/", tree_of(size), tree_of(below.value)),
+        tidy(size / below.value),
+        together(above.whole, below.whole),
+    )
+
+
+def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
+    """The components of a velocity in the directions of **i** and **j**."""
+    frame = frame_after(scene, body, stage)
+    if frame.across is None and frame.n.x != 0 and frame.n.y != 0:
+        whole = velocity_source(scene, body, stage)
+        return Source(whole.value.x, whole.refs), Source(whole.value.y, whole.refs)
+    along, across = parts(scene, body, stage, frame)
+    first, second = (along, across) if frame.n.x != 0 else (across, along)
+    signs = (frame.n.x + frame.t.x, frame.n.y + frame.t.y)
+    # A component that is named by the line of centres needs it; one of a vector does not.
+    plane = {id(along): isinstance(frame.along, Quantity), id(across): frame.across is None}
+    x, y = (
+        Source(
+            tidy(sign * each.value),
+            each.refs,
+            frame.refs if plane[id(each)] and not each.axis else (),
+        )
+        for sign, each in zip(signs, (first, second), strict=True)
+    )
+    return x, y
+
+
+def _direction(scene: Scene, quantity: Quantity) -> Formula:
+    body, stage = body_and_stage(scene, quantity)
+    x, y = in_the_plane(scene, body, stage)
+    if scene.model.identically_zero(x.value):
+        raise NotPlannedError("a direction along j")
+    return Formula(
+        Move("define", "tan-direction", stage or None, (body,)),
+        tangent,
+        quantity,
+        Binary("/", tree_of(y.value), tree_of(x.value)),
+        tidy(y.value / x.value),
+        together(x.whole, y.whole),
     )
 
 
@@ -358,6 +413,7 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "along": _component,
     "across": _component,
     "angle": _angle,
+    "direction": _direction,
     "impulse": _impulse,
     "energy": _energy,
     "energy_lost": _energy_lost,

@@ -20,13 +20,16 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    Unit,
 )
+from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.quantities import (
     body_and_stage,
     formula,
+    in_the_plane,
     velocity_source,
 )
 from restitution.planning.scene import Scene
@@ -64,6 +67,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
             line = _between(scene, asked)
         case Quantity("angle"):
             line = _to_a_line(scene, asked)
+        case Quantity("direction", (Name(),), int()):
+            line = _direction(scene, asked)
         case _:
             raise NotPlannedError(f"no way to the {asked.kind}")
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
@@ -140,14 +145,12 @@ def _ratio_line(
 
 def _inverse(scene: Scene, line: int, letter: str, function: str, value: Any, extent: str) -> int:
     """The angle of a ratio, in the range that is cited."""
-    inverse = {"tan": sp.atan, "cos": sp.acos}[function](value)
-    degrees = sp.nsimplify(inverse * 180 / sp.pi) if not inverse.has(sp.atan, sp.acos) else None
-    if degrees is not None and degrees.is_Rational:
-        right: Expression = Degrees(Fraction(int(degrees.p), int(degrees.q)))
-        if degrees < 0:
-            right = Negate(Degrees(-Fraction(int(degrees.p), int(degrees.q))))
+    if function == "tan" and not value.free_symbols and value < 0:
+        right = difference(Degrees(Fraction(180)), _degrees(sp.atan(-value), -value))
+        if isinstance(right.right, Degrees):  # type: ignore[union-attr]
+            right = Degrees(180 - right.right.value)  # type: ignore[union-attr]
     else:
-        right = Apply(f"arc{function}", tree_of(value))
+        right = _degrees({"tan": sp.atan, "cos": sp.acos}[function](value), value)
     return scene.desk.write(Move("inverse"), (line, extent), chain(Letter(letter), (right, None)))
 
 
@@ -164,7 +167,60 @@ def _to_a_line(scene: Scene, asked: Quantity) -> int:
         own.right,
         own.value,
     )
-    return _inverse(scene, line, letter, "tan", own.value, f"0° <= {letter} <= 90°")
+    to_i_or_j = isinstance(asked.arguments[1], Unit)
+    extent = _RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
+    return _inverse(scene, line, letter, "tan", own.value, extent.format(letter))
+
+
+def _direction(scene: Scene, asked: Quantity) -> int:
+    """The direction of a velocity, from **i**: by its tangent, on the side to which it points."""
+    body, stage = body_and_stage(scene, asked)
+    own = formula(scene, asked)
+    x, y = in_the_plane(scene, body, stage)
+    letter, meaning = _named(scene, asked)
+    line = _ratio_line(
+        scene,
+        own.move,
+        together(own.refs, (meaning,)),
+        Apply("tan", Letter(letter)),
+        own.right,
+        own.value,
+    )
+    extent = _RANGES["direction"].format(letter)
+    value = own.value
+    if scene.model.sign(x.value) > 0:
+        right = _degrees(sp.atan(value), value)
+    else:
+        # On the other side of j the angle is measured from −i.
+        sign = scene.model.sign(y.value)
+        size = _degrees(sp.atan(-value * sign), -value * sign)
+        straight = Degrees(Fraction(180))
+        if isinstance(size, Degrees):
+            right = Degrees(straight.value - size.value)
+            right = Negate(right) if sign < 0 else right
+        elif sign == 0:
+            right = straight
+        else:
+            right = difference(straight, size) if sign > 0 else difference(size, straight)
+    known = velocity_source(scene, body, stage) if x.refs == y.refs else x
+    return scene.desk.write(
+        Move("inverse"),
+        together((line, extent), known.whole, nonzero(scene, x.value)),
+        chain(Letter(letter), (right, None)),
+    )
+
+
+def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
+    """An inverse tangent: in degrees where it is plain, else as it is."""
+    degrees = sp.nsimplify(angle * 180 / sp.pi) if not angle.has(sp.atan, sp.acos) else None
+    if degrees is not None and degrees.is_Rational:
+        number = Fraction(int(degrees.p), int(degrees.q))
+        return Negate(Degrees(-number)) if number < 0 else Degrees(number)
+    function = "arccos" if angle.has(sp.acos) else "arctan"
+    tree = tree_of(value)
+    if function == "arctan" and isinstance(tree, Negate):
+        return Negate(Apply(function, tree.operand))
+    return Apply(function, tree)
 
 
 def _between(scene: Scene, asked: Quantity) -> int:
