@@ -84,6 +84,14 @@ def staged(problem: Problem, tree: Expression, events: int) -> Expression:
     return _Facts(problem).settled(tree, events)
 
 
+def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
+    """What a relation of a statement says after some events, as given facts say it.
+
+    Nothing where two bodies meet for the first time.
+    """
+    return tuple(link for links in _Facts(problem)._links(relation, events) for link in links)
+
+
 class _Facts:
     """The facts of one problem."""
 

@@ -28,6 +28,10 @@ class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
 
 
+# The moves that start from a line: it is the first that they name.
+_FROM_A_LINE = frozenset({"put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"})
+
+
 @dataclass(frozen=True)
 class Source:
     """A value that is known, as an expression or a vector of them, and what it rests on.
@@ -107,7 +111,7 @@ class Desk:
         shown: Literal["line", "inline", "silent"] = "line",
     ) -> int:
         """Writes a line, and returns its number. One that stands already is not written again."""
-        refs = together(premises)
+        refs = tuple(dict.fromkeys(premises)) if move.id in _FROM_A_LINE else together(premises)
         for each in self.lines:
             if each.relation == relation and self.holds(each.number):
                 return each.number

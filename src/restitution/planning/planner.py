@@ -11,11 +11,25 @@ from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.planning.cases import joined
 from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError
 from restitution.planning.items import write_item
 from restitution.planning.order import Solver
+from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.scene import Scene
-from restitution.problem import Arrival, Find, Impact, Kick, Part, Problem, Show
+from restitution.planning.shows import write_show
+from restitution.problem import (
+    Arrival,
+    Extremum,
+    Find,
+    Impact,
+    Kick,
+    Part,
+    Problem,
+    Range,
+    Show,
+    Value,
+)
 from restitution.solve.solution import PartSolution, Solution
 
 
@@ -99,13 +113,31 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
 
 def _write_items(scene: Scene) -> None:
     solver = Solver(scene)
-    label = scene.part.label
-    asked = _asked(scene.problem, scene.part)
-    for index, ((item, now), result) in enumerate(zip(asked, scene.solution.items, strict=True), 1):
+    problem, part = scene.problem, scene.solution
+    label = part.part.label
+    for index, ((item, now), result) in enumerate(
+        zip(_asked(problem, part.part), part.items, strict=True), 1
+    ):
         name = f"{label or ''}{index}"
         scene.desk.item = name
-        tree = None if isinstance(item, Show) else staged(scene.problem, item.expression, now)  # type: ignore[attr-defined]
-        write_item(scene, solver, item, result, tree, name)  # type: ignore[arg-type]
+        match item:
+            case Show():
+                write_show(scene, solver, item, result, now, name)
+            case Range():
+                asked = staged(problem, item.expression, now)
+                if item.percentage:
+                    raise NotPlannedError("a percentage")
+                write_range(scene, solver, asked, relation_of(asked, result), name)
+            case Extremum():
+                asked = staged(problem, item.expression, now)
+                answer = only_answer(result)
+                over = item.over
+                write_extremum(
+                    scene, solver, item.kind, asked, over, answer.value, answer.where, name
+                )
+            case Value():
+                asked = staged(problem, item.expression, now)
+                write_item(scene, solver, item, result, asked, name)
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:

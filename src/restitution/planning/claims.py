@@ -1,0 +1,711 @@
+"""Inequalities: the conditions of a part in components, solved, and joined with what holds anyway."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.components import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.forms import ZERO, UnwrittenError, number, square, swept, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.givens import write_given
+from restitution.planning.impacts import in_direction, residual, scene_value
+from restitution.planning.judging import Judge
+from restitution.planning.order import Solver
+from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.solve.letters import roles
+from restitution.vector import Vector
+
+FLIPPED: dict[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_BOUNDED = ("<", "<=", ">", ">=")
+
+
+@dataclass
+class Claims:
+    """What a part says of its letters: equations that tie them, and conditions on them."""
+
+    scene: Scene
+    solver: Solver
+    judge: Judge = field(init=False)
+    _ties: list[int] | None = None
+    _conditions: list[int] | None = None
+
+    def __post_init__(self) -> None:
+        self.judge = Judge(self.scene)
+
+    def __enter__(self) -> Claims:
+        self.scene.free |= self._tied_letters()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.scene.free.clear()
+
+    def _tied_letters(self) -> set[sp.Symbol]:
+        """The letters of the statement that the facts tie to others."""
+        model = self.scene.model
+        components = {each.symbol for each in model.components.values()}
+        return {
+            symbol
+            for symbol, value in model.final.items()
+            if symbol not in components
+            and symbol.name in model.unknowns.roles
+            and sp.sympify(value, strict=True).free_symbols
+        }
+
+    # --- trees ----------------------------------------------------------------------------------
+
+    def exists(self, ref: Ref) -> bool:
+        """Whether a fact is given."""
+        return isinstance(ref, int) or ref in self.scene.facts
+
+    def opened(self, tree: Expression) -> Expression:
+        """A tree with each letter for a quantity replaced by the quantity."""
+
+        def change(each: Expression) -> Expression:
+            if isinstance(each, Letter):
+                fact = self.scene.facts.get(f"let {each.name}")
+                if fact is not None and has_quantity(fact.relation.only[0].left):
+                    return self.opened(fact.relation.only[0].left)
+            return each
+
+        return rebuilt(tree, change)
+
+    def named(self, own: Formula, quantity: Expression) -> tuple[Expression, tuple[Ref, ...]]:
+        """The left side of a definition, with the letter that the statement has for it."""
+        for fact in self.scene.desk.facts:
+            if fact.id.startswith("let ") and fact.relation.only[0].left == quantity:
+                return own.of(fact.relation.only[0].right), (fact.id,)
+        return own.left, ()
+
+    def axes(self, tree: Expression) -> tuple[Ref, ...]:
+        """The lines of centres of the impacts in which a quantity is known."""
+        refs: list[Ref] = []
+        for each in walk(tree):
+            match each:
+                case Quantity("velocity" | "speed" | "energy", (Name(),), int()):
+                    velocity = replace(each, kind="velocity")
+                    body, stage = body_and_stage(self.scene, velocity)
+                    refs += frame_after(self.scene, body, stage).refs
+        return together(refs)
+
+    # --- quantities -----------------------------------------------------------------------------
+
+    def determine(self, tree: Expression) -> None:
+        """Writes the lines by which all components in a tree are known."""
+        value = self.scene.value(tree)
+        parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
+        if hasattr(value, "measure"):
+            parts = (value.y / value.x,)
+        self.solver.determine([sp.sympify(each, strict=True) for each in parts])
+
+    def component(self, kind: str, body: str, stage: int, frame: Frame) -> Source:
+        """A component, with what it rests on."""
+        return in_direction(self.scene, kind, body, stage, frame)
+
+    def is_data(self, quantity: Quantity) -> bool:
+        """Whether a quantity is a velocity of the data."""
+        return quantity.kind == "velocity" and quantity.stage == 0
+
+    def data_of(self, quantity: Quantity) -> tuple[Ref, ...]:
+        """The facts that give a velocity."""
+        (body,) = quantity.arguments
+        assert isinstance(body, Name)
+        return self.scene.initial(body.name).refs
+
+    def quantity(self, quantity: Quantity) -> int:
+        """Writes what a quantity is worth, and returns the number of the line."""
+        scene = self.scene
+        known = scene.desk.known(quantity)
+        if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
+            return known.refs[0]
+        self.determine(quantity)
+        own = formula(scene, quantity)
+        left, extra = self.named(own, quantity)
+        pool = together(own.refs, extra, self.axes(quantity))
+        right, final = swept(own.right), tree_of(own.value)
+        links = [Link(left, "=", right)]
+        chains = [Relation((tuple(links),))]
+        if right != final:
+            for by in ("rearrange", "identity"):
+                chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))  # type: ignore[arg-type]
+        wider = (*pool, *self.judge.known(letters(right)))
+        for relation in chains:
+            number_ = self.judge.write((own.move,), wider, relation)
+            if number_ is not None:
+                if own.left == quantity:
+                    scene.desk.know(quantity, own.value, (number_,))
+                return number_
+        raise NotPlannedError(f"a line for {quantity.kind}")
+
+    # --- ties -----------------------------------------------------------------------------------
+
+    def ties(self) -> list[int]:
+        """The equations between letters that the facts give, as lines."""
+        if self._ties is None:
+            self._ties = list(self._written_ties())
+        return self._ties
+
+    def _written_ties(self) -> Iterator[int]:
+        scene = self.scene
+        for symbol in sorted(scene.free, key=lambda each: each.name):
+            known = scene.desk.known(Letter(symbol.name))
+            if known is not None:
+                yield from (each for each in known.refs if isinstance(each, int))
+        for each in scene.given:
+            open_ = [scene.put(x)[0] for x in each.residuals]
+            if any(x != 0 and x.free_symbols for x in open_):
+                line = self._tie(each)
+                if line is not None:
+                    yield line
+
+    def _tie(self, each: GivenEquation) -> int | None:
+        """A given fact as an equation between letters of the statement."""
+        scene = self.scene
+        components = {own.symbol for own in scene.model.components.values()}
+        inside = {s for x in each.residuals for s in sp.sympify(x, strict=True).free_symbols}
+        self.solver.determine(sorted(inside & components, key=str))
+        open_ = [scene.put(x)[0] for x in each.residuals]
+        if all(x == 0 for x in open_):
+            return None
+        if each.fact.id in self.solver.used:
+            return None
+        return self._neat(write_given(scene, each))
+
+    def _neat(self, line: int) -> int:
+        """The equation without common factors, where it stands as one that is zero."""
+        scene = self.scene
+        whole = sp.factor(sp.together(residual(scene, line)))
+        above = sp.fraction(whole)[0]
+        kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not self._certain(x)))
+        symbols = [s for s in kept.free_symbols if s.name in roles(scene.problem)]
+        for symbol in sorted(symbols, key=self._rank):
+            form = self.isolated(kept, symbol)
+            if form is None:
+                continue
+            generator, value = form
+            relation = Relation(((Link(generator, "=", tree_of(value)),),))
+            if scene.desk.relation(line) == relation:
+                return line
+            pool = [line, *self.judge.known(s.name for s in whole.free_symbols)]
+            moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+            neat = self.judge.write(moves, pool, relation)
+            if neat is not None:
+                return neat
+        return line
+
+    def _rank(self, symbol: sp.Symbol) -> tuple[int, str]:
+        kind = roles(self.scene.problem)[symbol.name].kind
+        return ({"angle": 0, "positive": 1, "restitution": 2}.get(kind, 3), symbol.name)
+
+    def _certain(self, x: sp.Expr) -> int | None:
+        """The sign of a factor, where the letters alone make it certain; None where it is open."""
+        sign = proved_sign(self.scene.model.ground, x)
+        return sign or None
+
+    # --- one letter -----------------------------------------------------------------------------
+
+    def isolated(self, x: sp.Expr, symbol: sp.Symbol) -> tuple[Expression, sp.Expr] | None:
+        """Of ``x = 0``: a letter, a ratio of it or a square of one, and what it is equal to."""
+        form = linear_in(x, symbol, roles(self.scene.problem)[symbol.name].kind == "angle")
+        if form is None:
+            return None
+        tree, _, a, b = form
+        return tree, tidy(sp.factor(-b / a))
+
+    def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr]]:
+        """What the range of one letter says of the others in an equation: ``P sign 0``."""
+        link = self.scene.desk.last_link(line)
+        x = sp.fraction(sp.together(self._value(link.left) - self._value(link.right)))[0]
+        role = roles(self.scene.problem)[gone.name]
+        form = linear_in(sp.expand(x), gone, role.kind == "angle")
+        if form is None:
+            return []
+        _, generator, a, b = form
+        found: list[tuple[Sign, sp.Expr]] = []
+        for sign, bound in _bounds(role, generator, gone):
+            gap = sp.factor(sp.together(-b / a - bound))
+            own = self.stripped(gap, sign)
+            if own is not None and own[1].free_symbols:
+                found.append(own)
+        return found
+
+    def stripped(self, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr] | None:
+        """``gap sign 0`` without the factors whose signs are certain; None if nothing is left."""
+        above, below = sp.fraction(sp.factor(sp.together(gap)))
+        kept: list[sp.Expr] = []
+        turned = False
+        for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
+            base, power = each.as_base_exp()
+            if power.is_Integer and power % 2 == 0 and each in sp.Mul.make_args(below):
+                continue
+            own = self._certain(each)
+            if own is None:
+                if each in sp.Mul.make_args(below):
+                    return None
+                kept.append(base if power.is_Integer and power % 2 else each)
+            elif own < 0:
+                turned = not turned
+        if not kept:
+            return None
+        if len(kept) > 1:
+            return (FLIPPED[sign] if turned else sign), sp.Mul(*kept)
+        # The sense of the inequality is kept, and the terms take the sign.
+        return sign, sp.expand(-kept[0] if turned else kept[0])
+
+    def _value(self, tree: Expression) -> sp.Expr:
+        return scene_value(self.scene, tree)
+
+    def solved(self, sign: Sign, x: sp.Expr, wanted: Expression | None = None) -> Link | None:
+        """``P sign 0`` solved for the letter or the ratio in it, where it is linear in one."""
+        symbols = sorted(x.free_symbols, key=lambda s: s.name)
+        names = None if wanted is None else letters(wanted)
+        for symbol in symbols:
+            if names is not None and symbol.name not in names:
+                continue
+            if names is None and len(symbols) > 1:
+                continue
+            role = roles(self.scene.problem).get(symbol.name)
+            if role is None:
+                continue
+            form = linear_in(x, symbol, role.kind == "angle")
+            if form is None:
+                continue
+            tree, _, a, b = form
+            slope = self._certain(a)
+            if slope is None:
+                continue
+            own = sign if slope > 0 else FLIPPED[sign]
+            return Link(tree, own, tree_of(tidy(sp.factor(-b / a))))
+        return None
+
+    # --- conditions -----------------------------------------------------------------------------
+
+    def conditions(self, wanted: Expression | None = None) -> list[int]:
+        """The given inequalities, in letters and solved as far as one line does it."""
+        if self._conditions is None:
+            self._conditions = [
+                line
+                for fact in self._inequalities()
+                for line in (self._condition(fact, wanted),)
+                if line is not None
+            ]
+        return self._conditions
+
+    def _inequalities(self) -> Iterator[Fact]:
+        desk = self.scene.desk
+        for fact in desk.facts:
+            if fact.kind not in ("given", "range") or not desk.holds(fact.id):
+                continue
+            (link, *_) = fact.relation.only
+            if link.sign in _BOUNDED and has_quantity_in(fact.relation):
+                yield fact
+
+    def _condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+        (link,) = fact.relation.only
+        gap = self.gap(link)
+        own = self.stripped(gap, link.sign)
+        if own is None:
+            return None
+        sign, x = own
+        pool = [fact.id, *self.sources(link), *self._known_in(x)]
+        relation = Relation(((Link(tree_of(x), sign, ZERO),),))
+        line = self._by_steps(link, fact.id, pool, relation, x, sign)
+        if line is None:
+            return None
+        return self.finished(line, sign, x, wanted)
+
+    def _known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
+        every = {s.name for s in x.free_symbols} | set(roles(self.scene.problem))
+        return self.judge.known(name for name in every if name in roles(self.scene.problem))
+
+    def gap(self, link: Link) -> sp.Expr:
+        """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""
+        for side in (link.left, link.right):
+            if has_quantity(side):
+                self.determine(side)
+        left, right = (
+            sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+            for side in (link.left, link.right)
+        )
+        if left.atoms(sp.Pow) | right.atoms(sp.Pow) and any(
+            p.exp == sp.Rational(1, 2) and p.base.free_symbols
+            for p in left.atoms(sp.Pow) | right.atoms(sp.Pow)
+        ):
+            return sp.expand(left**2 - right**2)
+        return sp.expand(left - right)
+
+    def sources(self, link: Link) -> tuple[Ref, ...]:
+        """The lines of the components and the quantities in an inequality."""
+        refs: list[Ref] = []
+        for side in (link.left, link.right):
+            for each in walk(side):
+                match each:
+                    case Quantity("along" | "across" | "dot"):
+                        for velocity in each.arguments:
+                            refs += self._components_of(velocity)
+                        refs += self.axes(each)
+                    case Quantity("velocity"):
+                        continue
+                    case Quantity(kind) if kind not in ("mass", "line_of_centres"):
+                        refs.append(self.quantity(each))
+        return together(refs)
+
+    def _components_of(self, tree: Expression) -> list[Ref]:
+        refs: list[Ref] = []
+        for each in walk(tree):
+            match each:
+                case Quantity("velocity", (Name(),), int()):
+                    body, stage = body_and_stage(self.scene, each)
+                    frame = frame_after(self.scene, body, stage)
+                    for kind in ("along", "across") if not frame.wall else ("along", "across"):
+                        refs += self._with_letter(kind, body, stage, frame)
+        return refs
+
+    def _with_letter(self, kind: str, body: str, stage: int, frame: Frame) -> list[Ref]:
+        desk = self.scene.desk
+        direct = desk.known(frame.component(kind, body, stage))
+        mark = desk.mark()
+        source = self.component(kind, body, stage, frame)
+        if len(desk.lines) > mark.lines and kind == "across":
+            desk.back(mark)
+            return []
+        return [*(direct.whole if direct else ()), *source.whole]
+
+    def _by_steps(
+        self,
+        link: Link,
+        fact: Ref,
+        pool: Sequence[Ref],
+        relation: Relation,
+        x: sp.Expr,
+        sign: Sign,
+    ) -> int | None:
+        """A condition with values put in: at once where it is short, else in two lines."""
+        put = (Move("put"),)
+        if not _is_zero(link.right):
+            values = [
+                sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+                for side in (link.left, link.right)
+            ]
+            trees = [tree_of(each) for each in values]
+            first = Relation(((Link(trees[0], link.sign, trees[1]),),))
+            if first != relation:
+                line = self.judge.write(put, pool, first)
+                if line is not None:
+                    solved = self.solved(sign, x)
+                    for each in (solved, relation.only[0]):
+                        if each is None:
+                            continue
+                        known = self._known_in(x)
+                        after = self.judge.write(
+                            (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras")),
+                            [line, *known],
+                            Relation(((each,),)),
+                        )
+                        if after is not None:
+                            return after
+        line = self.judge.write(put, pool, relation)
+        if line is not None:
+            return line
+        return self.judge.write((Move("compare"),), pool, relation)
+
+    def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
+        """A condition solved for its letter by one more line, where it is linear in it."""
+        solved = self.solved(sign, x, wanted)
+        if solved is None:
+            return line
+        relation = Relation(((solved,),))
+        if relation == self.scene.desk.relation(line):
+            return line
+        after = self.judge.write((Move("rearrange"),), [line, *self._known_in(x)], relation)
+        return line if after is None else after
+
+    # --- claims ---------------------------------------------------------------------------------
+
+    def write(self, relation: Relation) -> int:
+        """Writes the lines of an inequality that holds; the last says it."""
+        desk = self.scene.desk
+        trees = [side for link in relation.only for side in (link.left, link.right)]
+        quantities = list(
+            dict.fromkeys(q for tree in trees for q in self.quantities(self.opened(tree)))
+        )
+        lets = [
+            fact.id
+            for tree in trees
+            for name in sorted(letters(tree))
+            for fact in (self.scene.facts.get(f"let {name}"),)
+            if fact is not None
+        ]
+        lines = [self.quantity(each) for each in quantities if not self.is_data(each)]
+        facts = [ref for each in quantities if self.is_data(each) for ref in self.data_of(each)]
+        target = {name for tree in trees for name in letters(tree)}
+        base = [*lines, *facts, *lets]
+        if base:
+            line = self._compared(base, relation)
+            if line is not None:
+                return line
+        mark = desk.mark()
+        for attempt in self._attempts(target, trees):
+            line = attempt(base, relation)
+            if line is not None:
+                return line
+            desk.back(mark)
+            self._ties = self._conditions = None
+        raise NotPlannedError("an inequality")
+
+    def _attempts(self, target: set[str], trees: Sequence[Expression]) -> Iterator[Any]:
+        wanted = next((t for t in trees if letters(t) and not has_quantity(t)), None)
+
+        def by_conditions(base: list[Ref], relation: Relation) -> int | None:
+            return self._compared([*base, *self.conditions(wanted)], relation, base)
+
+        def by_ties(base: list[Ref], relation: Relation) -> int | None:
+            for line in self.ties():
+                found = self._eliminated(line, base, relation, target)
+                if found is not None:
+                    return found
+            return None
+
+        def by_all(base: list[Ref], relation: Relation) -> int | None:
+            return self._compared([*base, *self.ties(), *self.conditions(wanted)], relation)
+
+        yield by_conditions
+        yield by_ties
+        yield by_all
+
+    def _eliminated(
+        self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]
+    ) -> int | None:
+        """By the range of a letter in an equation of which the claim does not speak."""
+        scene = self.scene
+        link = scene.desk.last_link(line)
+        inside = {s for side in (link.left, link.right) for s in self._value(side).free_symbols}
+        known_roles = roles(scene.problem)
+        gone = [s for s in inside if s.name in known_roles and s.name not in target]
+        wanted = next(side for e in relation.only for side in (e.left, e.right) if letters(side))
+        written: list[int] = []
+        for symbol in sorted(gone, key=self._rank):
+            for sign, x in self.derived(line, symbol):
+                mark = scene.desk.mark()
+                short = Link(tree_of(x), sign, ZERO)
+                solved = self.solved(sign, x, wanted)
+                monic = solved is not None and sp.Poly(x, *x.free_symbols).total_degree() == 1
+                if solved is not None and (monic and _is_monic(x)):
+                    short = solved
+                pool = [line, *self.judge.known([symbol.name]), *self._known_in(x)]
+                number_ = self.judge.write((Move("sign"),), pool, Relation(((short,),)))
+                if number_ is None:
+                    scene.desk.back(mark)
+                    continue
+                if short != solved:
+                    number_ = self.finished(number_, sign, x, wanted)
+                if same(scene.desk.relation(number_), relation):
+                    return number_
+                found = self._compared([*base, number_], relation)
+                if found is not None:
+                    return found
+                written.append(number_)
+        if written:
+            return self._compared([*base, *written], relation)
+        return None
+
+    def _compared(
+        self, refs: Sequence[Ref], relation: Relation, known_only: Sequence[Ref] = ()
+    ) -> int | None:
+        """A line by what is cited, and the ranges of letters."""
+        for each in refs:
+            if isinstance(each, int) and each not in known_only:
+                own = self.scene.desk.line(each).relation
+                if isinstance(own, Relation) and same(own, relation):
+                    return each
+        names: set[str] = set()
+        for ref in refs:
+            own = (
+                self.scene.desk.line(ref).relation
+                if isinstance(ref, int)
+                else self.scene.facts[ref].relation
+                if ref in self.scene.facts
+                else None
+            )
+            if isinstance(own, Relation):
+                names |= {n for e in own.only for side in (e.left, e.right) for n in letters(side)}
+        names |= {n for e in relation.only for side in (e.left, e.right) for n in letters(side)}
+        pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
+        conditions = [
+            each
+            for each in refs
+            if isinstance(each, int)
+            and isinstance(own := self.scene.desk.line(each).relation, Relation)
+            and own.only[0].sign != "="
+        ]
+        kind = "compare" if conditions else "sign"
+        return self.judge.write((Move(kind),), pool, relation)  # type: ignore[arg-type]
+
+    def quantities(self, tree: Expression) -> Iterator[Quantity]:
+        """The outermost quantities of a tree."""
+        match tree:
+            case Quantity(kind) if kind not in ("mass", "line_of_centres"):
+                yield tree
+            case _:
+                from restitution.expression.tree import children
+
+                for each in children(tree):
+                    yield from self.quantities(each)
+
+    def write_components(self, link: Link) -> tuple[int, Relation]:
+        """An inequality between components along one line, as letters say it."""
+        scene = self.scene
+        sides: list[Expression] = []
+        refs: list[Ref] = []
+        for side in (link.left, link.right):
+            match side:
+                case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), _)):
+                    self.determine(side)
+                    last = scene.last_event(body, stage)
+                    frame = frame_after(scene, body, last)
+                    source = self.component("along", body, last, frame)
+                    refs += source.whole
+                    direct = scene.desk.known(frame.component("along", body, last))
+                    if direct is not None:
+                        refs += direct.whole
+                    refs += frame.refs
+                case _:
+                    pass
+            sides.append(side)
+        del sides
+        relation = Relation(((link,),))
+        pool = list(dict.fromkeys(refs))
+        line = self._compared(pool, relation)
+        if line is None:
+            raise NotPlannedError("who is the faster")
+        return line, relation
+
+
+def has_quantity_in(relation: Relation) -> bool:
+    """Whether a relation speaks of a quantity of the motion."""
+    return any(
+        has_quantity(side) for link in relation.only for side in (link.left, link.right)
+    )
+
+
+def _is_zero(tree: Expression) -> bool:
+    return isinstance(tree, Number) and not tree.value
+
+
+def _is_monic(x: sp.Expr) -> bool:
+    (symbol, *others) = x.free_symbols
+    return not others and abs(sp.Poly(x, symbol).LC()) == 1
+
+
+def same(a: Relation, b: Relation) -> bool:
+    """Whether two relations say the same, whichever way round they are written."""
+    return told(a) == told(b)
+
+
+def told(relation: Relation) -> frozenset[object]:
+    """What a relation without alternatives says."""
+    return frozenset(
+        (FLIPPED[e.sign], e.right, e.left) if e.sign in (">", ">=") else (e.sign, e.left, e.right)
+        for e in relation.only
+    )
+
+
+def linear_in(
+    x: sp.Expr, symbol: sp.Symbol, angle: bool
+) -> tuple[Expression, sp.Expr, sp.Expr, sp.Expr] | None:
+    """A generator in which ``x = 0`` is linear: its tree, its value, its factor and the rest.
+
+    A letter, its square, or a ratio of an angle or the square of one.
+    """
+    x = sp.expand(x)
+    letter = Letter(symbol.name)
+    if not angle:
+        if symbol in {s for f in x.atoms(sp.Function) for s in f.free_symbols}:
+            return None
+        return _linear_poly(x, symbol, symbol, letter)
+    functions = {f for f in x.atoms(sp.sin, sp.cos, sp.tan) if symbol in f.free_symbols}
+    if any(f.args != (symbol,) for f in functions) or not functions:
+        return None
+    kinds = {type(f) for f in functions}
+    t = sp.Dummy("t")
+    if kinds == {sp.tan} or kinds == {sp.sin} or kinds == {sp.cos}:
+        (kind,) = kinds
+        put = sp.expand(x.subs(kind(symbol), t))
+        return _linear_poly(put, t, kind(symbol), Apply(kind.__name__, letter))
+    if kinds != {sp.sin, sp.cos}:
+        return None
+    try:
+        mixed = sp.Poly(x, sp.sin(symbol), sp.cos(symbol))
+    except sp.PolynomialError:
+        return None
+    degrees = {sum(each) for each in mixed.monoms()}
+    if len(degrees) == 1:
+        degree = degrees.pop()
+        put = sum(c * t**a for (a, _), c in mixed.terms())
+        del degree
+        return _linear_poly(sp.expand(put), t, sp.tan(symbol), Apply("tan", letter))
+    if all(a % 2 == 0 for a, _ in mixed.monoms()):
+        put = sp.expand(sum(c * (1 - t**2) ** (a // 2) * t**b for (a, b), c in mixed.terms()))
+        return _linear_poly(put, t, sp.cos(symbol), Apply("cos", letter))
+    return None
+
+
+def _linear_poly(
+    x: sp.Expr, t: sp.Symbol, value: sp.Expr, tree: Expression
+) -> tuple[Expression, sp.Expr, sp.Expr, sp.Expr] | None:
+    try:
+        poly = sp.Poly(x, t)
+    except sp.PolynomialError:
+        return None
+    powers = {m for (m,) in poly.monoms()}
+    if powers <= {0, 1} and 1 in powers:
+        return tree, value, poly.nth(1), poly.nth(0)
+    if powers <= {0, 2} and 2 in powers:
+        return square(tree), value**2, poly.nth(2), poly.nth(0)
+    return None
+
+
+def _bounds(role: Any, generator: sp.Expr, symbol: sp.Symbol) -> list[tuple[Sign, sp.Expr]]:
+    """The bounds of a letter, or of a ratio of it, by its role."""
+    base, power = generator.as_base_exp()
+    low, high = role.low, role.high
+    ends: list[tuple[Sign, sp.Expr]] = []
+    falling = isinstance(base, sp.cos)
+    if role.kind == "angle" and (
+        low is None or high is None or low < 0 or high > (sp.pi if falling else sp.pi / 2)
+    ):
+        return []
+    if power == 2 and (low is None or low < 0 or (falling and high > sp.pi / 2)):
+        return []
+    for end, sign, closed in ((low, ">", role.closed[0]), (high, "<", role.closed[1])):
+        if end is None:
+            continue
+        value = base.subs(symbol, end) ** power
+        if not value.is_finite:
+            continue
+        own: Any = sign + ("=" if closed else "")
+        ends.append((FLIPPED[own] if falling else own, value))
+    return ends
+
+
+_UNUSED = (Unit, UnwrittenError, number)

@@ -1,0 +1,304 @@
+"""What is to be shown: forward from the laws to the printed form, which is the last line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation
+from restitution.explaining.facts import links_of, staged
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Pair,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.claims import Claims
+from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.extrema import write_extremum
+from restitution.planning.forms import ZERO, is_zero, square, swept, tree_of
+from restitution.planning.order import Solver
+from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.ranges import write_range
+from restitution.planning.scene import Scene
+from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
+from restitution.solve.solution import ItemResult
+from restitution.vector import Vector
+
+# By these a line becomes the printed form, in the order in which they are tried.
+_LAST: tuple[Move, ...] = (
+    Move("rearrange"),
+    Move("put"),
+    Move("cancel"),
+    *(Move("identity", each) for each in ("pythagoras", "double-angle", "sum-of-angles")),
+)
+
+
+def write_show(
+    scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
+) -> None:
+    """Writes the lines of what is to be shown. Raises NotPlannedError where there is no plan."""
+    if item.subject is not None:
+        _of_subject(scene, solver, item, now, name)
+        return
+    if result.holds is not True:
+        raise NotPlannedError("a claim that is refuted, or not decided")
+    with Claims(scene, solver) as claims:
+        line, relation = _line(claims, item, now)
+    scene.desk.end(name, line, relation, shown=True)
+
+
+def _of_subject(scene: Scene, solver: Solver, item: Show, now: int, name: str) -> None:
+    assert item.subject is not None
+    assert isinstance(item.relation, Compare)
+    asked = staged(scene.problem, item.subject.expression, now)
+    links = links_of(scene.problem, item.relation, now)
+    match item.subject:
+        case Range():
+            write_range(scene, solver, asked, links, name, shown=True)
+        case Extremum():
+            (link,) = links
+            value = sp.sympify(scene.scalar(link.right), strict=True)
+            over = item.subject.over
+            write_extremum(
+                scene, solver, item.subject.kind, asked, over, value, None, name, shown=True
+            )
+
+
+def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
+    scene = claims.scene
+    match item.relation:
+        case Compare(figures=int()):
+            raise NotPlannedError("a show to some figures")
+        case Compare(operators=("=",)):
+            (link,) = links_of(scene.problem, item.relation, now)
+            return _Equation(claims, link).write(), Relation(((link,),))
+        case Compare(operators=operators) if "=" not in operators:
+            links = links_of(scene.problem, item.relation, now)
+            relation = Relation((links,))
+            return claims.write(relation), relation
+        case Meets():
+            links = links_of(scene.problem, item.relation, now)
+            if not links:
+                return _first_meeting(claims, item.relation, now)
+            return claims.write_components(links[0])
+        case AtRest(body):
+            quantity = staged(scene.problem, Quantity("velocity", (body,)), now)
+            link = Link(quantity, "=", ZERO)
+            return _Equation(claims, link).write(), Relation(((link,),))
+        case Aligned(how="perpendicular to" | "parallel to") if False:
+            raise AssertionError
+        case Aligned():
+            return _aligned(claims, item.relation, now)
+    raise NotPlannedError("a show of several equations")
+
+
+def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Relation]:
+    """That a sphere will hit a wall, or will not: the sense of its component towards it."""
+    scene = claims.scene
+    names = [each.name for each in (relation.first, relation.second)]
+    walls = [each for each in names if each in scene.model.story.walls]
+    spheres = [each for each in names if each not in walls]
+    if len(walls) != 1 or len(spheres) != 1 or relation.again:
+        raise NotPlannedError("a first meeting of two spheres")
+    (body,) = spheres
+    stage = scene.last_event(body, now)
+    wall = next(each for each in scene.problem.walls if each.name == walls[0])
+    story = scene.model.story
+    frame = frame_after(scene, body, stage)
+    normal = story.evaluator(scene.events).direction(wall.along).turned_left()
+    if sp.expand(normal.cross(frame.n)) != 0:
+        raise NotPlannedError("a wall across the line of centres")
+    value = story.velocity(body, stage).dot(frame.n)
+    claims.solver.determine([value])
+    sign = ">" if scene.model.sign(value) > 0 else "<"
+    link = Link(frame.component("along", body, stage), sign, ZERO)  # type: ignore[arg-type]
+    return claims.write_components(link)
+
+
+def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
+    """How two directions stand to each other, by their components."""
+    scene = claims.scene
+    (link,) = links_of(scene.problem, relation, now)
+    record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
+    moving = [
+        body_and_stage(scene, each)
+        for each in (link.left, link.right)
+        if isinstance(each, Quantity) and each.kind == "velocity"
+    ]
+    if not moving:
+        raise NotPlannedError("directions of no velocity")
+    frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
+    refs: list[Ref] = list(frame.refs)
+    for body, stage in moving:
+        own = scene.velocity(body, stage)
+        claims.solver.determine(list(own))
+        for kind in ("along", "across"):
+            refs += claims.component(kind, body, stage, frame).whole
+    refs += [f"wall {each.name}" for each in scene.problem.walls]
+    move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
+    own_relation = Relation(((link,),))
+    line = claims.judge.write((move,), together(r for r in refs if claims.exists(r)), own_relation)
+    if line is None:
+        raise NotPlannedError("two directions")
+    return line, own_relation
+
+
+class _Equation:
+    """An equation to be shown."""
+
+    def __init__(self, claims: Claims, link: Link) -> None:
+        self.claims = claims
+        self.scene = claims.scene
+        self.judge = claims.judge
+        self.link = link
+        self.relation = Relation(((link,),))
+
+    def write(self) -> int:
+        """Writes the lines, and returns the number of the last."""
+        left, right = (self.claims.opened(each) for each in (self.link.left, self.link.right))
+        if not has_quantity(left) and not has_quantity(right):
+            return self._of_letters()
+        quantities = list(dict.fromkeys(_quantities(left, right)))
+        subjects = [each for each in quantities if each in set(walk(left))]
+        if len(quantities) == 1 and len(subjects) == 1:
+            line = self._of_one(quantities[0])
+            if line is not None:
+                return line
+        return self._of_several(quantities)
+
+    # --- letters --------------------------------------------------------------------------------
+
+    def _of_letters(self) -> int:
+        """A relation of letters: the equation that the facts give, rearranged."""
+        lines = self.claims.ties()
+        known = self.judge.known(letters(self.link.left) | letters(self.link.right))
+        for each in lines:
+            line = self._last([each, *(other for other in lines if other != each), *known])
+            if line is not None:
+                return line
+        raise NotPlannedError("a relation of letters")
+
+    def _last(self, pool: Sequence[Ref]) -> int | None:
+        return self.judge.write(_LAST, pool, self.relation)
+
+    # --- one quantity ---------------------------------------------------------------------------
+
+    def _of_one(self, quantity: Quantity) -> int | None:
+        scene, claims = self.scene, self.claims
+        claims.determine(quantity)
+        own = formula(scene, quantity)
+        left, extra = claims.named(own, quantity)
+        pool = together(own.refs, extra, claims.axes(quantity))
+        right = swept(own.right)
+        squared = own.move.record == "speed" and isinstance(right, Apply)
+        for subject, start in (
+            (left, right),
+            *(((square(left), right.argument),) if squared else ()),  # type: ignore[union-attr]
+        ):
+            if subject == self.link.left:
+                line = self._defined(own, start, pool)
+                if line is not None:
+                    return line
+        # The quantity as it is defined, and then the printed form.
+        defined = self.judge.write(
+            (own.move,), pool, Relation(((Link(left, "=", right),),))
+        )
+        if defined is None:
+            return None
+        known = self.judge.known(letters(right) | letters(self.link.right))
+        return self._last([defined, *extra, *known])
+
+    def _defined(self, own: Formula, start: Expression, pool: Sequence[Ref]) -> int | None:
+        """The printed form as the last link of the definition, or as a line under it."""
+        left, right = self.link.left, self.link.right
+        known = self.judge.known(letters(start) | letters(right))
+        if start == right:
+            return self.judge.write((own.move,), pool, self.relation)
+        first = Link(left, "=", start)
+        mark = self.scene.desk.mark()
+        number = self.judge.write((own.move,), pool, Relation(((first,),)))
+        if number is None:
+            return None
+        for by, most in (("rearrange", None), ("identity", None)):
+            chain = Relation(((first, Link(start, "=", right, by)),))  # type: ignore[arg-type]
+            move = replace(own.move)
+            if by == "identity" or self.judge.follows(move, pool, chain):
+                refs = self.judge.needed(move, [*pool, *known], chain, most)
+                if refs is not None:
+                    self.scene.desk.back(mark)
+                    return self.scene.desk.write(move, refs, chain)
+        return self._last([number, *known])
+
+    # --- several --------------------------------------------------------------------------------
+
+    def _of_several(self, quantities: Sequence[Quantity]) -> int:
+        scene, claims = self.scene, self.claims
+        lines: list[int] = []
+        facts: list[Ref] = []
+        for each in quantities:
+            if claims.is_data(each):
+                facts += claims.data_of(each)
+                continue
+            lines.append(claims.quantity(each))
+        known = self.judge.known(letters(self.link.left) | letters(self.link.right))
+        for first in lines:
+            rest = [each for each in lines if each != first]
+            line = self._last([first, *rest, *facts, *known])
+            if line is not None:
+                return line
+        if len(lines) == 2:
+            for move in (Move("divide"), Move("combine")):
+                for pair in (lines, lines[::-1]):
+                    line = self._by_pair(move, pair, known)
+                    if line is not None:
+                        return line
+        del scene
+        raise NotPlannedError("an equation of several quantities")
+
+    def _by_pair(self, move: Move, pair: Sequence[int], known: Sequence[Ref]) -> int | None:
+        """The quotient, or the sum, of two quantities."""
+        scene = self.scene
+        if self.judge.follows(move, pair, self.relation):
+            return scene.desk.write(move, pair, self.relation)
+        values = [scene.desk.last_link(each).right for each in pair]
+        op: Any = "/" if move.id == "divide" else "+"
+        middle = Relation(((Link(self.link.left, "=", Binary(op, values[0], values[1])),),))
+        if not self.judge.follows(move, pair, middle):
+            return None
+        number = scene.desk.write(move, pair, middle)
+        return self._last([number, *known])
+
+
+def _quantities(*trees: Expression) -> Iterator[Quantity]:
+    """The outermost quantities of trees."""
+    for tree in trees:
+        match tree:
+            case Quantity(kind) if kind != "mass":
+                yield tree
+            case Quantity() | Letter() | Number() | Name():
+                continue
+            case _:
+                yield from _quantities(*_children(tree))
+
+
+def _children(tree: Expression) -> Iterable[Expression]:
+    from restitution.expression.tree import children
+
+    return children(tree)
+
+
+__all__ = ["write_show"]
+
+_UNUSED = (Pair, Vector, is_zero, rebuilt, tree_of, MoveId)
