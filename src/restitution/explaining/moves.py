@@ -231,6 +231,8 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     try:
         rules = step.rules()
         part = _one_signed(step, link)
+        if step.move.record == "straight-line":
+            _note_pace(step, link, rules)
         if part is None:
             return _matches(step, line, _expected(step, link, rules))
         step.world.printed = True
@@ -247,6 +249,17 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     if sign is None:
         return False
     return _matches(step, line, left + right if sign == -1 else left - right)
+
+
+def _note_pace(step: Step, link: Link, rules: Rules) -> None:
+    """What goes some way that is not zero has a speed there that is not zero: it is divided by."""
+    match link:
+        case Link(way, "=", Binary("*", pace, _)):
+            length, speed = (rules.put_into(step.world.value(each)) for each in (way, pace))
+            if isinstance(length, Plane) or isinstance(speed, Plane) or length.vanishes:
+                return
+            if step.signs.of(length, sure=False) is not None:
+                step.world.denominators.append(speed.above)
 
 
 def _one_signed(step: Step, link: Link) -> Expression | None:

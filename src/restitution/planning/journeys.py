@@ -398,7 +398,13 @@ def _flight(
     first, last = ends
     tree = _quotient(scene, last.value, first.value, pace.value)
     value = tidy(early.value + (last.value - first.value) / pace.value)
-    refs = together(first.refs, last.refs, pace.refs, early.refs, nonzero(scene, pace.value))
+    refs = together(
+        first.refs,
+        last.refs,
+        pace.refs,
+        early.refs,
+        _divisor(scene, tidy(last.value - first.value), pace.value),
+    )
     quantity = time_tree(number)
     line = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
@@ -410,6 +416,25 @@ def _flight(
         ),
     )
     return scene.desk.know(quantity, value, (line,))
+
+
+def _divisor(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
+    """What tells that a speed is not zero: nothing, where the way plainly is not."""
+    if all(_is_plainly_not_zero(scene, each) for each in sp.Mul.make_args(sp.factor(way))):
+        return ()
+    return nonzero(scene, pace)
+
+
+def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:
+    """Whether a factor is a number, or made of positive letters and terms of one sign."""
+    base = factor.base if factor.is_Pow else factor
+    roles = scene.model.unknowns.roles
+    terms = sp.Add.make_args(base)
+    for letter in base.free_symbols:
+        role = roles.get(letter.name)
+        if role is None or role.kind != "positive":
+            return False
+    return len({sp.sign(each.as_coeff_Mul()[0]) for each in terms}) == 1
 
 
 def _quotient(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
@@ -494,43 +519,38 @@ def _approach(scene: Scene, number: int, body: str, other: str) -> Axis:
 
 
 def _time_of_two(scene: Scene, number: int, body: str, other: str) -> Source:
-    """Both coordinates with the time as unknown; where they meet these are equal."""
+    """The one's coordinate with the time as unknown; the other comes to the same place then."""
     axis = _approach(scene, number, body, other)
     t = time_tree(number)
-    sides: list[Expression] = []
-    lines: list[int] = []
-    constants: list[sp.Expr] = []
-    paces: list[sp.Expr] = []
-    for each in (body, other):
-        since = _last_move(scene, each, number)
-        first, pace = coordinate(scene, each, since, axis), velocity(scene, each, since, axis)
-        tree: Expression = tree_of(first.value)
-        refs = together(first.refs, pace.refs)
-        constant = first.value
-        if pace.value != 0:
-            early = time_of(scene, since)
-            refs = together(refs, early.refs)
-            flight = difference(t, tree_of(early.value))
-            tree = total((tree, product(tree_of(pace.value), flight)))
-            constant = constant - pace.value * early.value
-        quantity = coordinate_tree(each, number, axis)
-        lines.append(
+    since = _last_move(scene, other, number)
+    first, pace = coordinate(scene, other, since, axis), velocity(scene, other, since, axis)
+    if pace.value == 0:
+        last = _moved(scene, other, number, axis)
+        there, constant, used = tree_of(last.value), last.value, last.refs
+    else:
+        early = time_of(scene, since)
+        flight = difference(t, tree_of(early.value))
+        there = swept(total((tree_of(first.value), product(tree_of(pace.value), flight))))
+        constant = first.value - pace.value * early.value
+        used = (
             scene.desk.write(
-                Move("define", "straight-line", number, (each,)),
-                refs,
-                chain(quantity, (swept(tree), None)),
-            )
+                Move("define", "straight-line", number, (other,)),
+                together(first.refs, pace.refs, early.refs),
+                chain(coordinate_tree(other, number, axis), (there, None)),
+            ),
         )
-        sides.append(swept(tree))
-        constants.append(constant)
-        paces.append(pace.value)
+    since = _last_move(scene, body, number)
+    start_, speed = coordinate(scene, body, since, axis), velocity(scene, body, since, axis)
+    early = time_of(scene, since)
+    flight = difference(t, tree_of(early.value))
+    own = swept(total((tree_of(start_.value), product(tree_of(speed.value), flight))))
     met = scene.desk.write(
-        Move("put"),
-        (f"contact {number}", *lines),
-        chain(sides[0], (sides[1], None)),
+        Move("define", "straight-line", number, (body,)),
+        together(start_.refs, speed.refs, early.refs, (f"contact {number}",), used),
+        chain(own, (there, None)),
     )
-    closing = tidy(paces[0] - paces[1])
-    value = tidy((constants[1] - constants[0]) / closing)
+    closing = tidy(speed.value - pace.value)
+    value = tidy((constant - start_.value + speed.value * early.value) / closing)
     line = scene.desk.write(
         Move("rearrange"),
         (met, *nonzero(scene, closing)),
@@ -761,7 +781,9 @@ def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:
     value = tidy((last.value - first.value) / pace.value)
     line = scene.desk.write(
         Move("define", "straight-line", late, (body,)),
-        together(first.refs, last.refs, pace.refs, nonzero(scene, pace.value)),
+        together(
+            first.refs, last.refs, pace.refs, _divisor(scene, last.value - first.value, pace.value)
+        ),
         chain(
             asked,
             (swept(_quotient(scene, last.value, first.value, pace.value)), None),
