@@ -47,7 +47,7 @@ from restitution.problem import (
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(
     ("velocity", "speed", "direction", "deflection", "impulse", "energy", "energy_lost")
-    + ("momentum", "line_of_centres", "position", "total_energy_lost")
+    + ("momentum", "line_of_centres", "position", "total_energy_lost", "distance")
 )
 _OF_AN_EVENT = frozenset({"deflection", "impulse", "energy_lost", "line_of_centres"})
 _AXES: Mapping[Expression, Expression] = {
@@ -407,6 +407,8 @@ class _Facts:
                 return each
             if each.stage not in (None, "before"):
                 return each
+            if each.kind == "distance" and not self._is_between_bodies(each):
+                return each
             bodies = [a.name for a in each.arguments if isinstance(a, Name)]
             latest = self._latest(bodies, events)
             if each.stage == "before":
@@ -415,6 +417,10 @@ class _Facts:
             return replace(each, stage=stage)
 
         return settled(rebuilt(tree, change), self.events)
+
+    def _is_between_bodies(self, tree: Quantity) -> bool:
+        spheres = {each.name for each in self.problem.spheres}
+        return any(isinstance(each, Name) and each.name in spheres for each in tree.arguments)
 
     def _is_wall(self, tree: Quantity) -> bool:
         return any(isinstance(a, Name) and a.name in self.walls for a in tree.arguments)

@@ -83,7 +83,10 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
 
 
 def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
-    """A tree in which a velocity has the number of the last event that changed it."""
+    """A tree in which a velocity has the number of the last event that changed it.
+
+    To come to a point, or to a wall, changes none.
+    """
 
     def change(tree: Expression) -> Expression:
         if not (isinstance(tree, Quantity) and tree.kind in _LASTING and tree.arguments):
@@ -92,7 +95,11 @@ def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
         if not isinstance(tree.stage, int) or not isinstance(body, Name):
             return tree
         last = max(
-            (e.number for e in events if e.number <= tree.stage and body.name in e.bodies[:2]),
+            (
+                e.number
+                for e in events
+                if e.number <= tree.stage and e.kind != "arrival" and body.name in e.bodies[:2]
+            ),
             default=0,
         )
         return tree if last == tree.stage else replace(tree, stage=last)

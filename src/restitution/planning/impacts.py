@@ -38,6 +38,9 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         if _is_slanted(frame) and not _is_polar(scene, body):
             return _by_scalar_product(scene, tree, initial, frame, direction)
         return _put(scene, Source(value, initial.refs, frame.refs))
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
+    if vector is not None and last not in scene.model.frames:
+        return _put(scene, Source(tidy(vector.value.dot(direction)), vector.refs, frame.refs))
     own = scene.frame(last)
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)

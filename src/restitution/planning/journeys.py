@@ -106,7 +106,8 @@ def _known(scene: Scene, tree: Expression) -> Source | None:
 
 def _last_move(scene: Scene, body: str, number: int) -> int:
     """The last event before another one in which a body took part; 0 for the start."""
-    return scene.last_event(body, number - 1)
+    latest = scene.model.story.latest(body, number - 1)
+    return 0 if latest is None else latest.number
 
 
 def velocity(scene: Scene, body: str, stage: int, axis: Axis) -> Source:

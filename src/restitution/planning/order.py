@@ -16,6 +16,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import journeys
+from restitution.planning.blows import write_blows
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import tree_of
@@ -99,6 +100,7 @@ class Solver:
         scene = self.scene
         self.goals = goals
         self._express_waiting(goals)
+        write_blows(scene)
         open_ = {symbol for each in goals for symbol in scene.unknown(each)}
         if not open_:
             return
@@ -111,6 +113,7 @@ class Solver:
             for each in step:
                 left.remove(each)
             self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
+            write_blows(scene)
         rest = {symbol for each in goals for symbol in scene.unknown(each)}
         if rest & {each.symbol for each in scene.model.components.values()}:
             raise NotPlannedError(f"{rest} are open")

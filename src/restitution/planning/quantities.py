@@ -83,9 +83,9 @@ def body_and_stage(scene: Scene, velocity: Expression) -> tuple[str, int]:
 
 def frame_after(scene: Scene, body: str, stage: int) -> Frame:
     """The frame in which a velocity is known: of its impact, or of the next of an initial one."""
-    if stage:
+    if stage in scene.model.frames:
         return scene.frame(stage)
-    for event in range(1, scene.events + 1):
+    for event in range(stage + 1, scene.events + 1):
         if body in scene.bodies(event) and event in scene.model.frames:
             return scene.frame(event)
     raise NotPlannedError(f"{body} meets nothing")

@@ -21,6 +21,9 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     if last == 0:
         initial = scene.initial(body)
         return Source(tidy(initial.value.dot(unit)), initial.refs)
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
+    if vector is not None and last not in scene.model.frames:
+        return Source(tidy(vector.value.dot(unit)), vector.refs)
     frame = scene.frame(last)
     for kind in ("along", "across"):
         share = tidy(frame.direction(kind).dot(unit))

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame, frame_of
-from restitution.problem import Part, Problem
+from restitution.problem import Arrival, Part, Problem
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation
 from restitution.solve.solution import PartSolution
@@ -86,8 +86,10 @@ class Scene:
         return tuple(each for each in self.bodies(number) if each in self.model.story.spheres)
 
     def last_event(self, body: str, stage: int) -> int:
-        """The latest event of a body up to a stage; 0 where there is none."""
+        """The latest event of a body up to a stage that changed its velocity; 0 without one."""
         latest = self.model.story.latest(body, stage)
+        while latest is not None and isinstance(latest.step, Arrival):
+            latest = self.model.story.latest(body, latest.number - 1)
         return 0 if latest is None else latest.number
 
     def value(self, tree: Expression) -> Any:
