@@ -9,11 +9,13 @@ from pathlib import Path
 
 import pytest
 from derivations import FOLDER, derivation_of, read_derivation
+from pages import too_wide
+from playwright.sync_api import Page
 
 import restitution.examples
 from restitution.errors import StatementError
 from restitution.explain.derived import explanation_of
-from restitution.explain.html import to_html
+from restitution.explain.html import STYLE, to_body, to_html
 from restitution.explain.markup import columns, to_latex, to_markdown
 from restitution.explain.measured import Measures, as_decimal, percentage, rounded, with_unit
 from restitution.explain.naming import Naming
@@ -159,6 +161,27 @@ def test_paper_is_set(path: Path) -> None:
     typst = pytest.importorskip("typst")
     markup = PREAMBLE + to_markup(explained(path))
     assert typst.compile(markup.encode(), format="pdf", ignore_system_fonts=True)[:4] == b"%PDF"
+
+
+@pytest.mark.parametrize(("wide", "medium"), [(320, "screen"), (680, "print")])
+def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, medium: str) -> None:
+    body = "".join(to_body(explained(path)) for path in FILES)
+    page.set_viewport_size({"width": wide, "height": 800})
+    page.emulate_media(media=medium)  # type: ignore[arg-type]
+    page.set_content(f"<!DOCTYPE html><style>body {{ margin: 0 }} {STYLE}</style>{body}")
+    assert not too_wide(page)
+    hidden = page.evaluate(
+        """() => [...document.querySelectorAll("td.m, .mark")].filter((each) => {
+          const box = each.getBoundingClientRect();
+          return each.textContent && (box.width === 0 || box.right > innerWidth || box.left < 0);
+        }).map((each) => each.parentElement.textContent)"""
+    )
+    assert hidden == []
+    scrolled = page.evaluate(
+        """() => [...document.querySelectorAll("table, tbody")].filter(
+          (each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent)"""
+    )
+    assert scrolled == []
 
 
 # --- classes of faults ----------------------------------------------------------------------------

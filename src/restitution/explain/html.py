@@ -7,7 +7,15 @@ from html import escape
 from restitution.draw.svg import to_svg
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
 from restitution.explaining.saying import note, say
-from restitution.render.layout import Layout, Phrase, Product, Relation, Sum
+from restitution.render.layout import (
+    Brackets,
+    Fraction,
+    Layout,
+    Phrase,
+    Product,
+    Relation,
+    Sum,
+)
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
@@ -15,6 +23,8 @@ from restitution.render.text import NO_BREAK, to_text, width
 
 # Columns of plain text below which a sum is never broken.
 _WHOLE = 24
+# Columns of plain text beyond which a left side may be broken.
+_LEFT = 44
 
 STYLE = """
 .restitution { --ink: #1b1b1f; --paper: #fff; --soft: #5f6368; --line: #d9dbe0; --mark: #8a1c1c;
@@ -33,6 +43,7 @@ STYLE = """
 .restitution td math { math-style: normal; }
 .restitution td { padding: .16rem .15rem; vertical-align: baseline; }
 .restitution td.l { text-align: right; white-space: nowrap; width: 1%; }
+.restitution td.l.w { white-space: normal; width: 50%; }
 .restitution td.s { width: 1%; white-space: nowrap; }
 .restitution td.m, .restitution .mark { color: var(--mark); font: 600 .8rem/1 system-ui, sans-serif;
   text-align: right; white-space: nowrap; }
@@ -131,6 +142,7 @@ def table_rows(row: Row) -> list[str]:
     left = _cell(row.operands[0])
     if not row.signs:
         return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']
+    wide = row.operands[0] is not None and width(to_text(row.operands[0])) > _LEFT
     out: list[str] = []
     broken = lines(row)
     for index, (sign, operands) in enumerate(broken):
@@ -139,8 +151,9 @@ def table_rows(row: Row) -> list[str]:
             (f"<math><mo>{escape(s)}</mo></math>" if s else "") + _cell(operand)
             for s, operand in operands
         )
+        kind = "l w" if wide and index == 0 else "l"
         out.append(
-            f'<tr><td class="l">{left if index == 0 else ""}</td>'
+            f'<tr><td class="{kind}">{left if index == 0 else ""}</td>'
             f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
             f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
         )
@@ -163,6 +176,11 @@ def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
         (first, operand), *rest = pieces
         return [(first, [("", operand), *rest])]
     return [(sign, [("", operand)]) for sign, operand in pieces]
+
+
+def _worded(layout: Layout) -> bool:
+    """Whether a layout is a name of words in brackets."""
+    return isinstance(layout, Brackets) and isinstance(layout.inside, Phrase | Said)
 
 
 def _cell(layout: Layout | None) -> str:
@@ -191,6 +209,10 @@ def _cell(layout: Layout | None) -> str:
         gap = escape(layout.separator)
         whole = gap.join(_cell(each) for each in layout.items)
         return f'<span class="u">{whole}</span>' if layout.separator == NO_BREAK else whole
+    if isinstance(layout, Fraction) and any(map(_worded, (layout.above, layout.below))):
+        return f"{_cell(layout.above)}<wbr>/{_cell(layout.below)}"  # words may be broken
+    if isinstance(layout, Brackets) and _worded(layout):
+        return f"({_cell(layout.inside)})"
     if isinstance(layout, Product) and isinstance(layout.factors[-1], Phrase | Said):
         *head, last = layout.factors
         before = Product(tuple(head)) if len(head) > 1 else head[0]
