@@ -19,7 +19,7 @@ from restitution.explain.measured import (
     rounded,
     with_unit,
 )
-from restitution.explain.naming import Naming, event_of
+from restitution.explain.naming import Naming
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explain.steps import REQUIRED, Explanation, PartExplanation, Row, Step
@@ -35,7 +35,6 @@ from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Marks
 from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
-from restitution.explaining.sentences import SENTENCES
 from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
 from restitution.problem import Find, Item, Meets, Problem, Show, Value
 from restitution.render import layout as lay
@@ -215,14 +214,7 @@ class _Writer:
             self.heading = self.naming.now = number
             self.entered.add(number)
             self.title = self.left = None
-            first, second = event.bodies
-            ordinal = f"ordinal.{number}"
-            title = (
-                say("heading.impact", order=say(ordinal), first=first, second=second)
-                if ordinal in SENTENCES
-                else say("heading.impact-number", number=number, first=first, second=second)
-            )
-            yield Step("heading", sentences=(title,), event=number)
+            yield Step("heading", sentences=(self.naming.heading(event),), event=number)
 
     def _setting(self, lets: list[Meaning]) -> Iterator[Sentence]:
         """What letters stand for: quantities by name, and the others as equations."""
@@ -850,5 +842,3 @@ _TITLES = {
     "parallel": "derived-parallel.title",
     "straight-line": "flight.title",
 }
-
-__all__ = ["event_of", "explanation_of"]

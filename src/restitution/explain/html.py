@@ -61,7 +61,8 @@ STYLE = """
     overflow-x: auto; }
   .restitution tr { display: flex; flex-wrap: wrap; align-items: baseline; column-gap: .2rem; }
   .restitution td { padding: .1rem 0; }
-  .restitution td.l { width: auto; text-align: left; white-space: normal; }
+  .restitution td.l, .restitution td.l.w { width: auto; text-align: left;
+    white-space: normal; }
   .restitution td.l:empty { width: 1rem; }
   .restitution td.s { width: auto; }
   .restitution td.m { width: auto; margin-left: auto; }
@@ -178,6 +179,30 @@ def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
     return [(sign, [("", operand)]) for sign, operand in pieces]
 
 
+def _is_long(layout: Layout) -> bool:
+    """Whether a product is so long that a line may end in it."""
+    return isinstance(layout, Product) and width(to_text(layout)) > _LEFT
+
+
+def _long_product(product: Product) -> str:
+    """Factors between which a line may end, and in whose brackets it may."""
+    sign = f"<math><mo>{product.sign}</mo></math>" if product.sign else ""
+    pieces: list[str] = []
+    plain: list[Layout] = []
+    for factor in (*product.factors, None):
+        long = isinstance(factor, Brackets) and factor.kind == "()"
+        if (long or factor is None) and plain:
+            inside = plain[0] if len(plain) == 1 else Product(tuple(plain), product.sign)
+            pieces.append(to_mathml(inside))
+            plain = []
+        if long and isinstance(factor, Brackets):
+            opening, closing = (f'<math><mo stretchy="false">{c}</mo></math>' for c in "()")
+            pieces.append(f"{opening}{_cell(factor.inside)}{closing}")
+        elif factor is not None:
+            plain.append(factor)
+    return f"{sign}<wbr>".join(pieces)
+
+
 def _worded(layout: Layout) -> bool:
     """Whether a layout is a name of words in brackets."""
     return isinstance(layout, Brackets) and isinstance(layout.inside, Phrase | Said)
@@ -190,11 +215,13 @@ def _cell(layout: Layout | None) -> str:
     if isinstance(layout, Sum) and len(layout.terms) > 1 and width(to_text(layout)) > _WHOLE:
         first, *rest = layout.terms
         plain = first[0] == "+" and isinstance(first[1], Phrase | Said)
+        plain = plain or (first[0] == "+" and _is_long(first[1]))
         pieces = [_cell(first[1]) if plain else to_mathml(Sum((first,)))]
         for sign, term in rest:
             pieces.append(f'<math><mo form="infix">{"−" if sign == "-" else "+"}</mo>')
             worded = isinstance(term, Phrase | Said)
-            own = f"</math>{_cell(term)}" if worded else to_mathml(term).removeprefix("<math>")
+            apart = worded or _is_long(term)
+            own = f"</math>{_cell(term)}" if apart else to_mathml(term).removeprefix("<math>")
             pieces.append(own)
         return "".join(pieces).replace("</math><math>", "</math><wbr><math>")
     if isinstance(layout, Said):
@@ -209,6 +236,8 @@ def _cell(layout: Layout | None) -> str:
         gap = escape(layout.separator)
         whole = gap.join(_cell(each) for each in layout.items)
         return f'<span class="u">{whole}</span>' if layout.separator == NO_BREAK else whole
+    if isinstance(layout, Product) and _is_long(layout):
+        return _long_product(layout)
     if isinstance(layout, Fraction) and any(map(_worded, (layout.above, layout.below))):
         return f"{_cell(layout.above)}<wbr>/{_cell(layout.below)}"  # words may be broken
     if isinstance(layout, Brackets) and _worded(layout):

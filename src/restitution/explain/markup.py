@@ -221,19 +221,22 @@ def _lines(row: Row, mark: str) -> list[str]:
 
 
 def _broken(sign: str, operand: Layout | None, piece: str, room: int) -> list[str]:
-    """A long sum in two lines, broken before a sign."""
+    """A long sum in lines of about the same length, broken before signs."""
     if not isinstance(operand, Sum) or len(operand.terms) < 2 or columns(operand) <= room:
         return [piece]
-    half = columns(operand) / 2
-    for cut in range(1, len(operand.terms)):
-        if columns(Sum(operand.terms[:cut])) >= half or cut == len(operand.terms) - 1:
-            way, middle = operand.terms[cut]
-            rest = Sum((("+", middle), *operand.terms[cut + 1 :]))
-            return [
-                f"{_SIGNS.get(sign, sign)} {_operand(Sum(operand.terms[:cut]))}",
-                rf"\qquad {{}}{way} {_operand(rest)}",
-            ]
-    return [piece]
+    most = columns(operand) / -(-columns(operand) // room)
+    groups = [[operand.terms[0]]]
+    for term in operand.terms[1:]:
+        last = columns(Sum(tuple(groups[-1])))
+        if last >= most or last + columns(Sum((term,))) > room:
+            groups.append([term])
+        else:
+            groups[-1].append(term)
+    first, *others = groups
+    lines = [f"{_SIGNS.get(sign, sign)} {_operand(Sum(tuple(first)))}"]
+    for (way, middle), *rest in others:
+        lines.append(rf"\qquad {{}}{way} {_operand(Sum((('+', middle), *rest)))}")
+    return lines
 
 
 def columns(layout: Layout | None) -> int:

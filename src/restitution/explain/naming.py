@@ -34,17 +34,6 @@ from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 
 
-def event_of(event: Event, several: bool) -> Sentence:
-    """What an event is called within a sentence: *the impact*, *the second impact*."""
-    if event.kind == "kick":
-        return say("event.kick", body=event.bodies[0])
-    if not several:
-        return say("event.only")
-    if f"ordinal.{event.number}" in SENTENCES:
-        return say("event.impact", order=say(f"ordinal.{event.number}"))
-    return say("event.impact-number", number=event.number)
-
-
 @dataclass
 class Naming:
     """The names of one working; ``now`` is the event under whose heading the next line stands."""
@@ -202,6 +191,30 @@ class Naming:
         own = lay.Bold("v", body)
         return own if when is None else operand(say("derived.when", quantity=own, when=when))
 
+    def heading(self, event: Event) -> Sentence:
+        """The heading of an impact."""
+        first, second = event.bodies
+        number = self._order(event)
+        if f"ordinal.{number}" in SENTENCES:
+            order = say(f"ordinal.{number}")
+            return say("heading.impact", order=order, first=first, second=second)
+        return say("heading.impact-number", number=number, first=first, second=second)
+
+    def _event(self, event: Event) -> Sentence:
+        """What an event is called within a sentence: *the impact*, *the second impact*."""
+        if event.kind == "kick":
+            return say("event.kick", body=event.bodies[0])
+        if len(self.impacts) < 2:
+            return say("event.only")
+        number = self._order(event)
+        if f"ordinal.{number}" in SENTENCES:
+            return say("event.impact", order=say(f"ordinal.{number}"))
+        return say("event.impact-number", number=number)
+
+    def _order(self, event: Event) -> int:
+        """Which of the impacts an event is, counted from 1."""
+        return 1 + sum(each.number < event.number for each in self.impacts)
+
     # --- words ----------------------------------------------------------------------------------
 
     def quantity(self, tree: Expression) -> Sentence:
@@ -328,14 +341,16 @@ class Naming:
 
     def _when(self, number: int | None, body: str | None) -> Sentence | None:
         """When a lasting quantity is meant; None where it is plain."""
-        if number is None or number == self.now or (number and number == self.last(body)):
+        if number is None or number == self.now or (number and number >= self.last(body)):
             return None
         return self._plain_when(number)
 
     def _plain_when(self, number: int | None) -> Sentence:
         if not number:
             return self._start()
-        return say("event.after", event=event_of(self.events[number], self.several))
+        if self.events[number].kind == "arrival":
+            return self._moment(number)
+        return say("event.after", event=self._event(self.events[number]))
 
     def _after(self, words: Sentence, tree: Quantity, body: str | None) -> Sentence:
         when = self._when(self._settled(tree) if body else _number(tree.stage), body)
@@ -346,7 +361,7 @@ class Naming:
         number = _number(stage)
         if number not in self.events or not self.several or number == self.now:
             return words
-        during = say("event.during", event=event_of(self.events[number], True))
+        during = say("event.during", event=self._event(self.events[number]))
         return say("derived.when", quantity=words, when=during)
 
     def _moment(self, stage: int, of: bool = False) -> Sentence:
@@ -355,7 +370,7 @@ class Naming:
             step = self._arrivals().get(stage)
             target = self.laid(step.target) if step is not None else lay.Words("")
             return say("event.arrival", body=event.bodies[0], target=target)
-        named = event_of(event, self.several)
+        named = self._event(event)
         return say("derived.of", event=named) if of else say("event.during", event=named)
 
     def _arrivals(self) -> dict[int, Arrival]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from string import ascii_letters, digits
 
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
@@ -15,6 +16,8 @@ from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
 
 _INDENT = 4
+# Before these a line may end.
+_BREAKS = frozenset(("+", "−", "×", "·", "=", "≠", "<", "≤", ">", "≥", "≈", "or", "and"))
 _MARKS = 8
 
 _BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
@@ -195,7 +198,33 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
 
 
 def _broken(layout: Layout, room: int) -> list[str]:
-    """A long sum broken before a sign, or several cases broken between them."""
+    """A long operand in lines, broken before signs; words between any two."""
+    lines = [line for piece in _terms(layout, room) for line in _cut(piece, room)]
+    return lines or [""]
+
+
+def _cut(text: str, room: int) -> list[str]:
+    """A line that is too long, broken before a sign, or between words, as far as it can be."""
+    if columns(text) <= room:
+        return [text]
+    tokens = text.split(" ")
+    chunks = [tokens[0]]
+    for before, token in pairwise(tokens):
+        if token in _BREAKS or (before.isalpha() and token.isalpha() and len(token) > 1):
+            chunks.append(token)
+        else:
+            chunks[-1] += f" {token}"
+    lines = [chunks[0]]
+    for chunk in chunks[1:]:
+        if columns(lines[-1]) + 1 + columns(chunk) <= room:
+            lines[-1] += f" {chunk}"
+        else:
+            lines.append(chunk)
+    return lines
+
+
+def _terms(layout: Layout, room: int) -> list[str]:
+    """A long sum broken before a sign."""
     if isinstance(layout, Sum) and len(layout.terms) > 1:
         pieces: list[str] = []
         for index, term in enumerate(layout.terms):
@@ -209,6 +238,4 @@ def _broken(layout: Layout, room: int) -> list[str]:
             else:
                 pieces.append(text)
         return pieces
-    if isinstance(layout, Relation):
-        return [one_line(layout)]
     return [one_line(layout)]

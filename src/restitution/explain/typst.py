@@ -18,20 +18,23 @@ PREAMBLE = """
 #let working-line(body, mark) = block(above: 0.7em, below: 0.7em, grid(
   columns: (1fr, 5.6em), column-gutter: 0.6em, body, align(right + bottom, working-mark(mark))))
 // Each row is one line of text, so that all of it stands on one baseline; the left sides are as
-// wide as the widest, unless that is most of the page. The leading is nothing, as a line of text
+// wide as the widest that is less than half a page. The leading is nothing, as a line of text
 // lets tall formulas reach into it.
 #let working-rows(..rows) = block(above: 0.8em, below: 0.8em, width: 100%, context {
   set par(leading: 0em)
-  let wide = calc.max(..rows.pos().map(row => measure(row.at(0)).width))
-  let room = calc.min(wide, 9cm)
+  let room = calc.max(0cm, ..rows.pos().map(row => measure(row.at(0)).width).filter(w => w < 8cm))
   for (left, sign, right, mark) in rows.pos() {
     let body = if sign == none { left } else {
       let beside = measure(left).width
       if beside > room { left } else { box(width: room, align(std.right, left)) }
       [#h(0.3em)#sign#h(0.3em)#right]
     }
+    // What does not fit into a line goes on below its right side.
+    let hanging = if sign == none or measure(left).width > room { 2em } else {
+      calc.min(room + 1.6em.to-absolute(), 4.5cm) }
     block(above: 0.65em, below: 0.65em, grid(columns: (1fr, 5.6em), column-gutter: 0.6em,
-      align: (std.left + horizon, std.right + horizon), body, working-mark(mark)))
+      align: (std.left + horizon, std.right + horizon),
+      par(hanging-indent: hanging, leading: 0.25em, body), working-mark(mark)))
   }
 })
 """
