@@ -163,9 +163,44 @@ def test_paper_is_set(path: Path) -> None:
     assert typst.compile(markup.encode(), format="pdf", ignore_system_fonts=True)[:4] == b"%PDF"
 
 
+LONG = """
+1 a | let | | let v = c(A, 1)
+2 a | rearrange | 1 | energy_lost(1) = 1/2 m u^2 cos^2(alpha) + 1/2 k m w^2 cos^2(beta)\
+ - 1/2 m ((1 - k e) u cos(alpha) + k(1 + e) w cos(beta))^2/(1 + k)^2 - 1/2 k m (u + w)^2 | M A
+3 a | rearrange | 2 | energy_lost(1) = (((1 - k e) u cos(alpha) + k(1 + e) w cos(beta)\
+ + u sin(alpha))((1 + e) u cos(alpha) + (k - e) w cos(beta) + w sin(beta)) + m k) (u + 2w) | A
+4 a | rearrange | 3 | m u cos(alpha) + k m w cos(beta) + 3m u sin(alpha) + 5 k m w sin(beta)\
+ + energy_lost(1) + 2m u = 1/2 k m w^2 + 1/2 k m w^2 sin^2(beta) = 3 [put]\
+ = energy_lost(1) + energy(0) [put] = 77 m k w^2 cos(beta) + 3 m k w^2 [put] | DM A
+5 b | shown | 4 | speed(A, 1) = u | A*
+a: 4 energy_lost(1) = 3
+b: 5 shown speed(A, 1) = u
+""".replace("\\\n", "")
+
+
+@cache
+def long_working() -> Explanation:
+    """Lines that nobody would print, to see where they end."""
+    problem = parse(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, velocity w at beta\n"
+        "A hits B: along i\nfind energy_lost\nshow speed(A) = u"
+    )
+    return explanation_of(derivation_of(problem, LONG), problem)
+
+
+def test_long_lines_end_before_the_margin_with_their_marks() -> None:
+    lines = to_text(long_working()).splitlines()
+    assert max(map(width, lines)) == 80
+    marked = [line for line in lines if re.search(r" D?[MAB]1\*?$", line)]
+    assert len(marked) == 4 and {width(line) for line in marked} == {80}
+    latex = to_latex(long_working(), document=False)
+    assert latex.count(r"\qquad {}-") == 2
+
+
 @pytest.mark.parametrize(("wide", "medium"), [(320, "screen"), (680, "print")])
 def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, medium: str) -> None:
-    body = "".join(to_body(explained(path)) for path in FILES)
+    every = [*(explained(path) for path in FILES), long_working()]
+    body = "".join(map(to_body, every[: -1 if wide < 600 else None]))
     page.set_viewport_size({"width": wide, "height": 800})
     page.emulate_media(media=medium)  # type: ignore[arg-type]
     page.set_content(f"<!DOCTYPE html><style>body {{ margin: 0 }} {STYLE}</style>{body}")
@@ -402,6 +437,56 @@ a: 3 v = 2
     told = " ".join(lines[:2])
     assert "perpendicular to W, away from it, after the impact" in told
     assert lines[-2:] == ["    v = ½ × 4", "      = 2 m s⁻¹"]
+
+
+def names(statement: str) -> Naming:
+    problem = parse(statement)
+    return Naming(Derivation(facts_of(problem), (), (), events_of(problem)), problem)
+
+
+BLOW = """
+wall W: along j, through (5, 0)
+point N: (1, 1)
+sphere P: mass 2, at (0, 0), velocity 3i
+P receives 2j
+P hits W: e = 1/2
+P reaches N
+find speed(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("tree", "text"),
+    [
+        ("velocity(P, 0)", "𝐮_P"),
+        ("speed(P, 0)", "speed of P at the start"),
+        ("speed(P, 1)", "speed of P after the impulse given to P"),
+        ("speed(P, 2)", "speed of P"),
+        ("position(P, 2)", "position of P at the impact"),
+        ("position(P, 3)", "position of P when P reaches N"),
+        ("impulse(2)", "magnitude of the impulse at the impact"),
+        ("along(velocity(P, 2), i)", "component of 𝐯_P along 𝐢"),
+        ("along(velocity(P, 2), line_of_centres(2))", "component of 𝐯_P towards W"),
+        ("restitution(2)", "coefficient of restitution at the impact"),
+        ("energy(0)", "kinetic energy at the start"),
+    ],
+)
+def test_a_quantity_is_called_by_its_time(tree: str, text: str) -> None:
+    known = {"P": "sphere", "W": "wall", "N": "point", "restitution": "quantity"}
+    assert one_line(names(BLOW).laid(read_expression(tree, names=known))) == text
+
+
+def test_a_letter_that_is_taken_is_not_given_again() -> None:
+    free, taken = names(BLOW), names(BLOW.replace("velocity 3i", "velocity t_2 i"))
+    when = read_expression("time(2)", names={})
+    assert one_line(free.laid(when)) == "t₂"
+    assert [str(each).count("time of the impact") for each in map(said, free.introduced())] == [1]
+    assert one_line(taken.laid(when)) == "time of the impact"
+    assert taken.introduced() == ()
+
+
+def said(sentence: Sentence) -> str:
+    return "".join(each if isinstance(each, str) else one_line(each) for each in sentence.words)
 
 
 def every_statement() -> list[Path]:
