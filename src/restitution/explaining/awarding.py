@@ -4,8 +4,9 @@ A rule looks at a line's move, record, event and item, and at what stands above 
 how the working was found nor how it is printed. `RULES` is the table, tried from the top: the first
 that fits a line says what it earns, in each style. Then, part by part:
 
-- An item's last line has an A1, A1* where its result is printed in the statement, and never ft.
-- Whatever stands once on a line stands there once of its kind: M1 A1 and another A1 is M1 A1.
+- An item's last line has an A1; where the statement prints the result an A1*, which never follows
+  through.
+- One kind of point stands once on a line: M1 A1 and another A1 are M1 A1.
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - A principle that an earlier part has used of the same bodies earns nothing again.
@@ -69,74 +70,100 @@ class Rule:
 
 def _rule(
     name: str,
-    moves: str,
+    moves: tuple[MoveId, ...],
     points: str,
-    records: str = "",
-    when: str = "",
+    records: tuple[str, ...] = (),
+    when: tuple[str, ...] = (),
     m4: str | None = None,
     caie: str | None = None,
 ) -> Rule:
-    others: dict[Style, str] = {}
-    if m4 is not None:
-        others["m4"] = m4
-    if caie is not None:
-        others["caie"] = caie
-    ids: frozenset[MoveId] = frozenset(moves.split())  # type: ignore[arg-type]
-    return Rule(name, ids, frozenset(records.split()), tuple(when.split()), points, others)
+    styles: tuple[tuple[Style, str | None], ...] = (("m4", m4), ("caie", caie))
+    others = {style: own for style, own in styles if own is not None}
+    return Rule(name, frozenset(moves), frozenset(records), when, points, others)
 
 
-_PAIR = "momentum restitution"
-_VECTORS = "momentum-vector impulse-vector across-the-impulse along-the-change equal-across"
-_CLOSING = "tan tan-squared tan-direction tan-deflection perpendicular parallel sum"
-_ENERGIES = "energy energy-ratio energy-lost total total-lost difference"
+_PAIR = ("momentum", "restitution")
+_VECTORS = (
+    "momentum-vector",
+    "impulse-vector",
+    "across-the-impulse",
+    "along-the-change",
+    "equal-across",
+)
+_CLOSING = (
+    "tan",
+    "tan-squared",
+    "tan-direction",
+    "tan-deflection",
+    "perpendicular",
+    "parallel",
+    "sum",
+)
+_ENERGIES = ("energy", "energy-ratio", "energy-lost", "total", "total-lost", "difference")
 
 RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used of the same bodies is no method again.
-    _rule("repeated", "law", "", when="repeated"),
-    _rule("coefficient sought", "law", "M A", "restitution-wall", "sought"),
-    _rule("component at a wall", "law", "B", "unchanged restitution-wall", "wall", m4="M A"),
-    _rule("component that stays zero", "law", "", "unchanged", "zero"),
-    _rule("first component unchanged", "law", "B", "unchanged", "first-at-event"),
-    _rule("component unchanged, by an angle", "law", "B", "unchanged", "by-angle same-part"),
-    _rule("component unchanged", "law", "", "unchanged"),
-    _rule("second of two, again", "law", "A", _PAIR, "again second-of-several"),
-    _rule("first of two, again", "law", "M", _PAIR, "again first-of-several"),
-    _rule("one of two alone", "law", "M A", _PAIR, "alone"),
-    _rule("first of two", "law", "M A", _PAIR, "first-of-several", caie="M"),
-    _rule("second of two", "law", "M A", _PAIR, "second-of-several"),
-    _rule("impulse", "law", "M V", "impulse"),
-    _rule("principle of vectors", "law", "M V", _VECTORS),
+    _rule("repeated", ("law",), "", when=("repeated",)),
+    _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
+    _rule(
+        "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"
+    ),
+    _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
+    _rule("first-component-unchanged", ("law",), "B", ("unchanged",), ("first-at-event",)),
+    _rule(
+        "component-unchanged-by-an-angle", ("law",), "B", ("unchanged",), ("by-angle", "same-part")
+    ),
+    _rule("component-unchanged", ("law",), "", ("unchanged",)),
+    _rule("second-of-two-again", ("law",), "A", _PAIR, ("again", "second-of-several")),
+    _rule("first-of-two-again", ("law",), "M", _PAIR, ("again", "first-of-several")),
+    _rule("one-of-two-alone", ("law",), "M A", _PAIR, ("alone",)),
+    _rule("first-of-two", ("law",), "M A", _PAIR, ("first-of-several",), caie="M"),
+    _rule("second-of-two", ("law",), "M A", _PAIR, ("second-of-several",)),
+    _rule("impulse", ("law",), "M V", ("impulse",)),
+    _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.
-    _rule("solved together", "combine put", "M", when="of-laws first", caie=""),
-    _rule("another value", "combine", "A", when="of-laws another"),
-    _rule("solved again", "combine", "", when="of-laws"),
-    _rule("equations joined", "combine divide square-add", "M"),
-    _rule("identity", "identity", "M", when="on-the-way"),
-    _rule("square root", "roots", "", when="opposite"),
-    _rule("roots", "roots", "M"),
-    _rule("reason for a root", "reject", "B", when="justified"),
+    _rule("solved-together", ("combine", "put"), "M", when=("of-laws", "first"), caie=""),
+    _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
+    _rule("solved-again", ("combine",), "", when=("of-laws",)),
+    _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
+    _rule("identity", ("identity",), "M", when=("on-the-way",)),
+    _rule("square-root", ("roots",), "", when=("opposite",)),
+    _rule("roots", ("roots",), "M"),
+    _rule("reason-for-a-root", ("reject",), "B", when=("justified",)),
     # Vectors and their components.
-    _rule("component read off", "define", "B", "component", "alone"),
-    _rule("first scalar product", "define", "M", "component", "first-of-several"),
-    _rule("second scalar product", "define", "A", "component", "second-of-several"),
-    _rule("read off", "define", "", "assemble speed size", "of-one-term"),
-    _rule("put together", "define", "M", "assemble speed size", "on-the-way"),
-    _rule("velocity in components", "define", "", "assemble"),
+    _rule("component-read-off", ("define",), "B", ("component",), ("alone",)),
+    _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
+    _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
+    _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
+    _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
+    _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.
-    _rule("speed, size, angle, distance", "define", "M V", "speed size scalar-angle distance"),
-    _rule("condition on one component", "define", "B", "perpendicular parallel", "of-facts"),
-    _rule("condition", "define", "M", _CLOSING, m4="M A"),
-    _rule("difference of angles", "define", "", "difference", "of-angles on-the-way"),
-    _rule("angle by a difference", "define", "M", "difference", "of-angles"),
-    _rule("data", "define", "", f"straight-line {_ENERGIES}", "of-facts on-the-way"),
-    _rule("time or place", "define", "M", "straight-line"),
-    _rule("energy", "define", "M A", _ENERGIES, "alone"),
-    _rule("first of several energies", "define", "M", _ENERGIES, "first-of-several"),
-    _rule("second of several energies", "define", "A", _ENERGIES, "second-of-several"),
+    _rule(
+        "speed-size-angle-distance",
+        ("define",),
+        "M V",
+        ("speed", "size", "scalar-angle", "distance"),
+    ),
+    _rule(
+        "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
+    ),
+    _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
+    _rule("difference-of-angles", ("define",), "", ("difference",), ("of-angles", "on-the-way")),
+    _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("data", ("define",), "", ("straight-line", *_ENERGIES), ("of-facts", "on-the-way")),
+    _rule("time-or-place", ("define",), "M", ("straight-line",)),
+    _rule("energy", ("define",), "M A", _ENERGIES, ("alone",)),
+    _rule("first-of-several-energies", ("define",), "M", _ENERGIES, ("first-of-several",)),
+    _rule("second-of-several-energies", ("define",), "A", _ENERGIES, ("second-of-several",)),
     # Inequalities, ranges and greatest values.
-    _rule("condition as inequality", "sign put fact", "M", when="new-inequality on-the-way"),
-    _rule("bounds", "monotone complete", "M"),
-    _rule("given fact", "put fact", "M", when="fact-of-motion"),
+    _rule(
+        "condition-as-inequality",
+        ("sign", "put", "fact"),
+        "M",
+        when=("new-inequality", "on-the-way"),
+    ),
+    _rule("bounds", ("monotone", "complete"), "M"),
+    _rule("given-fact", ("put", "fact"), "M", when=("fact-of-motion",)),
 )
 """The table. A line that no rule fits earns nothing by itself."""
 
@@ -192,9 +219,8 @@ class _Awarding:
         self.place = {each.number: n for n, each in enumerate(derivation.lines)}
         self.parts = part_of_items(derivation)
         self.ends = {each.line: each for each in derivation.items}
-        self.order = {
-            item: n for n, item in enumerate(dict.fromkeys(e.item for e in self.ends.values()))
-        }
+        self.shown = {each.line for each in derivation.items if each.shown}
+        self.order = {item: n for n, item in enumerate(self.parts)}
         self.walls = {each.number: each.wall for each in derivation.events}
         self.further = {
             number
@@ -202,12 +228,7 @@ class _Awarding:
             for number in case.lines
             if case.option != min(e.option for e in derivation.cases if e.line == case.line)
         }
-        self.new = {
-            name
-            for each in derivation.lines
-            if isinstance(each.relation, Meaning)
-            for name in (each.relation.letter,)
-        }
+        self.new = frozenset(derivation.meanings)
 
     # --- the whole ------------------------------------------------------------------------------
 
@@ -254,13 +275,12 @@ class _Awarding:
         for line in self.derivation.lines:
             marks: list[Mark] = []
             before = methods.setdefault(self.part(line), [])
-            end = self.ends.get(line.number)
             for point in kept[line.number]:
                 if point == "M":
                     on = self._rests_on(line, before)
                     marks.append(Mark("M", dependent=bool(on), on=on))
                 elif point == "A":
-                    star = end is not None and end.shown
+                    star = line.number in self.shown
                     marks.append(Mark("A", star=star, ft=not star and self._follows(line)))
                 else:
                     marks.append(Mark("B"))
@@ -321,6 +341,8 @@ class _Awarding:
         found = line
         for each in self.below(line):
             if each.item != line.item or each.move.id not in ("rearrange", "put", "value"):
+                break
+            if each.shown == "silent":
                 break
             if [e.number for e in self.cited(each)] != [found.number]:
                 break
@@ -458,7 +480,11 @@ def _zero(work: _Awarding, line: Line) -> bool:
 
 def _same_part(work: _Awarding, line: Line) -> bool:
     """The first line of this kind at the event stands in the same part."""
-    first = next(e for e in work.above(line) if _is_law(e, ("unchanged",), line.move.event))
+    first = next(
+        each
+        for each in work.above(line)
+        if _is_law(each, ("unchanged",), line.move.event) and not _zero(work, each)
+    )
     return work.part(first) == work.part(line)
 
 
@@ -483,8 +509,8 @@ def _again(work: _Awarding, line: Line) -> bool:
 
 
 _GROUPS: Mapping[str, str] = {
-    **dict.fromkeys(_PAIR.split(), "direction"),
-    **dict.fromkeys(_ENERGIES.split(), "energy"),
+    **dict.fromkeys(_PAIR, "direction"),
+    **dict.fromkeys(_ENERGIES, "energy"),
     "component": "component",
 }
 
