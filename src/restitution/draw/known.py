@@ -64,7 +64,12 @@ class Known:
             return None
         laid = lay.from_sympy(value)
         if value.free_symbols:
-            return laid if len(to_text(laid)) <= _SHORT and is_short(value) else None
+            if not is_short(value):  # 0.634u, where its exact form is long
+                number, rest = value.as_independent(*value.free_symbols)
+                if not rest.is_Symbol:
+                    return None
+                laid = lay.product(lay.decimal_number(number), lay.from_sympy(rest))
+            return laid if len(to_text(laid)) <= _SHORT else None
         if len(to_text(laid)) > 4:
             laid = lay.decimal_number(value)
         return lay.Phrase((laid, Words("m s⁻¹")))

@@ -42,7 +42,9 @@ def is_short(x: Any) -> bool:
         return False
     if any(len(sp.Add.make_args(_base(each).args[0])) > 2 for each in turned):
         return False
-    return _digits(x) <= _MOST_DIGITS and len(x.free_symbols) <= _MOST_LETTERS
+    numbers = {abs(n) for each in x.atoms(sp.Rational) for n in (int(each.p), int(each.q))}
+    small = all(each < 1000 for each in numbers)
+    return small and _digits(x) <= _MOST_DIGITS and len(x.free_symbols) <= _MOST_LETTERS
 
 
 def _base(factor: sp.Expr) -> sp.Expr:
