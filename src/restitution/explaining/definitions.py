@@ -278,6 +278,16 @@ def _unit(axis: str) -> Expression:
     return Unit(axis)  # type: ignore[arg-type]
 
 
+def _between_velocities(step: Step, event: Event | None) -> Iterator[Link]:
+    """The angles between velocities, at any two times, for which letters are cited."""
+    for meaning in step.lets:
+        match meaning.quantity:
+            case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
+                sizes = Binary("*", Apply("abs", a), Apply("abs", b))
+                cosine = Binary("/", Quantity("dot", (a, b)), sizes)
+                yield Link(Apply("cos", meaning.quantity), "=", cosine)
+
+
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "difference": _deflections,
     "total": _total,
@@ -285,4 +295,5 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "energy-lost": _energy_lost,
     "perpendicular": _tied,
     "parallel": _tied,
+    "scalar-angle": _between_velocities,
 }

@@ -603,9 +603,7 @@ class Claims:
 
 def has_quantity_in(relation: Relation) -> bool:
     """Whether a relation speaks of a quantity of the motion."""
-    return any(
-        has_quantity(side) for link in relation.only for side in (link.left, link.right)
-    )
+    return any(has_quantity(side) for link in relation.only for side in (link.left, link.right))
 
 
 def _is_zero(tree: Expression) -> bool:

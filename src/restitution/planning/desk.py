@@ -29,7 +29,9 @@ class NotPlannedError(Exception):
 
 
 # The moves that start from a line: it is the first that they name.
-_FROM_A_LINE = frozenset({"put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"})
+_FROM_A_LINE = frozenset(
+    {"put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"}
+)
 
 
 @dataclass(frozen=True)

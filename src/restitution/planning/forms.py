@@ -125,6 +125,7 @@ def product(*factors: Expression) -> Expression:
             return ZERO
         if each != ONE:
             kept.append(each)
+    kept.sort(key=lambda each: not isinstance(each, Number))  # 2w, not w × 2
     total: Expression = kept[0] if kept else ONE
     for each in kept[1:]:
         total = Binary("*", total, each)

@@ -74,9 +74,7 @@ def _by_scalar_product(
     value = tidy(source.value.dot(direction))
     if value == 0 and not any(source.value):
         return Source(value, source.refs, frame.refs)
-    terms = total(
-        product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True)
-    )
+    terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
     number = scene.desk.write(
         Move("define", "component", frame.number, _body(quantity)),
         together(source.refs, frame.refs),

@@ -3,41 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
 from restitution.planning import journeys
-from restitution.planning.closing import not_negative
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.forms import swept, tree_of
+from restitution.planning.expressions import write_expression
+from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
-from restitution.planning.quantities import Formula, formula
+from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import write_angle
-from restitution.problem import Compare, Extremum, Range, Show, Value
-from restitution.solve.solution import ItemResult
 from restitution.vector import Vector
 
 
-def write_item(
-    scene: Scene, solver: Solver, item: Any, result: ItemResult, asked: Expression, name: str
-) -> None:
-    """Writes the lines of an item. Raises NotPlannedError where there is no plan for it."""
-    match item:
-        case Value():
-            _value(scene, solver, item, asked, name)
-        case Show(subject=None, relation=Compare(figures=None)):
-            _show(scene, solver, item, asked, name)
-        case Range() | Extremum() | Show():
-            raise NotPlannedError(type(item).__name__)
+def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
+    """Writes the lines of a value that is asked.
 
-
-def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: str) -> None:
-    if item.percentage:
-        raise NotPlannedError("a percentage")
+    Raises NotPlannedError where there is no plan for it.
+    """
     solver.determine(_goals(scene, asked))
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
@@ -57,6 +43,8 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
         case _ if journeys.serves(asked) or journeys.is_duration(asked):
             line, value = journeys.write(scene, asked)
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+        case Quantity("mass" | "restitution"):
+            _expression(scene, asked, name)
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)
@@ -64,7 +52,12 @@ def _value(scene: Scene, solver: Solver, item: Value, asked: Expression, name: s
         case _ if not has_quantity(asked):
             _of_letters(scene, asked, name)
         case _:
-            raise NotPlannedError("an expression of several quantities")
+            _expression(scene, asked, name)
+
+
+def _expression(scene: Scene, asked: Expression, name: str) -> None:
+    line, value = write_expression(scene, asked)
+    scene.desk.end(name, line, chain(asked, (value, None)))
 
 
 def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
@@ -117,39 +110,3 @@ def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
         x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
         return [x / y if scene.model.sign(x) == 0 else y / x]
     return [sp.sympify(value, strict=True)]
-
-
-def write_formula(scene: Scene, own: Formula) -> int:
-    """A quantity by its definition, and what that comes to."""
-    final = tree_of(own.value)
-    right = swept(own.right)
-    if isinstance(own.value, Vector):
-        number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
-        if right != final:
-            number = scene.desk.write(Move("rearrange"), (number,), chain(own.left, (final, None)))
-    else:
-        refs = own.refs
-        if isinstance(right, Apply) and right.function == "sqrt":
-            refs = together(refs, not_negative(scene, own.value))
-        if _trivial(own.right, final):
-            right = final
-        number = scene.desk.write(
-            own.move, refs, chain(own.left, (right, None), (final, "rearrange"))
-        )
-    scene.desk.know(own.quantity, own.value, (number,))
-    return number
-
-
-def _trivial(right: Expression, final: Expression) -> bool:
-    """Whether a root is that of one square."""
-    from restitution.expression.tree import Binary
-
-    match right:
-        case Apply("sqrt", Binary("^", base, _)):
-            return base == final
-    return False
-
-
-def _show(scene: Scene, solver: Solver, item: Show, asked: Expression, name: str) -> None:
-    assert isinstance(item.relation, Compare)
-    raise NotPlannedError("a show")

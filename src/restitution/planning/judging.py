@@ -166,4 +166,3 @@ def _letters(relation: Relation) -> frozenset[str]:
         for side in (link.left, link.right)
         for name in letters(side)
     )
-

@@ -137,7 +137,7 @@ def _write_items(scene: Scene) -> None:
                 )
             case Value():
                 asked = staged(problem, item.expression, now)
-                write_item(scene, solver, item, result, asked, name)
+                write_item(scene, solver, asked, name)
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:

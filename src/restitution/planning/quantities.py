@@ -19,7 +19,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.closing import not_negative
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
     is_zero,
@@ -27,6 +28,7 @@ from restitution.planning.forms import (
     number,
     product,
     square,
+    swept,
     total,
     tree_of,
     vector,
@@ -220,9 +222,7 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
     )
 
 
-def _angle_to_unit(
-    scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit
-) -> Formula:
+def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit) -> Formula:
     """The angle to **i** or **j**, of up to 180°: what stands above is taken positive."""
     x, y = in_the_plane(scene, body, stage)
     above, below = (y, x) if line.axis == "i" else (x, y)
@@ -418,3 +418,35 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "energy": _energy,
     "energy_lost": _energy_lost,
 }
+
+
+# --- lines ---------------------------------------------------------------------------------------
+
+
+def write_formula(scene: Scene, own: Formula) -> int:
+    """A quantity by its definition, and what that comes to."""
+    final = tree_of(own.value)
+    right = swept(own.right)
+    if isinstance(own.value, Vector):
+        number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
+        if right != final:
+            number = scene.desk.write(Move("rearrange"), (number,), chain(own.left, (final, None)))
+    else:
+        refs = own.refs
+        if isinstance(right, Apply) and right.function == "sqrt":
+            refs = together(refs, not_negative(scene, own.value))
+        if _trivial(own.right, final):
+            right = final
+        number = scene.desk.write(
+            own.move, refs, chain(own.left, (right, None), (final, "rearrange"))
+        )
+    scene.desk.know(own.quantity, own.value, (number,))
+    return number
+
+
+def _trivial(right: Expression, final: Expression) -> bool:
+    """Whether a root is that of one square."""
+    match right:
+        case Apply("sqrt", Binary("^", base, _)):
+            return base == final
+    return False

@@ -212,9 +212,7 @@ class _Equation:
                 if line is not None:
                     return line
         # The quantity as it is defined, and then the printed form.
-        defined = self.judge.write(
-            (own.move,), pool, Relation(((Link(left, "=", right),),))
-        )
+        defined = self.judge.write((own.move,), pool, Relation(((Link(left, "=", right),),)))
         if defined is None:
             return None
         known = self.judge.known(letters(right) | letters(self.link.right))

@@ -227,7 +227,9 @@ def _between(scene: Scene, asked: Quantity) -> int:
     """The angle between two velocities, by their scalar product."""
     pair = [body_and_stage(scene, each) for each in asked.arguments]
     sources = [velocity_source(scene, *each) for each in pair]
-    move = Move("define", "scalar-angle", pair[0][1] or None, tuple(body for body, _ in pair))
+    event = max(stage for _, stage in pair) or None
+    bodies = tuple(dict.fromkeys(body for body, _ in pair))
+    move = Move("define", "scalar-angle", event, bodies)
     return _by_scalar(scene, move, sources, asked)
 
 

@@ -970,6 +970,8 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
                 return product(left, right, sign="×")
             if not isinstance(left, Number) and isinstance(right, Number):
                 return product(left, right, sign="×")
+            if isinstance(right, Product) and _begins_with_digit(right):
+                return product(left, Brackets(right))  # 2m(3u), not 2m3u
             return product(left, right)
         case "/":
             return Fraction(left, right)

@@ -1,0 +1,115 @@
+"""Expressions of several quantities: each is worked out, and its value takes its place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import swept, tree_of
+from restitution.planning.quantities import formula, write_formula
+from restitution.planning.scene import Scene
+from restitution.planning.turning import angle_line
+from restitution.vector import Vector
+
+_ANGLES = ("angle", "deflection", "direction")
+_DATA = ("mass", "restitution")
+
+
+def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
+    """The line in which an expression comes to its value, with the value.
+
+    Raises NotPlannedError where something in it is open.
+    """
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    for node in _outermost(asked):
+        source = _value_of(scene, node)
+        if source is None:
+            continue
+        angle = isinstance(node, Quantity) and node.kind in _ANGLES
+        values[node] = _angle_tree(scene, source) if angle else tree_of(source.value)
+        refs += source.refs
+    if not refs:
+        raise NotPlannedError("an expression of data")
+    value = _worth(scene, asked, values)
+    final = tree_of(value)
+    right = swept(rebuilt(asked, lambda each: values.get(each, each)))
+    if isinstance(value, Vector):
+        line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
+        if right != final:
+            line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
+        return line, final
+    line = scene.desk.write(
+        Move("put"), together(refs), chain(asked, (right, None), (final, "rearrange"))
+    )
+    return line, final
+
+
+def _outermost(tree: Expression) -> list[Expression]:
+    """The quantities and letters in an expression, but for what stands inside a quantity."""
+    inside = {
+        each
+        for node in walk(tree)
+        if isinstance(node, Quantity)
+        for argument in node.arguments
+        for each in walk(argument)
+    }
+    ratios = {
+        each.argument
+        for each in walk(tree)
+        if isinstance(each, Apply) and isinstance(each.argument, Letter)
+    }
+    found = [
+        node
+        for node in walk(tree)
+        if (
+            (isinstance(node, Quantity) and node not in inside)
+            or (isinstance(node, Letter) and node not in inside and node not in ratios)
+            or (isinstance(node, Apply) and node.argument in ratios)
+        )
+    ]
+    return list(dict.fromkeys(found))
+
+
+def _value_of(scene: Scene, node: Expression) -> Source | None:
+    """What a quantity or a letter is worth, by a line that is written for it where there is none."""
+    known = scene.desk.known(node)
+    if known is not None:
+        value, more = scene.put(known.value)
+        return Source(value, together(known.refs, more))
+    if isinstance(node, Quantity) and node.kind in _ANGLES:
+        line = angle_line(scene, node)
+        return Source(scene.scalar(scene.desk.last_link(line).right), (line,))
+    if isinstance(node, Quantity) and node.kind in _DATA:
+        return _datum(scene, node)
+    if isinstance(node, Quantity):
+        own = formula(scene, node)
+        return Source(own.value, (write_formula(scene, own),))
+    return None
+
+
+def _datum(scene: Scene, node: Quantity) -> Source:
+    return scene.data(
+        f"mass {node.arguments[0].name}"  # type: ignore[union-attr]
+        if node.kind == "mass"
+        else f"e {node.stage}"
+    )
+
+
+def _angle_tree(scene: Scene, source: Source) -> Expression:
+    (line,) = (each for each in source.refs if isinstance(each, int))
+    return scene.desk.last_link(line).right
+
+
+def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]) -> Any:
+    put = rebuilt(asked, lambda each: values.get(each, each))
+    value = scene.value(put)
+    if isinstance(value, Vector):
+        return Vector(*(tidy(sp.expand(each)) for each in value))
+    return tidy(scene.scalar(put))
