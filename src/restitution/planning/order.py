@@ -18,7 +18,7 @@ from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import journeys
 from restitution.planning.blows import write_blows
 from restitution.planning.closing import close
-from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import candidate, move_of, write_given
@@ -211,6 +211,8 @@ class Solver:
             if given is None or len(open_) != 1:
                 continue
             (symbol,) = open_
+            if self._is_value(given) and self._take_value(given, symbol):
+                return (own,)
             if symbol in self._letters or self._is_value(given):
                 number = write_given(self.scene, given)
                 close(self.scene, number, symbol)
@@ -219,6 +221,17 @@ class Solver:
 
     def _is_value(self, given: GivenEquation) -> bool:
         return isinstance(given.link.left, Letter)
+
+    def _take_value(self, given: GivenEquation, symbol: sp.Symbol) -> bool:
+        """A letter that is given as a number is known at once."""
+        scene = self.scene
+        if given.link.sign != "=" or given.link.left != Letter(symbol.name):
+            return False
+        value, refs = scene.put(scene.scalar(given.link.right))
+        if scene.unknown(value):
+            return False
+        scene.desk.know(given.link.left, value, together((given.fact.id,), refs))
+        return True
 
     def _take_velocity(self, given: GivenEquation) -> None:
         """The components of a velocity that is given are known from now on."""

@@ -365,10 +365,12 @@ def _energy(scene: Scene, quantity: Quantity) -> Formula:
     for body in bodies:
         stage = scene.last_event(body, quantity.stage)
         tree, value, own = squares(scene, body, stage)
+        if stage and stage != quantity.stage:
+            own = together(own, scene.frame(stage).unit_free)
         mass = scene.mass(body)
         terms.append(_kinetic(tree_of(mass.value), tree))
         values.append(mass.value * value / 2)
-        refs += [*mass.refs, *own]
+        refs += [*(() if value == 0 else mass.refs), *own]
     move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
     return Formula(
         move, _itself, quantity, total(terms), tidy(sp.expand(sum(values))), together(refs)
@@ -407,6 +409,43 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
     )
 
 
+def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
+    """The energy of all spheres at the start, less that after an event: each a line before it."""
+    assert isinstance(quantity.stage, int)
+    terms, values, refs = [], [], []
+    for stage in (0, quantity.stage):
+        own = _energy(scene, Quantity("energy", (), stage))
+        number = write_formula(scene, own)
+        terms.append(tree_of(own.value))
+        values.append(own.value)
+        refs.append(number)
+    return Formula(
+        Move("define", "total-lost", quantity.stage),
+        _itself,
+        quantity,
+        difference(*terms),
+        tidy(sp.expand(values[0] - values[1])),
+        together(refs),
+    )
+
+
+def _momentum(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of a sphere, by its velocity as a vector."""
+    (name,) = quantity.arguments
+    assert isinstance(name, Name)
+    assert isinstance(quantity.stage, int)
+    velocity = velocity_source(scene, name.name, quantity.stage)
+    mass = scene.mass(name.name)
+    return Formula(
+        Move("define", "momentum-of", quantity.stage or None, (name.name,)),
+        _itself,
+        quantity,
+        product(tree_of(mass.value), tree_of(velocity.value)),
+        Vector(*(tidy(mass.value * each) for each in velocity.value)),
+        together(mass.refs, velocity.refs),
+    )
+
+
 _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "velocity": _velocity,
     "speed": _speed,
@@ -417,6 +456,8 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "impulse": _impulse,
     "energy": _energy,
     "energy_lost": _energy_lost,
+    "total_energy_lost": _total_energy_lost,
+    "momentum": _momentum,
 }
 
 
