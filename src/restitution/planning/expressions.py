@@ -78,7 +78,7 @@ def _outermost(tree: Expression) -> list[Expression]:
 
 
 def _value_of(scene: Scene, node: Expression) -> Source | None:
-    """What a quantity or a letter is worth, by a line that is written for it where there is none."""
+    """What a quantity or a letter is worth, by a line; one is written where there is none."""
     known = scene.desk.known(node)
     if known is not None:
         value, more = scene.put(known.value)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning import journeys
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import write_expression
@@ -15,7 +15,7 @@ from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import write_angle
+from restitution.planning.turning import is_angle, write_angle, write_ratio
 from restitution.vector import Vector
 
 
@@ -27,6 +27,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     solver.determine(_goals(scene, asked))
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
+        case Letter() | Quantity() if is_angle(scene, asked):
+            scene.desk.end(name, *write_angle(scene, asked))
+        case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
+            scene.desk.end(name, *write_ratio(scene, function, angle))
         case Letter() if named is not None:
             _named(scene, asked, named, name)
         case Letter(letter):
@@ -38,8 +42,6 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             if len(relation.options) == 1:
                 relation = chain(asked, (_right(scene, line), None))
             scene.desk.end(name, line, relation)
-        case Quantity("angle" | "deflection" | "direction"):
-            scene.desk.end(name, *write_angle(scene, asked))
         case _ if journeys.serves(asked) or journeys.is_duration(asked):
             line, value = journeys.write(scene, asked)
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
@@ -69,9 +71,6 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     if known is not None:
         (line,) = (each for each in known.refs if isinstance(each, int))
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
-        return
-    if quantity.kind in ("angle", "deflection", "direction"):
-        scene.desk.end(name, *write_angle(scene, quantity))
         return
     own = formula(scene, quantity)
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -46,13 +47,44 @@ _FIGURES = 3
 Components = tuple[Source, Source]
 
 
-def write_angle(scene: Scene, asked: Quantity) -> tuple[int, Relation]:
+@dataclass(frozen=True)
+class Ratio:
+    """A line that gives a ratio of an angle, and what makes the angle the only one."""
+
+    line: int
+    letter: str
+    function: str
+    value: Any
+    extent: str
+    side: tuple[Ref, ...] = ()
+    angle: Expression | None = None
+
+
+def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
     """The lines of an angle that is asked: the number of the last, and the answer that it says.
 
     Raises NotPlannedError where there is no plan for it.
     """
-    line = angle_line(scene, asked)
-    return write_decimal(scene, line)
+    return write_decimal(scene, angle_line(scene, quantity_of(scene, asked)))
+
+
+def quantity_of(scene: Scene, asked: Expression) -> Quantity:
+    """The angle that is asked, or for which a letter of the statement stands."""
+    if isinstance(asked, Quantity):
+        return asked
+    fact = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
+    quantity = None if fact is None else fact.relation.only[0].left
+    if not isinstance(quantity, Quantity):
+        raise NotPlannedError("a letter that stands for no angle")
+    return quantity
+
+
+def is_angle(scene: Scene, tree: Expression) -> bool:
+    """Whether a tree is an angle of the motion, or a letter of the statement for one."""
+    try:
+        return quantity_of(scene, tree).kind in _LETTERS
+    except NotPlannedError:
+        return False
 
 
 def angle_line(scene: Scene, asked: Quantity) -> int:
@@ -60,19 +92,50 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     known = scene.desk.known(asked)
     if known is not None:
         return next(ref for ref in known.refs if isinstance(ref, int))
-    match asked:
-        case Quantity("deflection", (Name(body),), int(event)):
-            line = _deflection(scene, body, event, asked)
-        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
-            line = _between(scene, asked)
-        case Quantity("angle"):
-            line = _to_a_line(scene, asked)
-        case Quantity("direction", (Name(),), int()):
-            line = _direction(scene, asked)
-        case _:
-            raise NotPlannedError(f"no way to the {asked.kind}")
+    own = _ratio(scene, asked)
+    if own is None:
+        line = _by_sum(scene, asked)
+    else:
+        right = own.angle or _angle_of(own)
+        line = scene.desk.write(
+            Move("inverse"),
+            together((own.line, own.extent), own.side),
+            chain(Letter(own.letter), (right, None)),
+        )
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
+
+
+def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Relation]:
+    """The line that gives a sine, cosine or tangent of an angle of the motion, and the answer."""
+    own = _ratio(scene, quantity_of(scene, angle), function)
+    if own is None:
+        raise NotPlannedError(f"the {function} of a sum")
+    tree = Apply(function, Letter(own.letter))
+    if own.function == function:
+        value, line = own.value, own.line
+    else:
+        at = {"tan": sp.atan, "cos": sp.acos, "sin": sp.asin}[own.function](own.value)
+        value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
+        line = scene.desk.write(
+            Move("triangle"),
+            (own.line, own.extent),
+            Relation(((Link(tree, "=", tree_of(value)),),)),
+        )
+    return line, chain(tree, (tree_of(value), None))
+
+
+def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | None:
+    match asked:
+        case Quantity("deflection", (Name(body),), int(event)):
+            return _deflection(scene, body, event, asked, wanted)
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            return _between(scene, asked)
+        case Quantity("angle"):
+            return _to_a_line(scene, asked)
+        case Quantity("direction", (Name(),), int()):
+            return _direction(scene, asked)
+    raise NotPlannedError(f"no way to the {asked.kind}")
 
 
 def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
@@ -103,16 +166,17 @@ def _rounded(degrees: Any) -> Expression:
 
 
 def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
-    """The letter for an angle, and the line or the fact that introduces it."""
+    """The letter for an angle, and the line that introduces it, or the fact."""
     for fact in scene.desk.facts:
         if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
-            name = fact.relation.only[0].right
-            assert isinstance(name, Letter)
-            return name.name, fact.id
+            right = fact.relation.only[0].right
+            assert isinstance(right, Letter)
+            return right.name, fact.id
     taken = letters_taken(scene)
     for each in scene.desk.lines:
         if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
             return each.relation.letter, each.number
+    taken = letters_taken(scene)
     names = _LETTERS[asked.kind]
     numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
     letter = next(each for each in (*names, *numbered) if each not in taken)
@@ -143,18 +207,19 @@ def _ratio_line(
     )
 
 
-def _inverse(scene: Scene, line: int, letter: str, function: str, value: Any, extent: str) -> int:
-    """The angle of a ratio, in the range that is cited."""
-    if function == "tan" and not value.free_symbols and value < 0:
-        right = difference(Degrees(Fraction(180)), _degrees(sp.atan(-value), -value))
-        if isinstance(right.right, Degrees):  # type: ignore[union-attr]
-            right = Degrees(180 - right.right.value)  # type: ignore[union-attr]
-    else:
-        right = _degrees({"tan": sp.atan, "cos": sp.acos}[function](value), value)
-    return scene.desk.write(Move("inverse"), (line, extent), chain(Letter(letter), (right, None)))
+def _angle_of(own: Ratio) -> Expression:
+    """The angle of a ratio, of up to 180°."""
+    value = own.value
+    if own.function == "tan" and not value.free_symbols and value < 0:
+        straight = Degrees(Fraction(180))
+        size = _degrees(sp.atan(-value), -value)
+        if isinstance(size, Degrees):
+            return Degrees(straight.value - size.value)
+        return difference(straight, size)
+    return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 
-def _to_a_line(scene: Scene, asked: Quantity) -> int:
+def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     own = formula(scene, asked)
     letter, meaning = _named(scene, asked)
@@ -169,10 +234,10 @@ def _to_a_line(scene: Scene, asked: Quantity) -> int:
     )
     to_i_or_j = isinstance(asked.arguments[1], Unit)
     extent = _RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
-    return _inverse(scene, line, letter, "tan", own.value, extent.format(letter))
+    return Ratio(line, letter, "tan", own.value, extent.format(letter))
 
 
-def _direction(scene: Scene, asked: Quantity) -> int:
+def _direction(scene: Scene, asked: Quantity) -> Ratio:
     """The direction of a velocity, from **i**: by its tangent, on the side to which it points."""
     body, stage = body_and_stage(scene, asked)
     own = formula(scene, asked)
@@ -203,11 +268,8 @@ def _direction(scene: Scene, asked: Quantity) -> int:
         else:
             right = difference(straight, size) if sign > 0 else difference(size, straight)
     known = velocity_source(scene, body, stage) if x.refs == y.refs else x
-    return scene.desk.write(
-        Move("inverse"),
-        together((line, extent), known.whole, nonzero(scene, x.value)),
-        chain(Letter(letter), (right, None)),
-    )
+    side = together(known.whole, nonzero(scene, x.value))
+    return Ratio(line, letter, "tan", value, extent, side, right)
 
 
 def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
@@ -223,7 +285,7 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
     return Apply(function, tree)
 
 
-def _between(scene: Scene, asked: Quantity) -> int:
+def _between(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between two velocities, by their scalar product."""
     pair = [body_and_stage(scene, each) for each in asked.arguments]
     sources = [velocity_source(scene, *each) for each in pair]
@@ -233,14 +295,14 @@ def _between(scene: Scene, asked: Quantity) -> int:
     return _by_scalar(scene, move, sources, asked)
 
 
-def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> int:
+def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio:
     """An angle between two vectors that are known, by their scalar product."""
     letter, meaning = _named(scene, asked)
     a, b = (each.value for each in sources)
     right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
     refs = together((meaning,), *(each.whole for each in sources))
     line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-    return _inverse(scene, line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
 
 
 def cosine(
@@ -262,7 +324,10 @@ def cosine(
 # --- deflections -------------------------------------------------------------------------------
 
 
-def _deflection(scene: Scene, body: str, event: int, asked: Quantity) -> int:
+def _deflection(
+    scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None
+) -> Ratio | None:
+    """The cosine or tangent of a deflection; None at a wall, where two angles are added."""
     frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
@@ -272,18 +337,22 @@ def _deflection(scene: Scene, body: str, event: int, asked: Quantity) -> int:
     refs = together(*(each.whole for each in (*early, *late)), names)
     a, b = (Vector(*(each.value for each in own)) for own in (early, late))
     dot, cross = tidy(sp.expand(a.dot(b))), tidy(sp.expand(a.cross(b)))
-    if scene.model.identically_zero(dot) or scene.model.identically_zero(cross):
-        move = Move("define", "scalar-angle", event, (body,))
+    square_ = scene.model.identically_zero(dot)
+    if square_ or wanted == "cos" or scene.model.identically_zero(cross):
+        if frame.wall is not None and square_:
+            refs = together(*(each.refs for each in (*early, *late)))
         pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
         right, value = cosine(pairs, a, b)
-        value = sp.Integer(scene.model.sign(value))
+        if wanted != "cos":
+            value = sp.Integer(scene.model.sign(value))
         letter, meaning = _named(scene, asked)
+        move = Move("define", "scalar-angle", event, (body,))
         refs = together((meaning,), refs)
         line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-        return _inverse(scene, line, letter, "cos", value, _RANGES["deflection"].format(letter))
-    if frame.wall is not None:
-        return _by_sum(scene, body, event, asked)
-    if _vectors_in_numbers(scene, body, event, a, b):
+        return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    if frame.wall is not None and wanted is None:
+        return None
+    if wanted != "tan" and _vectors_in_numbers(scene, body, event, a, b):
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
@@ -327,13 +396,13 @@ def _by_tangent(
         Binary("/", difference(*above), below),
         tidy(cross / dot),
     )
-    return _inverse(
-        scene, line, letter, "tan", tidy(cross / dot), _RANGES["deflection"].format(letter)
-    )
+    return Ratio(line, letter, "tan", tidy(cross / dot), _RANGES["deflection"].format(letter))
 
 
-def _by_sum(scene: Scene, body: str, event: int, asked: Quantity) -> int:
+def _by_sum(scene: Scene, asked: Quantity) -> int:
     """At a wall the angles to it before and after, added."""
+    body, event = asked.arguments[0].name, asked.stage  # type: ignore[union-attr]
+    assert isinstance(event, int)
     frame = scene.frame(event)
     assert frame.wall is not None
     terms: list[Expression] = []
@@ -380,4 +449,4 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     return None
 
 
-__all__ = ["angle_line", "letters_taken", "write_angle", "write_decimal"]
+__all__ = ["angle_line", "is_angle", "letters_taken", "write_angle", "write_decimal", "write_ratio"]
