@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -14,6 +15,7 @@ from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, S
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Name,
@@ -167,29 +169,76 @@ class Claims:
 
     def _written_ties(self) -> Iterator[int]:
         scene = self.scene
-        for symbol in sorted(scene.free, key=lambda each: each.name):
-            known = scene.desk.known(Letter(symbol.name))
-            if known is not None:
-                yield from (each for each in known.refs if isinstance(each, int))
+        known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
+        lines = [ref for own in known if own for ref in own.refs if isinstance(ref, int)]
+        if lines:
+            yield from dict.fromkeys(lines)
+            return
+        none = True
         for each in scene.given:
-            open_ = [scene.put(x)[0] for x in each.residuals]
-            if any(x != 0 and x.free_symbols for x in open_):
-                line = self._tie(each)
+            line = self._trial(lambda each=each: self._tie(each))  # type: ignore[misc]
+            if line is not None:
+                none = False
+                yield line
+        if none:
+            for symbol in self._linked():
+                line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
                 if line is not None:
                     yield line
+
+    def _linked(self) -> list[sp.Symbol]:
+        return sorted(self.scene.free, key=lambda each: each.name)
+
+    def _trial(self, attempt: Callable[[], int | None]) -> int | None:
+        """What an attempt writes; nothing stays of one that leads nowhere."""
+        mark, used = self.scene.desk.mark(), set(self.solver.used)
+        try:
+            line = attempt()
+        except NotPlannedError:
+            line = None
+        if line is None:
+            self.scene.desk.back(mark)
+            self.solver.used.clear()
+            self.solver.used |= used
+        return line
 
     def _tie(self, each: GivenEquation) -> int | None:
         """A given fact as an equation between letters of the statement."""
         scene = self.scene
         components = {own.symbol for own in scene.model.components.values()}
         inside = {s for x in each.residuals for s in sp.sympify(x, strict=True).free_symbols}
+        written = self._standing(scene.ties.get(each.fact.id))
+        if written is not None:
+            return written
+        if each.fact.id in self.solver.used:
+            return None
+        self.solver.used.add(each.fact.id)
         self.solver.determine(sorted(inside & components, key=str))
+        self.solver.used.discard(each.fact.id)
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
             return None
-        if each.fact.id in self.solver.used:
-            return None
-        return self._neat(write_given(scene, each))
+        line = self._neat(write_given(scene, each))
+        scene.ties[each.fact.id] = scene.desk.relation(line)
+        return line
+
+    def _standing(self, relation: Relation | None) -> int | None:
+        """The line that says a relation, if it stands."""
+        return next(
+            (each.number for each in self.scene.desk.lines if each.relation == relation), None
+        )
+
+    def _closed(self, symbol: sp.Symbol) -> int | None:
+        """The line that says what a letter is by others."""
+        scene = self.scene
+        scene.free.discard(symbol)
+        try:
+            self.solver.determine([symbol])
+        finally:
+            scene.free.add(symbol)
+        known = scene.desk.known(Letter(symbol.name))
+        lines = () if known is None else known.refs
+        return next((each for each in lines if isinstance(each, int)), None)
 
     def _neat(self, line: int) -> int:
         """The equation without common factors, where it stands as one that is zero."""
@@ -232,7 +281,7 @@ class Claims:
         tree, _, a, b = form
         return tree, tidy(sp.factor(-b / a))
 
-    def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr]]:
+    def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr, Sign]]:
         """What the range of one letter says of the others in an equation: ``P sign 0``."""
         link = self.scene.desk.last_link(line)
         x = sp.fraction(sp.together(self._value(link.left) - self._value(link.right)))[0]
@@ -241,13 +290,35 @@ class Claims:
         if form is None:
             return []
         _, generator, a, b = form
-        found: list[tuple[Sign, sp.Expr]] = []
+        found: list[tuple[Sign, sp.Expr, Sign]] = []
         for sign, bound in _bounds(role, generator, gone):
             gap = sp.factor(sp.together(-b / a - bound))
             own = self.stripped(gap, sign)
             if own is not None and own[1].free_symbols:
-                found.append(own)
+                found.append((*own, sign))
         return found
+
+    def bounded(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
+        """An equation of which one side only holds a letter, with its bound put in there."""
+        link = self.scene.desk.last_link(line)
+        sides = [(link.left, link.right), (link.right, link.left)]
+        for kept, other in sides:
+            x = self._value(other)
+            if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
+                continue
+            role = roles(self.scene.problem)[gone.name]
+            above, below = sp.fraction(sp.together(x))
+            form = linear_in(sp.expand(above), gone, role.kind == "angle")
+            if form is None or gone in below.free_symbols:
+                return None
+            _, generator, a, b = form
+            slope = self._certain(a / below)
+            ends = [bound for own, bound in _bounds(role, generator, gone) if own == sign]
+            if slope is None or not ends:
+                return None
+            value = tidy(sp.factor((a * ends[0] + b) / below))
+            return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
+        return None
 
     def stripped(self, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr] | None:
         """``gap sign 0`` without the factors whose signs are certain; None if nothing is left."""
@@ -429,6 +500,15 @@ class Claims:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
 
+    def _is_monic(self, x: sp.Expr) -> bool:
+        """Whether a condition is solved by moving a term to the other side."""
+        if len(x.free_symbols) != 1:
+            return False
+        (symbol,) = x.free_symbols
+        role = roles(self.scene.problem).get(symbol.name)  # type: ignore[attr-defined]
+        form = linear_in(x, symbol, role is not None and role.kind == "angle")
+        return form is not None and abs(form[2]) == 1
+
     def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
         """A condition solved for its letter by one more line, where it is linear in it."""
         solved = self.solved(sign, x, wanted)
@@ -465,7 +545,7 @@ class Claims:
             if line is not None:
                 return line
         mark = desk.mark()
-        for attempt in self._attempts(target, trees):
+        for attempt in self._attempts(target, relation):
             line = attempt(base, relation)
             if line is not None:
                 return line
@@ -473,13 +553,17 @@ class Claims:
             self._ties = self._conditions = None
         raise NotPlannedError("an inequality")
 
-    def _attempts(self, target: set[str], trees: Sequence[Expression]) -> Iterator[Any]:
-        wanted = next((t for t in trees if letters(t) and not has_quantity(t)), None)
+    def _attempts(self, target: set[str], relation: Relation) -> Iterator[Any]:
+        wanted = subject_of(relation)
 
         def by_conditions(base: list[Ref], relation: Relation) -> int | None:
             return self._compared([*base, *self.conditions(wanted)], relation, base)
 
         def by_ties(base: list[Ref], relation: Relation) -> int | None:
+            for line in self.ties():
+                found = self.monotone(line, relation)
+                if found is not None:
+                    return found
             for line in self.ties():
                 found = self._eliminated(line, base, relation, target)
                 if found is not None:
@@ -493,6 +577,20 @@ class Claims:
         yield by_ties
         yield by_all
 
+    def monotone(self, line: int, relation: Relation) -> int | None:
+        """The ends of what only grows, or only falls, with the one letter that has a range."""
+        if len(relation.only) != 2:
+            return None
+        for name in sorted(letters(self.scene.desk.last_link(line).right)):
+            role = roles(self.scene.problem).get(name)
+            if role is None or role.kind == "positive":
+                continue
+            pool = [line, *self.judge.known([name])]
+            number_ = self.judge.write((Move("monotone"),), pool, relation)
+            if number_ is not None:
+                return number_
+        return None
+
     def _eliminated(
         self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]
     ) -> int | None:
@@ -502,17 +600,21 @@ class Claims:
         inside = {s for side in (link.left, link.right) for s in self._value(side).free_symbols}
         known_roles = roles(scene.problem)
         gone = [s for s in inside if s.name in known_roles and s.name not in target]
-        wanted = next(side for e in relation.only for side in (e.left, e.right) if letters(side))
+        wanted = subject_of(relation)
         written: list[int] = []
         for symbol in sorted(gone, key=self._rank):
-            for sign, x in self.derived(line, symbol):
+            for sign, x, bound in self.derived(line, symbol):
                 mark = scene.desk.mark()
                 short = Link(tree_of(x), sign, ZERO)
                 solved = self.solved(sign, x, wanted)
-                monic = solved is not None and sp.Poly(x, *x.free_symbols).total_degree() == 1
-                if solved is not None and (monic and _is_monic(x)):
+                if x.atoms(sp.sin, sp.cos, sp.tan):
+                    short = self.bounded(line, symbol, bound) or short
+                    solved = short
+                if solved is not None and self._is_monic(x):
                     short = solved
-                pool = [line, *self.judge.known([symbol.name]), *self._known_in(x)]
+                ends = self.judge.known([symbol.name])
+                first = [ref for ref in ends if any(e in str(ref) for e in _near(bound))]
+                pool = [line, *first, *self._known_in(x), *ends]
                 number_ = self.judge.write((Move("sign"),), pool, Relation(((short,),)))
                 if number_ is None:
                     scene.desk.back(mark)
@@ -551,6 +653,9 @@ class Claims:
                 names |= {n for e in own.only for side in (e.left, e.right) for n in letters(side)}
         names |= {n for e in relation.only for side in (e.left, e.right) for n in letters(side)}
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
+        rooted = self._rooted(refs, relation, pool)
+        if rooted is not None:
+            pool = [rooted, *pool]
         conditions = [
             each
             for each in refs
@@ -558,8 +663,42 @@ class Claims:
             and isinstance(own := self.scene.desk.line(each).relation, Relation)
             and own.only[0].sign != "="
         ]
+        for each in conditions:
+            line = self.judge.write((Move("rearrange"),), [each], relation)
+            if line is not None:
+                return line
         kind = "compare" if conditions else "sign"
         return self.judge.write((Move(kind),), pool, relation)  # type: ignore[arg-type]
+
+    def _rooted(self, refs: Sequence[Ref], relation: Relation, pool: Sequence[Ref]) -> int | None:
+        """Of a bound of the square of a ratio, that of the ratio, where its angle is asked."""
+        subject = subject_of(relation)
+        if not isinstance(subject, Letter):
+            return None
+        for ref in refs:
+            own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
+            if not isinstance(own, Relation) or len(own.only) != 1:
+                continue
+            match own.only[0]:
+                case Link(
+                    Binary("^", Apply(name, Letter() as letter) as ratio, power), sign, right
+                ):
+                    if (
+                        letter != subject
+                        or sign not in FLIPPED
+                        or name not in ("sin", "cos", "tan")
+                    ):
+                        continue
+                    if power != Number(Fraction(2)):
+                        continue
+                    root = tree_of(tidy(sp.sqrt(self._value(right))))
+                    links = (
+                        (Link(ZERO, "<", ratio), Link(ratio, sign, root))
+                        if sign[0] == "<"
+                        else (Link(ratio, sign, root),)
+                    )
+                    return self.judge.write((Move("compare"),), pool, Relation((links,)))
+        return None
 
     def quantities(self, tree: Expression) -> Iterator[Quantity]:
         """The outermost quantities of a tree."""
@@ -606,13 +745,22 @@ def has_quantity_in(relation: Relation) -> bool:
     return any(has_quantity(side) for link in relation.only for side in (link.left, link.right))
 
 
+def subject_of(relation: Relation) -> Expression | None:
+    """Of what a relation is: between two bounds, what stands between them; else a side."""
+    links = relation.only
+    if len(links) == 2 and links[0].right == links[1].left:
+        return links[0].right
+    sides = (links[0].left, links[0].right)
+    return next((side for side in sides if letters(side)), None)
+
+
 def _is_zero(tree: Expression) -> bool:
     return isinstance(tree, Number) and not tree.value
 
 
-def _is_monic(x: sp.Expr) -> bool:
-    (symbol, *others) = x.free_symbols
-    return not others and abs(sp.Poly(x, symbol).LC()) == 1
+def _near(sign: Sign) -> tuple[str, ...]:
+    """How premises about that end of a range are written."""
+    return ("acute", "°", f" {sign[0]}")
 
 
 def same(a: Relation, b: Relation) -> bool:

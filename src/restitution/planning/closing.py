@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components import Model, proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Expression, Letter
@@ -15,6 +15,7 @@ from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import tree_of
 from restitution.planning.impacts import residual
+from restitution.planning.judging import Judge
 from restitution.planning.scene import Scene
 
 
@@ -53,16 +54,26 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = _numerator(residual(scene, number))
     if symbol in _inside_functions(above):
         return None
-    poly = sp.Poly(above, symbol)
-    if poly.degree() != 1:
-        return None
-    value = tidy(-poly.nth(0) / poly.nth(1))
-    line = scene.desk.write(
-        Move("rearrange"),
-        (number, *nonzero(scene, poly.nth(1))),
-        chain(Letter(symbol.name), (tree_of(value), None)),
-    )
-    return _known(scene, symbol, value, line)
+    judge = Judge(scene)
+    for each in (above, _uncertain(scene, above)):
+        poly = sp.Poly(each, symbol)
+        if poly.degree() != 1:
+            continue
+        value = tidy(-poly.nth(0) / poly.nth(1))
+        relation = chain(Letter(symbol.name), (tree_of(value), None))
+        names = (s.name for s in above.free_symbols)
+        pool = (number, *nonzero(scene, poly.nth(1)), *judge.known(names))
+        line = judge.write((Move("rearrange"), Move("cancel")), pool, relation)
+        if line is not None:
+            return _known(scene, symbol, value, line)
+    return None
+
+
+def _uncertain(scene: Scene, x: sp.Expr) -> sp.Expr:
+    """An expression without the factors that are certain not to vanish."""
+    factors = sp.Mul.make_args(sp.factor(x))
+    kept = (each for each in factors if not proved_sign(scene.model.ground, each))
+    return sp.expand(sp.Mul(*kept))
 
 
 def _numerator(x: sp.Expr) -> sp.Expr:

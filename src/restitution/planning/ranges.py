@@ -7,14 +7,13 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.expression.tree import Expression, Letter, Quantity, letters
+from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.expression.tree import Expression, Letter, Quantity
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
-from restitution.solve.letters import roles
 from restitution.solve.solution import ItemResult
 
 
@@ -46,15 +45,7 @@ def _monotone(claims: Claims, asked: Expression, relation: Relation) -> int | No
     except NotPlannedError:
         scene.desk.back(mark)
         return None
-    inside = letters(scene.desk.last_link(line).right)
-    for name in sorted(inside):
-        if roles(scene.problem)[name].kind == "positive":
-            continue
-        pool = [line, *claims.judge.known([name])]
-        number = claims.judge.write((Move("monotone"),), pool, relation)
-        if number is not None:
-            return number
-    return None
+    return claims.monotone(line, relation)
 
 
 def relation_of(asked: Expression, result: ItemResult) -> tuple[Link, ...]:

@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Ref
+from restitution.explaining.derivation import Fact, Link, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -58,6 +58,8 @@ class Scene:
     frames: dict[int, Frame] = field(default_factory=dict)
     free: set[sp.Symbol] = field(default_factory=set)
     """Letters that an item leaves open, though facts tie them to others."""
+    ties: dict[str, Relation] = field(default_factory=dict)
+    """What the facts say of such letters, by the id of the fact, as lines say it."""
 
     # --- the story ------------------------------------------------------------------------------
 

@@ -172,7 +172,6 @@ def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
             right = fact.relation.only[0].right
             assert isinstance(right, Letter)
             return right.name, fact.id
-    taken = letters_taken(scene)
     for each in scene.desk.lines:
         if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
             return each.relation.letter, each.number
