@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.desk import Mark, NotPlannedError, Source, together
 from restitution.planning.forms import ZERO, UnwrittenError, number, square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import write_given
@@ -73,6 +73,19 @@ class Claims:
             and symbol.name in model.unknowns.roles
             and sp.sympify(value, strict=True).free_symbols
         }
+
+    # --- trials ---------------------------------------------------------------------------------
+
+    def mark(self) -> tuple[Mark, frozenset[str]]:
+        """What stands, and which equations are used."""
+        return self.scene.desk.mark(), frozenset(self.solver.used)
+
+    def back(self, mark: tuple[Mark, frozenset[str]]) -> None:
+        """Takes away what was written since a mark."""
+        desk, used = mark
+        self.scene.desk.back(desk)
+        self.solver.used.clear()
+        self.solver.used |= used
 
     # --- trees ----------------------------------------------------------------------------------
 
@@ -145,6 +158,9 @@ class Claims:
         left, extra = self.named(own, quantity)
         pool = together(own.refs, extra, self.axes(quantity))
         right, final = swept(own.right), tree_of(own.value)
+        match right:
+            case Apply("sqrt", Binary("^", base, _)) if base == final:
+                right = final
         links = [Link(left, "=", right)]
         chains = [Relation((tuple(links),))]
         if right != final:
@@ -158,6 +174,62 @@ class Claims:
                     scene.desk.know(quantity, own.value, (number_,))
                 return number_
         raise NotPlannedError(f"a line for {quantity.kind}")
+
+    def worth(self, tree: Expression) -> int | None:
+        """The line that says what an expression of quantities is worth; None without one."""
+        match tree:
+            case Quantity():
+                return self.quantity(tree)
+            case Apply("tan", Quantity("angle" | "deflection" | "direction") as angle):
+                return self.quantity(angle)
+            case Binary("^", Quantity("speed") as speed, Number(Fraction(numerator=2))):
+                return self.squared(speed)
+            case Binary("/", above, below) if has_quantity(above) and has_quantity(below):
+                pair = [self.worth(above), self.worth(below)]
+                if None in pair:
+                    return None
+                return self._valued(tree, Move("divide"), pair)  # type: ignore[arg-type]
+            case Binary("/", above, below) if has_quantity(above):
+                line = self.worth(above)
+                return None if line is None else self._valued(tree, Move("rearrange"), [line])
+        return None
+
+    def _valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
+        """An expression and its value, by a move from the lines of its quantities."""
+        value = tidy(sp.sympify(self.scene.put(self.scene.scalar(tree))[0], strict=True))
+        names = {s.name for s in value.free_symbols} & set(roles(self.scene.problem))
+        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        line = self.judge.write((move,), [*refs, *self.judge.known(names)], relation)
+        if line is not None:
+            return line
+        values = [self.scene.desk.last_link(each).right for each in refs]
+        if move.id != "divide":
+            return None
+        middle = Relation(((Link(tree, "=", Binary("/", *values)),),))
+        line = self.judge.write((move,), refs, middle)
+        if line is None:
+            return None
+        moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+        return self.judge.write(moves, [line, *self.judge.known(names)], relation)
+
+    def squared(self, speed: Quantity) -> int | None:
+        """The square of a speed, without its root."""
+        self.determine(speed)
+        own = formula(self.scene, speed)
+        right = swept(own.right)
+        if not isinstance(right, Apply):
+            return None
+        left = square(own.left)
+        pool = together(own.refs, self.axes(speed))
+        final = tree_of(tidy(own.value**2))
+        first = Link(left, "=", right.argument)
+        known = self.judge.known(letters(right))
+        for by in ("rearrange", "identity"):
+            relation = Relation(((first, Link(right.argument, "=", final, by)),))  # type: ignore[arg-type]
+            line = self.judge.write((own.move,), [*pool, *known], relation)
+            if line is not None:
+                return line
+        return self.judge.write((own.move,), pool, Relation(((first,),)))
 
     # --- ties -----------------------------------------------------------------------------------
 
@@ -191,15 +263,13 @@ class Claims:
 
     def _trial(self, attempt: Callable[[], int | None]) -> int | None:
         """What an attempt writes; nothing stays of one that leads nowhere."""
-        mark, used = self.scene.desk.mark(), set(self.solver.used)
+        mark = self.mark()
         try:
             line = attempt()
         except NotPlannedError:
             line = None
         if line is None:
-            self.scene.desk.back(mark)
-            self.solver.used.clear()
-            self.solver.used |= used
+            self.back(mark)
         return line
 
     def _tie(self, each: GivenEquation) -> int | None:
@@ -400,6 +470,9 @@ class Claims:
         sign, x = own
         pool = [fact.id, *self.sources(link), *self._known_in(x)]
         relation = Relation(((Link(tree_of(x), sign, ZERO),),))
+        if x.has(sp.sin) and x.has(sp.cos):
+            solved = self.solved(sign, x, wanted) or self.solved(sign, x)
+            relation = relation if solved is None else Relation(((solved,),))
         line = self._by_steps(link, fact.id, pool, relation, x, sign)
         if line is None:
             return None
@@ -455,10 +528,10 @@ class Claims:
     def _with_letter(self, kind: str, body: str, stage: int, frame: Frame) -> list[Ref]:
         desk = self.scene.desk
         direct = desk.known(frame.component(kind, body, stage))
-        mark = desk.mark()
+        mark = self.mark()
         source = self.component(kind, body, stage, frame)
-        if len(desk.lines) > mark.lines and kind == "across":
-            desk.back(mark)
+        if len(desk.lines) > mark[0].lines and kind == "across":
+            self.back(mark)
             return []
         return [*(direct.whole if direct else ()), *source.whole]
 
@@ -524,7 +597,6 @@ class Claims:
 
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
-        desk = self.scene.desk
         trees = [side for link in relation.only for side in (link.left, link.right)]
         quantities = list(
             dict.fromkeys(q for tree in trees for q in self.quantities(self.opened(tree)))
@@ -536,22 +608,60 @@ class Claims:
             for fact in (self.scene.facts.get(f"let {name}"),)
             if fact is not None
         ]
-        lines = [self.quantity(each) for each in quantities if not self.is_data(each)]
+        lines = self._worths(trees, quantities)
         facts = [ref for each in quantities if self.is_data(each) for ref in self.data_of(each)]
         target = {name for tree in trees for name in letters(tree)}
         base = [*lines, *facts, *lets]
         if base:
+            for each in lines:
+                line = self.monotone(each, relation)
+                if line is not None:
+                    return line
             line = self._compared(base, relation)
             if line is not None:
                 return line
-        mark = desk.mark()
+            line = self._by_squares(quantities, relation)
+            if line is not None:
+                return line
+        mark = self.mark()
         for attempt in self._attempts(target, relation):
             line = attempt(base, relation)
             if line is not None:
                 return line
-            desk.back(mark)
+            self.back(mark)
             self._ties = self._conditions = None
         raise NotPlannedError("an inequality")
+
+    def _worths(self, trees: Sequence[Expression], quantities: Sequence[Quantity]) -> list[int]:
+        """The lines of what stands in a claim: of its sides, or of the quantities in them."""
+        lines: list[int] = []
+        left = [each for each in quantities if not self.is_data(each)]
+        for tree in trees:
+            opened = self.opened(tree)
+            inside = list(self.quantities(opened))
+            if not inside or not all(each in left for each in inside):
+                continue
+            mark = self.mark()
+            line = self.worth(opened)
+            if line is None:
+                self.back(mark)
+                continue
+            lines.append(line)
+            left = [each for each in left if each not in inside]
+        return [*dict.fromkeys(lines), *(self.quantity(each) for each in left)]
+
+    def _by_squares(self, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+        """A speed compared by its square."""
+        if not all(each.kind == "speed" for each in quantities):
+            return None
+        mark = self.mark()
+        lines = [self.squared(each) for each in quantities]
+        if None not in lines:
+            line = self._compared(lines, relation)  # type: ignore[arg-type]
+            if line is not None:
+                return line
+        self.back(mark)
+        return None
 
     def _attempts(self, target: set[str], relation: Relation) -> Iterator[Any]:
         wanted = subject_of(relation)
@@ -604,7 +714,7 @@ class Claims:
         written: list[int] = []
         for symbol in sorted(gone, key=self._rank):
             for sign, x, bound in self.derived(line, symbol):
-                mark = scene.desk.mark()
+                mark = self.mark()
                 short = Link(tree_of(x), sign, ZERO)
                 solved = self.solved(sign, x, wanted)
                 if x.atoms(sp.sin, sp.cos, sp.tan):
@@ -617,7 +727,7 @@ class Claims:
                 pool = [line, *first, *self._known_in(x), *ends]
                 number_ = self.judge.write((Move("sign"),), pool, Relation(((short,),)))
                 if number_ is None:
-                    scene.desk.back(mark)
+                    self.back(mark)
                     continue
                 if short != solved:
                     number_ = self.finished(number_, sign, x, wanted)
@@ -713,31 +823,76 @@ class Claims:
 
     def write_components(self, link: Link) -> tuple[int, Relation]:
         """An inequality between components along one line, as letters say it."""
-        scene = self.scene
         sides: list[Expression] = []
-        refs: list[Ref] = []
+        values: list[sp.Expr] = []
+        lines: list[Ref] = []
         for side in (link.left, link.right):
-            match side:
-                case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), _)):
-                    self.determine(side)
-                    last = scene.last_event(body, stage)
-                    frame = frame_after(scene, body, last)
-                    source = self.component("along", body, last, frame)
-                    refs += source.whole
-                    direct = scene.desk.known(frame.component("along", body, last))
-                    if direct is not None:
-                        refs += direct.whole
-                    refs += frame.refs
-                case _:
-                    pass
-            sides.append(side)
-        del sides
-        relation = Relation(((link,),))
-        pool = list(dict.fromkeys(refs))
-        line = self._compared(pool, relation)
-        if line is None:
-            raise NotPlannedError("who is the faster")
-        return line, relation
+            tree, refs, value = self._named_component(side)
+            sides.append(tree)
+            values.append(value)
+            lines += refs
+        relation = Relation(((Link(sides[0], link.sign, sides[1]),),))
+        line = self._compared(list(dict.fromkeys(lines)), relation)
+        if line is not None:
+            return line, relation
+        numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
+        if len(numbers) == 2:
+            turn = 1 if link.sign[0] == ">" else -1
+            value = tidy(sp.factor(values[::turn][0] - values[::turn][1]))
+            told = Link(Binary("-", *sides[::turn]), "=", tree_of(value))
+            line = self._difference(Relation(((told,),)), numbers)
+            if line is not None:
+                number_ = self._compared([line], relation)
+                if number_ is not None:
+                    return number_, relation
+        raise NotPlannedError("who is the faster")
+
+    def _difference(self, relation: Relation, lines: Sequence[int]) -> int | None:
+        for pair in (lines, lines[::-1]):
+            line = self.judge.write((Move("combine"),), pair, relation)
+            if line is not None:
+                return line
+        return None
+
+    def _named_component(
+        self, side: Expression
+    ) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+        """A component by the letter for it, and the line that says what it is."""
+        scene = self.scene
+        match side:
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), axis)):
+                self.determine(side)
+                last = scene.last_event(body, stage)
+                frame = frame_after(scene, body, last)
+                quantity = frame.component("along", body, last)
+                known = scene.desk.known(quantity)
+                source = self.component("along", body, last, frame)
+                wanted = scene.model.story.direction(axis, scene.events)
+                sense = scene.model.sign(wanted.dot(frame.n))
+                if tidy(wanted.cross(frame.n)) != 0:
+                    raise NotPlannedError("components along different lines")
+                value = sense * source.value
+                own = None if known is None else known.value
+                symbol = own if own is None or own.is_Symbol else -own
+                letters_ = {each.symbol for each in scene.model.components.values()}
+                if symbol not in letters_:
+                    tree = quantity if sense == 1 else side
+                    return tree, (*source.whole, *frame.refs), value
+                return tree_of(sense * own), self._explicit(symbol, source), value
+        return side, (), sp.sympify(scene.scalar(side), strict=True)
+
+    def _explicit(self, symbol: sp.Symbol, source: Source) -> tuple[Ref, ...]:
+        """The line that says what a letter of a component is, in letters of the statement."""
+        desk = self.scene.desk
+        own = desk.known(Letter(symbol.name))
+        if own is None:
+            return source.refs
+        value, refs = self.scene.put(own.value)
+        if value == own.value:
+            return own.refs
+        relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
+        line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
+        return source.refs if line is None else (line,)
 
 
 def has_quantity_in(relation: Relation) -> bool:
@@ -804,16 +959,12 @@ def linear_in(
         mixed = sp.Poly(x, sp.sin(symbol), sp.cos(symbol))
     except sp.PolynomialError:
         return None
-    degrees = {sum(each) for each in mixed.monoms()}
-    if len(degrees) == 1:
-        degree = degrees.pop()
-        put = sum(c * t**a for (a, _), c in mixed.terms())
-        del degree
-        return _linear_poly(sp.expand(put), t, sp.tan(symbol), Apply("tan", letter))
-    if all(a % 2 == 0 for a, _ in mixed.monoms()):
-        put = sp.expand(sum(c * (1 - t**2) ** (a // 2) * t**b for (a, b), c in mixed.terms()))
-        return _linear_poly(put, t, sp.cos(symbol), Apply("cos", letter))
-    return None
+    most = max(sum(each) for each in mixed.monoms())
+    if any((most - sum(each)) % 2 for each in mixed.monoms()):
+        return None
+    # Each term takes powers of sin² + cos², until all are of one degree.
+    put = sum(c * t**a * (1 + t**2) ** ((most - a - b) // 2) for (a, b), c in mixed.terms())
+    return _linear_poly(sp.expand(put), t, sp.tan(symbol), Apply("tan", letter))
 
 
 def _linear_poly(

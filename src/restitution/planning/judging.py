@@ -70,7 +70,7 @@ class Judge:
             ref
             for name in sorted(names)
             for ref in bounds_of(self.scene, name)
-            if known_of_letters(ref, self._setting()) is not None
+            if ref in self.scene.facts or known_of_letters(ref, self._setting()) is not None
         )
 
     def needed(

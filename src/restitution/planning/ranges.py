@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.derivation import Link, Relation, Sign
-from restitution.expression.tree import Expression, Letter, Quantity
+from restitution.expression.tree import Expression
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
@@ -28,24 +28,8 @@ def write_range(
     """Writes the lines of a range, of which the last says both ends."""
     relation = Relation((tuple(links),))
     with Claims(scene, solver) as claims:
-        line = _monotone(claims, asked, relation)
-        if line is None:
-            line = claims.write(relation)
+        line = claims.write(relation)
     scene.desk.end(name, line, relation, shown=shown)
-
-
-def _monotone(claims: Claims, asked: Expression, relation: Relation) -> int | None:
-    """The ends of what only grows, or only falls, with the one letter in it that has a range."""
-    scene = claims.scene
-    if not isinstance(asked, Quantity):
-        return None
-    mark = scene.desk.mark()
-    try:
-        line = claims.quantity(asked)
-    except NotPlannedError:
-        scene.desk.back(mark)
-        return None
-    return claims.monotone(line, relation)
 
 
 def relation_of(asked: Expression, result: ItemResult) -> tuple[Link, ...]:
@@ -76,5 +60,3 @@ def _end(value: Any, angle: bool) -> Expression | None:
         return None
     return tree_of(value, angle=angle, as_it_is=angle)
 
-
-_UNUSED = (Letter,)
