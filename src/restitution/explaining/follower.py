@@ -97,6 +97,22 @@ def follow(
     return tuple(_Reader(settled_derivation(derivation), oracle, redundant).complaints())
 
 
+def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which no line cites of letters what it does not need.
+
+    Lines that do not follow are left as they are.
+    """
+    facts = {each.id for each in derivation.facts}
+    read = _Reader(settled_derivation(derivation), oracle, frozenset())
+    lines = []
+    for line in derivation.lines:
+        known = [ref for ref in line.premises if isinstance(ref, str) and ref not in facts]
+        if known and isinstance(line.relation, Relation):
+            line = replace(line, premises=read.needed(line.number, known))
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
 def settled_derivation(derivation: Derivation) -> Derivation:
     """The same working, with each velocity numbered by the last event that changed it."""
 
@@ -349,6 +365,16 @@ class _Reader:
             fewer = (*line.premises[:n], *line.premises[n + 1 :])
             if self._without(line, fewer):
                 yield Complaint("premise-not-needed", line.number, ref)
+
+    def needed(self, number: int, doubted: Iterable[Ref]) -> tuple[Ref, ...]:
+        """The premises of a line without those of the doubted ones without which it follows."""
+        line = self.lines[number]
+        premises = line.premises
+        for ref in doubted:
+            fewer = tuple(each for each in premises if each != ref)
+            if self._without(line, fewer):
+                premises = fewer
+        return premises
 
     def _without(self, line: Line, premises: tuple[Ref, ...]) -> bool:
         try:

@@ -8,6 +8,8 @@ from dataclasses import replace
 from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
+from restitution.explaining.follower import without_spare
+from restitution.oracle import Oracle
 from restitution.planning.cases import joined
 from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
@@ -30,6 +32,7 @@ from restitution.problem import (
     Show,
     Value,
 )
+from restitution.solve.letters import roles
 from restitution.solve.solution import PartSolution, Solution
 
 
@@ -46,7 +49,7 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             desk = _write_part(solution, part, desk)
     except UnwrittenError as error:
         raise NotPlannedError(f"no line says {error}") from error
-    return pruned(
+    whole = pruned(
         Derivation(
             desk.facts,
             tuple(desk.lines),
@@ -56,6 +59,7 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             tuple(dict.fromkeys(desk.others)),
         )
     )
+    return without_spare(whole, Oracle(roles(problem)))
 
 
 def pruned(derivation: Derivation) -> Derivation:
