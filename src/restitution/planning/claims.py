@@ -468,7 +468,7 @@ class Claims:
         if own is None:
             return None
         sign, x = own
-        pool = [fact.id, *self.sources(link), *self._known_in(x)]
+        pool = [fact.id, *self.sources(link), *self._known_in(gap)]
         relation = Relation(((Link(tree_of(x), sign, ZERO),),))
         if x.has(sp.sin) and x.has(sp.cos):
             solved = self.solved(sign, x, wanted) or self.solved(sign, x)
@@ -479,8 +479,8 @@ class Claims:
         return self.finished(line, sign, x, wanted)
 
     def _known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
-        every = {s.name for s in x.free_symbols} | set(roles(self.scene.problem))
-        return self.judge.known(name for name in every if name in roles(self.scene.problem))
+        names = {s.name for s in x.free_symbols}
+        return self.judge.known(names & set(roles(self.scene.problem)))
 
     def gap(self, link: Link) -> sp.Expr:
         """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""
@@ -562,7 +562,12 @@ class Claims:
                             continue
                         known = self._known_in(x)
                         after = self.judge.write(
-                            (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras")),
+                            (
+                                Move("rearrange"),
+                                Move("cancel"),
+                                Move("identity", "pythagoras"),
+                                Move("compare"),
+                            ),
                             [line, *known],
                             Relation(((each,),)),
                         )
@@ -620,6 +625,9 @@ class Claims:
             line = self._compared(base, relation)
             if line is not None:
                 return line
+            line = self._by_stages(lines, relation)
+            if line is not None:
+                return line
             line = self._by_squares(quantities, relation)
             if line is not None:
                 return line
@@ -650,6 +658,58 @@ class Claims:
             left = [each for each in left if each not in inside]
         return [*dict.fromkeys(lines), *(self.quantity(each) for each in left)]
 
+    def _by_stages(self, lines: Sequence[int], relation: Relation) -> int | None:
+        """One end at a time, and one letter at a time: at its end first, then the others."""
+        if len(lines) != 1:
+            return None
+        mark = self.mark()
+        written: list[int] = []
+        for link in relation.only:
+            own = Relation(((link,),))
+            line = self._compared(lines, own)
+            if line is None:
+                line = self._staged(lines[0], own)
+            if line is None:
+                self.back(mark)
+                return None
+            written.append(line)
+        if len(written) == 1:
+            return written[0]
+        line = self._compared(written, relation)
+        if line is None:
+            self.back(mark)
+        return line
+
+    def _staged(self, line: int, relation: Relation) -> int | None:
+        """A bound by a bound of what a line gives, with the end of one letter put in."""
+        whole = self.scene.desk.last_link(line)
+        value = self._value(whole.right)
+        (link,) = relation.only
+        turned = link.right == subject_of(relation) or not has_quantity(link.left)
+        sign = FLIPPED[link.sign] if turned else link.sign
+        for symbol in sorted(value.free_symbols, key=lambda s: s.name):
+            role = roles(self.scene.problem).get(symbol.name)
+            if role is None or role.kind == "positive":
+                continue
+            for end in (role.low, role.high):
+                if end is None:
+                    continue
+                there = value.subs(symbol, end)
+                if not there.is_finite and there.is_finite is not None:
+                    continue
+                weak: Sign = ">=" if sign[0] == ">" else "<="
+                own = Relation(((Link(whole.left, weak, tree_of(tidy(there))),),))
+                mark = self.mark()
+                pool = [line, *self.judge.known([symbol.name])]
+                first = self.judge.write((Move("monotone"), Move("sign")), pool, own)
+                if first is None:
+                    continue
+                found = self._compared([first], relation)
+                if found is not None:
+                    return found
+                self.back(mark)
+        return None
+
     def _by_squares(self, quantities: Sequence[Quantity], relation: Relation) -> int | None:
         """A speed compared by its square."""
         if not all(each.kind == "speed" for each in quantities):
@@ -658,6 +718,8 @@ class Claims:
         lines = [self.squared(each) for each in quantities]
         if None not in lines:
             line = self._compared(lines, relation)  # type: ignore[arg-type]
+            if line is None:
+                line = self._by_stages(lines, relation)  # type: ignore[arg-type]
             if line is not None:
                 return line
         self.back(mark)

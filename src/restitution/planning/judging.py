@@ -24,6 +24,7 @@ class Judge:
 
     scene: Scene
     _settings: dict[int, Setting] = field(default_factory=dict)
+    _known: dict[str, Known | None] = field(default_factory=dict)
 
     def _setting(self) -> Setting:
         desk = self.scene.desk
@@ -44,10 +45,15 @@ class Judge:
             elif ref in self.scene.facts:
                 cited.append(Cited(ref, self.scene.facts[ref].relation))
             else:
-                own = known_of_letters(ref, setting)
+                own = self._known_of(ref)
                 if own is not None:
                     known.append(own)
         return Step(setting, move, tuple(cited), tuple(known))
+
+    def _known_of(self, ref: str) -> Known | None:
+        if ref not in self._known:
+            self._known[ref] = known_of_letters(ref, self._setting())
+        return self._known[ref]
 
     def follows(self, move: Move, refs: Sequence[Ref], relation: Relation) -> bool:
         """Whether the follower accepts a line."""
@@ -70,7 +76,7 @@ class Judge:
             ref
             for name in sorted(names)
             for ref in bounds_of(self.scene, name)
-            if ref in self.scene.facts or known_of_letters(ref, self._setting()) is not None
+            if ref in self.scene.facts or self._known_of(str(ref)) is not None
         )
 
     def needed(
