@@ -32,6 +32,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, link, toge
 from restitution.planning.forms import (
     ZERO,
     difference,
+    is_zero,
     product,
     square,
     swept,
@@ -276,6 +277,8 @@ def _write_place(
     value: Vector,
 ) -> int:
     own = tree_of(value)
+    if is_zero(tree):
+        tree = own = Binary("+", *(Binary("*", ZERO, Unit(axis)) for axis in AXES))
     number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
     if own != tree:
         number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
