@@ -179,12 +179,22 @@ class _Facts:
             yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
 
     def _start(self) -> Iterator[Fact]:
-        """When the clock starts: with places at time 0, without them with the first impact."""
+        """When the clock starts: with places at time 0, without them with the first impact.
+
+        Who rests until the first event, a blow, is struck at that time.
+        """
         placed = any(isinstance(each.position, Expression) for each in self.problem.spheres)
         apart = bool(self.events) and self.events[0].kind == "impact" and not self.events[0].wall
         if placed or apart:
-            time = Quantity("time", (), 0 if placed else 1)
+            time = Quantity("time", (), 0 if placed and not self._is_struck() else 1)
             yield self._fact("start", time, Number(Fraction(0)), None)
+
+    def _is_struck(self) -> bool:
+        """Whether the first event is a blow to a body at rest."""
+        if not self.events or self.events[0].kind != "kick":
+            return False
+        (name,) = self.events[0].bodies
+        return any(each.name == name and _at_rest(each.velocity) for each in self.problem.spheres)
 
     def _of_events(self) -> Iterator[Fact]:
         yield from self._start()

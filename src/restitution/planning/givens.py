@@ -177,12 +177,12 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 or node in values
             ):
                 continue
-            if not isinstance(node.stage, int):
-                continue
             if journeys.serves(node):
                 number, value = journeys.write(scene, node)
                 values[node] = tree_of(value)
                 refs.append(number)
+                continue
+            if not isinstance(node.stage, int):
                 continue
             made = formula(scene, node)
             number = scene.desk.write(

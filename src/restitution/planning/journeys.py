@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles import range_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
@@ -39,7 +40,8 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
-from restitution.planning.impacts import in_direction
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import before, in_direction
 from restitution.planning.resolving import along_axis
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
@@ -115,6 +117,9 @@ def velocity(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     """The component of a velocity along an axis, after so many events."""
     source = along_axis(scene, body, stage, axis)
     own = _put(scene, source.value, source.whole)
+    letters_ = {each.symbol for each in scene.model.components.values()}
+    if letters_ & own.value.free_symbols:
+        raise NotPlannedError(f"the velocity of {body} after event {stage} is open")
     return own
 
 
@@ -588,18 +593,23 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
             source = _duration(scene, asked, late, early)
         case _:
             raise NotPlannedError("no plan for a place of that kind")
-    lines = [each for each in source.refs if isinstance(each, int)]
-    if len(lines) != 1:
-        raise NotPlannedError("what is asked is given")
     _check(scene, asked, source.value)
+    lines = [each for each in source.refs if isinstance(each, int)]
+    if not lines:
+        raise NotPlannedError("what is asked is given")
+    if len(lines) > 1:
+        relation = chain(asked, (tree_of(source.value), None))
+        lines = [scene.desk.write(Move("put"), source.refs, relation)]
+        scene.desk.know(asked, source.value, lines)
     return lines[0], source.value
 
 
 def _check(scene: Scene, asked: Expression, value: Any) -> None:
     """The value has to be that of the story."""
-    own, _ = scene.put(scene.value(asked))
+    own, in_data = scene.value(asked), scene.model.in_data
     pairs = zip(own, value, strict=True) if isinstance(value, Vector) else [(own, value)]
-    if not all(scene.model.identically_zero(a - b) for a, b in pairs):
+    gaps = [_sized(scene, in_data(a)) - _sized(scene, in_data(b)) for a, b in pairs]
+    if not all(scene.model.identically_zero(each) for each in gaps):
         raise NotPlannedError("another piece of the path than the lines say")
 
 
@@ -669,8 +679,10 @@ def _distance(scene: Scene, asked: Quantity) -> Source:
     known = _known(scene, asked)
     if known is not None:
         return known
-    if isinstance(asked.stage, AtTime) and not _placed(scene):
-        return _distance_since_contact(scene, asked)
+    if isinstance(asked.stage, AtTime):
+        together_ = _distance_since_contact(scene, asked)
+        if together_ is not None:
+            return together_
     ends = [_end(scene, each, asked.stage) for each in asked.arguments]
     refs = together(*(each.refs for each in ends))
     (a, b) = (each.value for each in ends)
@@ -693,7 +705,7 @@ def _write_distance(
             continue
         if scene.model.sign(gap) < 0:
             x, y = y, x
-        gaps.append((difference(tree_of(x), _bracketed(tree_of(y))), gap))
+        gaps.append((difference(tree_of(x), tree_of(y)), gap))
     if not gaps:
         raise NotPlannedError("a distance that is nothing")
     if len(gaps) == 1:
@@ -705,21 +717,32 @@ def _write_distance(
     if times is not None:
         tree = product(times[0], tree)
         value = value * times[1]
-    value = tidy(value)
+    value = _sized(scene, tidy(value))
     number = scene.desk.write(
         Move("define", "distance", event),
-        together(refs),
+        together(refs, *(ranges(scene, gap) for _, gap in gaps)),
         chain(asked, (swept(tree), None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(asked, value, (number,))
 
 
-def _bracketed(tree: Expression) -> Expression:
-    return tree
+def _sized(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value in which sizes are taken with the sign that they have."""
+    return tidy(
+        value.replace(sp.Abs, lambda inside: inside if scene.model.sign(inside) >= 0 else -inside)
+    )
 
 
-def _placed(scene: Scene) -> bool:
-    return start(scene)[0] == 0
+def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
+    """What may be known of the letters of a value that are not plainly positive."""
+    refs: list[Ref] = []
+    for letter in sorted(value.free_symbols, key=lambda each: each.name):
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is not None and role.kind == "restitution":
+            refs += [f"{letter.name} >= 0", f"{letter.name} <= 1"]
+        elif role is not None and role.kind == "angle":
+            refs.append(range_of(scene, letter.name))
+    return tuple(refs)
 
 
 def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
@@ -737,34 +760,73 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
     raise NotPlannedError("the end of a distance")
 
 
-def _distance_since_contact(scene: Scene, asked: Quantity) -> Source:
-    """How far apart two bodies are that met, by their relative velocity and the time since."""
+def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
+    """How far apart two bodies are that met last, by their relative velocity and the time since.
+
+    None where they met others in between.
+    """
     assert isinstance(asked.stage, AtTime)
     names = [each.name for each in asked.arguments if isinstance(each, Name)]
-    first, refs = start(scene)
-    if len(names) != 2 or set(scene.bodies(first)) != set(names):
-        raise NotPlannedError("bodies of which it is not known where they were")
-    if any(_piece(scene, each, asked.stage.time) != first for each in names):
-        raise NotPlannedError("bodies that meet others in between")
-    frame = scene.frame(first)
-    a, b = (
-        [in_direction(scene, kind, each, first, frame) for kind in ("along", "across")]
-        for each in names
-    )
+    pieces = {
+        _piece(scene, each, asked.stage.time) for each in names if each in scene.model.story.spheres
+    }
+    if len(names) != 2 or len(pieces) != 1:
+        return None
+    (met,) = pieces
+    if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+        return None
+    frame = scene.frame(met)
+    early = time_of(scene, met)
     when, more = scene.put(scene.scalar(asked.stage.time))
+    names = list(scene.bodies(met))
+    apart = separation_known(scene, frame)
+    across = [in_direction(scene, "across", each, met, frame) for each in names]
+    if apart is None:
+        along = [in_direction(scene, "along", each, met, frame) for each in names]
+    else:
+        along = [Source(sp.Integer(0)), apart]
+    a, b = ([x, y] for x, y in zip(along, across, strict=True))
     used = together(
-        refs, more, (f"contact {first}",), frame.refs, *(each.whole for each in (*a, *b))
+        early.refs,
+        more,
+        (f"contact {met}",),
+        frame.refs,
+        *(each.whole for each in (*a, *b)),
     )
-    own = _write_distance(
-        scene,
-        asked,
-        first,
-        used,
-        [each.value for each in a],
-        [each.value for each in b],
-        (tree_of(when), when),
+    flight = difference(tree_of(when), tree_of(early.value)), tidy(when - early.value)
+    values = [[each.value for each in own] for own in (a, b)]
+    return _write_distance(scene, asked, met, used, values[0], values[1], flight)
+
+
+def _separation_tree(scene: Scene, frame: Frame) -> Expression:
+    first, second = scene.bodies(frame.number)
+    own, other = (frame.component("along", each, frame.number) for each in (second, first))
+    return Binary("-", own, other)
+
+
+def separation_known(scene: Scene, frame: Frame) -> Source | None:
+    """How fast two spheres separate along their line of centres, where that is all that is known."""
+    return _known(scene, _separation_tree(scene, frame))
+
+
+def write_separation(scene: Scene, frame: Frame) -> None:
+    """The law of restitution alone: the speed of separation from that of approach."""
+    first, second = scene.bodies(frame.number)
+    e = scene.coefficient(frame.number)
+    u, x = (before(scene, "along", each, frame) for each in (first, second))
+    value = tidy(e.value * (u.value - x.value))
+    quantity = _separation_tree(scene, frame)
+    approach = difference(tree_of(u.value), tree_of(x.value))
+    number = scene.desk.write(
+        Move("law", "restitution", frame.number, (first, second)),
+        together(e.refs, u.whole, x.whole, frame.names_axis("along")),
+        chain(
+            quantity,
+            (swept(product(tree_of(e.value), approach)), None),
+            (tree_of(value), "rearrange"),
+        ),
     )
-    return own
+    scene.desk.know(quantity, value, (number,))
 
 
 def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:

@@ -108,6 +108,8 @@ class Solver:
         left = list(route)
         while left:
             step = self._next(left)
+            if step is None and (self._separation(left) or self._widened(left)):
+                continue
             if step is None:
                 raise NotPlannedError(f"no order of {[each.id for each in left]}")
             for each in step:
@@ -115,8 +117,38 @@ class Solver:
             self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
             write_blows(scene)
         rest = {symbol for each in goals for symbol in scene.unknown(each)}
+        rest -= self._separating()
         if rest & {each.symbol for each in scene.model.components.values()}:
             raise NotPlannedError(f"{rest} are open")
+
+    def _widened(self, left: list[Candidate]) -> bool:
+        """Takes up the laws of components that stand in a route and that it leaves open.
+
+        A fact may tell what is asked without them, and yet be written by them.
+        """
+        open_ = [
+            s for each in left for s in sorted(self._open(each), key=str) if s in self._letters
+        ]
+        taken = {each.id for each in left}
+        for symbol in open_:
+            try:
+                more = [each for each in self.route([symbol]) if each.id not in taken]
+            except NotPlannedError:
+                continue
+            if more:
+                left += more
+                return True
+        return False
+
+    def _separating(self) -> frozenset[sp.Symbol]:
+        """The components of which only the difference is known."""
+        return frozenset(
+            symbol
+            for number, frame in self.scene.model.frames.items()
+            if frame.wall is None
+            and journeys.separation_known(self.scene, self.scene.frame(number)) is not None
+            for symbol in self._after(number)
+        )
 
     def route(self, goals: Sequence[sp.Expr]) -> tuple[Candidate, ...]:
         """The cheapest equations that determine some values."""
@@ -184,6 +216,19 @@ class Solver:
 
     def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
         return frozenset(s for x in own.residuals for s in self.scene.unknown(x))
+
+    def _essential(self, own: Candidate) -> frozenset[sp.Symbol]:
+        """The unknowns of an equation without factors that do not vanish."""
+        open_ = self._open(own)
+        if len(open_) < 2 or len(own.residuals) != 1 or open_ & self._letters.keys():
+            return open_
+        put, _ = self.scene.put(own.residuals[0])
+        above = sp.fraction(sp.together(put))[0]
+        factors = [base for base, _ in sp.factor_list(above)[1]]
+        zero = [
+            each for each in factors if self.scene.model.sign(self.scene.model.in_data(each)) == 0
+        ]
+        return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
     def _law(self, own: Candidate) -> Law | None:
         return next((each for each in self.laws if each.candidate.id == own.id), None)
@@ -335,10 +380,22 @@ class Solver:
             return (own,)
         return None
 
+    def _separation(self, left: list[Candidate]) -> bool:
+        """Writes the law of restitution alone, where only the speed of separation is wanted."""
+        (own, *others) = left
+        law = self._law(own)
+        if others or law is None or law.kind != "restitution" or self._earlier(law):
+            return False
+        if not self._open(own) <= self._after(law.number).keys():
+            return False
+        journeys.write_separation(self.scene, self.scene.frame(law.number))
+        left.clear()
+        return True
+
     def _closing(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """An equation with one unknown letter."""
         for own in left:
-            open_ = self._open(own)
+            open_ = self._essential(own)
             if len(open_) != 1:
                 continue
             (symbol,) = open_
