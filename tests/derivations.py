@@ -13,21 +13,30 @@ of centres of event 1 after it, ``c(A, 0@1)`` for that before; ``s`` is the one 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
+
+from answers import _differs
 
 from restitution.explaining.derivation import (
     Case,
     Derivation,
     ItemEnd,
     Line,
+    Link,
     Move,
 )
 from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.marks import Mark
 from restitution.explaining.notation import read_meaning, read_relation
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression
+from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
-from restitution.problem import Problem
+from restitution.problem import Problem, Range
+from restitution.solve import ItemResult
 from restitution.solve.letters import roles
 
 FOLDER = Path(__file__).with_name("derivations")
@@ -86,6 +95,43 @@ def derivation_of(problem: Problem, working: str) -> Derivation:
 def oracle_of(problem: Problem) -> Oracle:
     """The oracle that knows the letters of a problem."""
     return Oracle(roles(problem))
+
+
+def disagreement(item: ItemResult, ends: list[ItemEnd], roles: Mapping[str, Any]) -> str | None:
+    """How the ends of an item differ from the answers of the solver, in words; None if not at all.
+
+    Both are worked out at a few numbers that their letters may have.
+    """
+    if any(end.shown != (item.kind == "show") for end in ends):
+        return "a result is printed, or is not"
+    if item.kind == "show":
+        return _differs(item, "true", dict(roles))
+    links = [links for end in ends for links in end.answer.options]
+    if item.kind == "range":
+        assert isinstance(item.item, Range)
+        text = " or ".join(_interval(each, item.item.expression) for each in links)
+        return _differs(item, text, dict(roles))
+    if any(each[-1].sign == "≈" for each in links):
+        return _rounds_to(item, [each[-1].right for each in links])
+    text = " ; ".join(write_expression(each[-1].right) for each in links)
+    return _differs(item, text, dict(roles))
+
+
+def _interval(links: tuple[Link, ...], subject: Expression) -> str:
+    sides = [links[0].left, *(each.right for each in links)]
+    texts = ["X" if each == subject else write_expression(each) for each in sides]
+    return texts[0] + "".join(
+        f" {link.sign} {text}" for link, text in zip(links, texts[1:], strict=True)
+    )
+
+
+def _rounds_to(item: ItemResult, decimals: list[Expression]) -> str | None:
+    got = sorted({float(each.value) for each in item.answers})
+    printed = sorted(float(evaluate(each, lambda name: None)) for each in decimals)
+    close = len(got) == len(printed) and all(
+        abs(a - b) <= 1e-3 * abs(a) for a, b in zip(got, printed, strict=True)
+    )
+    return None if close else f"got {got}"
 
 
 def _line(match: re.Match[str], names: dict[str, str]) -> Line:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, wraps
 from typing import Any
 
+from hypothesis import assume
 from hypothesis import strategies as st
+from plain_physics import ImpossibleWorldError, World, value_of
+from plain_physics import number as precise
 
 from restitution import problem as p
 from restitution.draw import scene as scenes
@@ -31,6 +34,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
+from restitution.language import parse
 from restitution.motion import Table, polygon
 from restitution.render import layout
 from restitution.vector import Vector
@@ -628,6 +632,419 @@ def tales(
             pair = draw(st.tuples(halves(), halves()).filter(any))
             velocities[name] = said(pair, "u" if letters else "")
     return Tale(masses, velocities, tuple(blows))
+
+
+# --- questions as examinations ask them -------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question about one impact or two, with numbers for which it happens as it is told.
+
+    ``setting`` says what meets what; ``forgotten`` which of the data is to be worked out, from what
+    is ``given`` in its place; ``asked`` the kinds of what is asked. ``letters`` is None where a
+    condition is given, and it is open whether it can hold.
+    """
+
+    statement: str
+    setting: str
+    forgotten: str | None
+    given: str | None
+    asked: tuple[str, ...]
+    letters: Mapping[str, Any] | None
+
+
+@dataclass(frozen=True)
+class Datum:
+    """What a statement gives in some place, and what stands there if it is forgotten."""
+
+    typed: str
+    instead: str
+    letter: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A story with blanks, ``<e>``, for its data; ``letters`` has numbers for those that stay open.
+
+    What is asked is asked of the ``body``, and of ``line``: the wall or line of centres of its last
+    impact. ``speed`` and ``mass`` are the letters that scale everything, if there are such;
+    ``mass`` is None where there are no masses. ``shows`` are claims for all values of the letters.
+    """
+
+    setting: str
+    lines: tuple[str, ...]
+    data: Mapping[str, Datum]
+    letters: Mapping[str, Fraction]
+    body: str
+    line: str
+    speed: str = ""
+    mass: str | None = None
+    shows: tuple[str, ...] = ()
+
+    def text(self, forgotten: str | None = None) -> str:
+        """The story, with a letter for what is forgotten."""
+        told = "\n".join(self.lines)
+        for name, datum in self.data.items():
+            told = told.replace(f"<{name}>", datum.instead if name == forgotten else datum.typed)
+        return told + "\n"
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """Numbers for all letters, those that data replace among them; scales are 1."""
+        by_data = {each.letter: value_of(each.value) for each in self.data.values()}
+        return {"u": 1, "m": 1, **by_data, **{n: precise(x) for n, x in self.letters.items()}}
+
+    @property
+    def scales(self) -> dict[str, Any]:
+        """Numbers for the letters that scale everything, none of them 1."""
+        scales = {self.speed: Fraction(223, 100), "m": Fraction(137, 100)}
+        return {letter: precise(value) for letter, value in scales.items()}
+
+    def scale(self, kind: str) -> str:
+        """What a number is times, if it measures a speed, an impulse or an energy."""
+        squared = f"{self.speed}^2" if self.speed else ""
+        units = {"speed": ("", self.speed), "impulse": (self.mass, self.speed)}
+        units["energy"] = (self.mass, squared)
+        return " ".join(each for each in units.get(kind, ()) if each)
+
+    def quantities(self) -> dict[str, tuple[str, str]]:
+        """What there is to ask that is a number: by kind, in words, and what it measures."""
+        one, line = self.body, self.line
+        kinds = {
+            "speed": (f"speed({one})", "speed"),
+            "component": (f"along(velocity({one}), {line})", "speed"),
+            "tangent": (f"tan(angle(velocity({one}), {line}))", ""),
+            "tangent of the deflection": (f"tan(deflection({one}))", ""),
+            "share of speed": (f"speed({one})/speed({one}, 0)", ""),
+        }
+        if line == "line_of_centres":
+            kinds["speed of the second"] = ("speed(B)", "speed")
+        if self.mass is not None:
+            kinds["impulse"] = ("impulse", "impulse")
+            kinds["energy"] = (f"energy({one})", "energy")
+            kinds["energy lost"] = ("energy_lost", "energy")
+            kinds["share of energy"] = ("energy_lost/energy(0)", "")
+        return kinds
+
+    def asks(self) -> dict[str, str]:
+        """All that there is to find."""
+        one, line = self.body, self.line
+        asks = {kind: words for kind, (words, _) in self.quantities().items()}
+        asks |= {
+            "velocity": f"velocity({one})",
+            "angle": f"angle(velocity({one}), {line})",
+            "deflection": f"deflection({one})",
+        }
+        if self.mass is not None:
+            asks["impulse as a vector"] = f"impulse({one})"
+            asks["percentage"] = "energy_lost/energy(0) as a percentage"
+        if line == "line_of_centres":
+            asks["velocity of the second"] = "velocity(B)"
+            asks["angle between"] = "angle(velocity(A), velocity(B))"
+        return asks
+
+    def conditions(self) -> list[str]:
+        """What may be given of the motion without a number that fits."""
+        one, line = self.body, self.line
+        return [
+            f"velocity({one}) perpendicular to velocity({one}, 0)",
+            f"deflection({one}) = 60°",
+            f"angle(velocity({one}), {line}) = 45°",
+            f"speed({one}) = 1/2 speed({one}, 0)",
+        ]
+
+    def bounds(self) -> list[str]:
+        """Inequalities that may be given of the motion."""
+        one, line = self.body, self.line
+        return [
+            f"along(velocity({one}), {line}) < 0",
+            f"angle(velocity({one}), {line}) < 45°",
+            f"speed({one}) < 1/2 speed({one}, 0)",
+        ]
+
+
+COEFFICIENTS = ("1/2", "1/3", "2/3", "3/4", "1/4", "3/5", "0.6", "1")
+_OPEN = (Fraction(2, 5), Fraction(5, 8))
+_RATIOS = {
+    "tan(alpha) = 3/4": "arctan(3/4)",
+    "tan(alpha) = 1/2": "arctan(1/2)",
+    "cos(alpha) = 3/5": "arccos(3/5)",
+    "sin(alpha) = 5/13": "arcsin(5/13)",
+}
+
+
+@st.composite
+def _velocities(
+    draw: st.DrawFn, speed: str
+) -> tuple[str, str, dict[str, Datum], dict[str, Fraction]]:
+    """A velocity at an angle: its kind, its words, what is given of it, and open letters."""
+    data: dict[str, Datum] = {}
+    letters: dict[str, Fraction] = {}
+    if not speed:
+        size = draw(st.sampled_from(("5", "8", "2")))
+        data["speed"] = Datum(size, "u", "u", size)
+    kind = draw(st.sampled_from(("degrees", "ratio", "letter")))
+    angle = "alpha"
+    if kind == "degrees":
+        angle = "<angle>"
+        typed = draw(st.sampled_from(("30°", "45°", "60°")))
+        data["angle"] = Datum(typed, "alpha", "alpha", typed)
+    elif kind == "ratio":
+        typed = draw(st.sampled_from(sorted(_RATIOS)))
+        data["angle"] = Datum(f"given {typed}", "", "alpha", _RATIOS[typed])
+    else:
+        letters["alpha"] = draw(st.sampled_from(_OPEN))
+    return kind, f"{speed or '<speed>'} at {angle}", data, letters
+
+
+@st.composite
+def _restitutions(draw: st.DrawFn) -> tuple[str, dict[str, Datum], dict[str, Fraction]]:
+    """How a coefficient is told: as a number, or as a letter that stays open."""
+    if draw(st.sampled_from((True, True, False))):
+        typed = draw(st.sampled_from(COEFFICIENTS))
+        return "e = <e>", {"e": Datum(typed, "e", "e", typed)}, {}
+    return "e = e", {}, {"e": draw(st.sampled_from(_OPEN))}
+
+
+def _pair(x: int, y: int, speed: str) -> str:
+    """A vector as it is typed: ``2u i - j``."""
+    told = ""
+    for share, axis in ((x, "i"), (y, "j")):
+        if share:
+            size = f"{'' if abs(share) == 1 else abs(share)}{speed} {axis}".strip()
+            sign = " - " if share < 0 else " + "
+            told += sign + size if told else sign.strip(" +") + size
+    return told
+
+
+@st.composite
+def _walls(draw: st.DrawFn) -> Draft:
+    """A sphere that strikes a wall, and perhaps another."""
+    speed = draw(st.sampled_from(("", "u")))
+    mass = draw(st.sampled_from((None, "2", "m", "3m")))
+    wall = draw(st.sampled_from(("i", "j", "i", "j", "3i + 4j", "i + j", "i - 2j", "60°", "theta")))
+    e, data, letters = draw(_restitutions())
+    shows: tuple[str, ...] = ()
+    ratio = ""
+    if wall == "theta":
+        kind, velocity = "turned", f"{speed or 5} i"
+        letters = {**letters, "theta": draw(st.sampled_from(_OPEN))}
+    elif draw(st.booleans()):
+        kind = "vector"
+        x, y = draw(st.tuples(st.integers(-6, 6), st.integers(-6, 6)).filter(all))
+        velocity = _pair(x, y, speed)
+    else:
+        kind, velocity, more, open_ = draw(_velocities(speed))
+        velocity += " to W"
+        data, letters = {**data, **more}, {**letters, **open_}
+        ratio = "<angle>" if kind == "ratio" else ""
+    several = draw(st.sampled_from((False, False, True)))
+    lines = [
+        f"wall W: along {wall}",
+        f"sphere P: {'' if mass is None else f'mass {mass}, '}velocity {velocity}",
+        ratio,
+        f"P hits W: {e}",
+    ]
+    if several:
+        second = draw(st.sampled_from((wall, "i", "j", "3i + 4j", "120°")))
+        lines.insert(1, f"wall V: along {second}")
+        lines.append(f"P hits V: {draw(st.sampled_from((e, 'e = 1/2', 'e = 2/3')))}")
+    elif "alpha" in letters:
+        coefficient = "e" if "e" in letters else "<e>"
+        shows = (f"tan(angle(velocity(P), W)) = {coefficient} tan(alpha)",)
+        if speed:
+            squared = f"cos^2(alpha) + ({coefficient})^2 sin^2(alpha)"
+            shows += (f"speed(P)^2 = u^2 ({squared})", "speed(P) <= u")
+    return Draft(
+        f"{'two walls' if several else 'a wall'}, {kind}",
+        tuple(filter(None, lines)),
+        data,
+        letters,
+        "P",
+        "V" if several else "W",
+        speed,
+        mass if mass is None else mass.strip("23"),
+        shows,
+    )
+
+
+@st.composite
+def _collisions(draw: st.DrawFn) -> Draft:
+    """Two spheres that collide, the second at rest or moving."""
+    speed = draw(st.sampled_from(("", "u")))
+    e, data, letters = draw(_restitutions())
+    masses = draw(st.sampled_from(("2 3", "4 1", "m m", "m 2m", "3m 2m", "m <ratio>m", "m k*m")))
+    first, second = masses.replace("*", " ").split(" ", 1)
+    if "<ratio>" in second:
+        typed = draw(st.sampled_from(("2", "4", "5")))
+        data = {**data, "ratio": Datum(typed, "k ", "k", typed)}
+    elif "k" in second:
+        letters = {**letters, "k": draw(st.sampled_from((Fraction(3), Fraction(1, 2))))}
+    line, (x, y) = draw(
+        st.sampled_from(
+            [("i", (1, 0)), ("i", (1, 0)), ("j", (0, 1)), ("3i + 4j", (3, 4)), ("i - j", (1, -1))]
+        )
+    )
+    ratio = ""
+    if line == "i" and draw(st.booleans()):
+        kind, velocity, more, open_ = draw(_velocities(speed))
+        data, letters = {**data, **more}, {**letters, **open_}
+        ratio = "<angle>" if kind == "ratio" else ""
+        number_ = speed or "3"
+        others = ["", "", f"-2{speed} i", f"{number_} at 120°", f"{number_} at 90°"]
+    else:
+        kind = "vector"
+        a, b = draw(st.tuples(st.integers(-5, 5), st.integers(-5, 5)).filter(any))
+        own = a * x + b * y
+        assume(own)
+        c, d = draw(st.tuples(st.integers(-5, 5), st.integers(-5, 5)).filter(any))
+        velocity = _pair(a, b, speed)
+        approaching = (own - (c * x + d * y)) * own > 0
+        others = ["", _pair(c, d, speed)] if approaching else [""]
+    other = draw(st.sampled_from(others))
+    shows: tuple[str, ...] = ()
+    if not other and "alpha" in letters and masses == "m m":
+        coefficient = "e" if "e" in letters else "<e>"
+        shows = (
+            f"along(velocity(A), i) = 1/2 (1 - {coefficient}) {speed or '<speed>'} cos(alpha)",
+            f"speed(B) = 1/2 (1 + {coefficient}) {speed or '<speed>'} cos(alpha)",
+        )
+    lines = [
+        f"sphere A: mass {first}, velocity {velocity}",
+        f"sphere B: mass {second}, {f'velocity {other}' if other else 'at rest'}",
+        ratio,
+        f"A hits B: along {line}, {e}",
+    ]
+    return Draft(
+        f"spheres, {kind}, {'both moving' if other else 'one at rest'}",
+        tuple(filter(None, lines)),
+        data,
+        letters,
+        "A",
+        "line_of_centres",
+        speed,
+        first.strip("34") if "m" in first else "",
+        shows,
+    )
+
+
+def exactly(value: Any) -> str | None:
+    """A number of many digits as it is typed: a plain fraction, or the root of one."""
+    for power in (1, 2):
+        wanted = value**power
+        near = Fraction(int(wanted * 10**60), 10**60).limit_denominator(2000)
+        if abs(precise(near) - wanted) > precise(Fraction(1, 10**50)):
+            continue
+        if power == 1:
+            return str(near)
+        under = near.numerator * near.denominator
+        outside = max(n for n in range(1, 100) if under % (n * n) == 0)
+        share = Fraction(outside, near.denominator)
+        return f"{share} sqrt({under // outside**2})" if value > 0 else None
+    return None
+
+
+def told_in_numbers(text: str, letters: Mapping[str, Any]) -> World | None:
+    """A statement in numbers; None where it cannot happen."""
+    try:
+        return World(parse(text), letters)
+    except ImpossibleWorldError:
+        return None
+
+
+def _worth(draft: Draft, kind: str) -> str | None:
+    """What a quantity is, with its scale, if that is a plain number."""
+    words, measure = draft.quantities()[kind]
+    world = told_in_numbers(draft.text() + f"find {words}\n", draft.numbers)
+    assert world is not None
+    (find,) = (step for _, step in world.problem.steps() if isinstance(step, p.Find))
+    try:
+        value = world.value(find.items[0].expression, len(world.events))
+    except ImpossibleWorldError:
+        return None
+    exact = exactly(value) if abs(value) < 1000 else None
+    return exact and f"{exact} {draft.scale(measure)}".rstrip()
+
+
+@st.composite
+def questions(draw: st.DrawFn) -> Question:
+    """Questions in the manner of examinations: of walls, and of two spheres.
+
+    The story is worked in numbers first. Then one of the data may be forgotten, and a result be
+    given instead; or a condition, of which it is open whether it can hold.
+    """
+    draft = draw(st.one_of(_walls(), _collisions()))
+    letters: Mapping[str, Any] | None = draft.numbers
+    assume(told_in_numbers(draft.text(), draft.numbers) is not None)
+    forgotten = draw(st.sampled_from([None, *sorted(draft.data)]))
+    asks = draft.asks()
+    facts: list[str] = []
+    first: list[tuple[str, str]] = []
+    given = None
+    if forgotten is not None:
+        letter = draft.data[forgotten].letter
+        first = [(forgotten, f"find {letter}")]
+        kinds = [] if draft.letters else sorted(draft.quantities())
+        kind = draw(st.sampled_from([*kinds, *kinds, "condition", "bound"]))
+        if kind == "bound" and forgotten in ("e", "ratio"):
+            given, letters = "bound", None
+            facts = [f"given {draw(st.sampled_from(draft.bounds()))}"]
+            first = [(f"range of {forgotten}", f"find range of {letter}")]
+        elif kind in ("condition", "bound"):
+            given, letters = "condition", None
+            facts = [f"given {draw(st.sampled_from(draft.conditions()))}"]
+        else:
+            worth = _worth(draft, kind)
+            assume(worth is not None)
+            given = kind
+            del asks[kind]
+            facts = [f"given {draft.quantities()[kind][0]} = {worth}"]
+    elif "e" in draft.letters and draw(st.booleans()):
+        kind = draw(st.sampled_from(sorted(draft.quantities())))
+        first = [("range of a quantity", f"find range of {asks[kind]}")]
+    chosen = draw(st.lists(st.sampled_from(sorted(asks)), max_size=2, unique=True))
+    then = [(kind, f"find {asks[kind]}") for kind in chosen]
+    if letters is not None and draw(st.booleans()):
+        then += draw(_shown(draft))
+    assume(first or then)
+    heads: tuple[list[str], ...] = (facts, [], [])
+    if first and then:
+        heads = draw(
+            st.sampled_from(
+                [
+                    heads,
+                    (facts, ["part a"], ["part b"]),
+                    ([], ["part a", *facts], ["part b", *facts]),
+                ]
+            )
+        )
+    lines = [*heads[0], *heads[1], *(each for _, each in first)]
+    lines += [*heads[2], *(each for _, each in then)]
+    return Question(
+        draft.text(forgotten) + "\n".join(lines) + "\n",
+        draft.setting,
+        forgotten,
+        given,
+        tuple(kind for kind, _ in (*first, *then)),
+        None if letters is None else {**letters, **draft.scales},
+    )
+
+
+@st.composite
+def _shown(draw: st.DrawFn, draft: Draft) -> list[tuple[str, str]]:
+    """A result to be shown, if there is one: for all values of letters, or a number."""
+    if draft.letters:
+        if not draft.shows:
+            return []
+        claim = draw(st.sampled_from(draft.shows))
+        for name, datum in draft.data.items():
+            claim = claim.replace(f"<{name}>", datum.typed)
+        return [("show in letters", f"show {claim}")]
+    kind = draw(st.sampled_from(sorted(draft.quantities())))
+    worth = _worth(draft, kind)
+    return [] if worth is None else [("show", f"show {draft.quantities()[kind][0]} = {worth}")]
 
 
 # --- tables -----------------------------------------------------------------------------------
