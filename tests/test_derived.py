@@ -27,6 +27,7 @@ from restitution.explaining.derivation import Derivation
 from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.layouts import Forms, of_tree
 from restitution.explaining.saying import Sentence, Slot
+from restitution.explaining.sentences import SENTENCES
 from restitution.expression import read_expression
 from restitution.expression.tree import Letter, Quantity, walk
 from restitution.language import parse
@@ -154,6 +155,15 @@ def test_laws_tell_why(path: Path) -> None:
     for step in laws:
         assert step.title is not None
         assert about(step) or step.title.topic in asked, step.title.id
+
+
+@EACH
+def test_marks_have_reasons_and_belong_to_items(path: Path) -> None:
+    for part in explained(path).parts:
+        assert sum(part.item_marks) == part.marks
+        for step in part.steps:
+            points = [mark for each in (step, *step.rows) for mark in each.points]
+            assert all(mark.because in SENTENCES for mark in points)
 
 
 @EACH

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from restitution.explain.marks import reasoned
 from restitution.explain.measured import (
     Measures,
     as_decimal,
@@ -32,7 +33,7 @@ from restitution.explaining.derivation import (
     Relation,
 )
 from restitution.explaining.layouts import chains
-from restitution.explaining.marks import Marks
+from restitution.explaining.marks import Mark, Marks
 from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
@@ -111,7 +112,9 @@ class _Writer:
         self.events = self.naming.events
         self.ends = {each.line: each for each in self.derivation.items}
         parts = {each.item: each.part for each in self.derivation.items}
-        self.items = {each: n for n, each in enumerate(parts)}
+        self.items = {
+            each: [e for e in parts if parts[e] == parts[each]].index(each) for each in parts
+        }
         self.parts = parts
         asked = [each for _, step in self.problem.steps() for each in _asked(step)]
         self.of_items: Mapping[str, Item | Show] = (
@@ -356,7 +359,7 @@ class _Writer:
             components = [say("unchanged.component", value=v, body=b) for b, v in values]
             said = say("unchanged.components", components=components)
         self.title, self.left = None, None
-        points: Marks = tuple(mark for line in lines for mark in line.marks)
+        points: Marks = tuple(_because(mark) for line in lines for mark in line.marks)
         item = self.items.get(lines[0].item or "")
         return Step("principle", (), title, (said,), points, item=item)
 
@@ -376,10 +379,11 @@ class _Writer:
         again = bool(sentences) and sentences == self.said and not given
         self.said = sentences
         sentences = () if again else sentences
-        behind = self.sources.numbers.get(line.number)
+        numbers = self.sources.numbers
+        behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
         rows[-1] = replace(
             rows[-1],
-            points=tuple(mark for each in (*waiting, line) for mark in each.marks),
+            points=tuple(_because(mark) for each in (*waiting, line) for mark in each.marks),
             reasons=(*rows[-1].reasons, *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self._asides(line)),
             number="" if behind is None else str(behind),
@@ -789,6 +793,11 @@ class _Writer:
         ]
         reasons = tuple(say("derived.for", place=each) for each in places)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+
+def _because(mark: Mark) -> Mark:
+    """A mark with its reason: its own, or the one of its kind."""
+    return mark if mark.because else reasoned(mark)
 
 
 def _asked(step: Any) -> Iterator[Item | Show]:
