@@ -43,7 +43,9 @@ STYLE = """
 .restitution td math { math-style: normal; }
 .restitution td { padding: .16rem .15rem; vertical-align: baseline; }
 .restitution td.l { text-align: right; white-space: nowrap; width: 1%; }
+.restitution td.l wbr { display: none; }
 .restitution td.l.w { white-space: normal; width: 50%; }
+.restitution td.l.w wbr { display: inline; }
 .restitution td.s { width: 1%; white-space: nowrap; }
 .restitution td.m, .restitution .mark { color: var(--mark); font: 600 .8rem/1 system-ui, sans-serif;
   text-align: right; white-space: nowrap; }
@@ -63,6 +65,7 @@ STYLE = """
   .restitution td { padding: .1rem 0; }
   .restitution td.l, .restitution td.l.w { width: auto; text-align: left;
     white-space: normal; }
+  .restitution td.l wbr { display: inline; }
   .restitution td.l:empty { width: 1rem; }
   .restitution td.s { width: auto; }
   .restitution td.m { width: auto; margin-left: auto; }
