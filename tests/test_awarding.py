@@ -113,7 +113,7 @@ b: 8 total_energy_lost(1) = 1/4 m u^2
 CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("repeated", "repeated", 7, "", "", ""),
     ("coefficient-sought", "sphere-then-wall", 11, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
-    ("component-at-a-wall", "corner-of-120", 6, "B1", "M1 A1", "B1"),
+    ("component-at-a-wall", "corner-of-120", 1, "B1", "M1 A1", "B1"),
     ("component-that-stays-zero", "speed-from-impulse", 4, "", "", ""),
     ("first-component-unchanged", "show-tangent", 3, "B1", "B1", "B1"),
     ("component-unchanged-by-an-angle", "two-conditions", 10, "B1", "B1", "B1"),
@@ -141,7 +141,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),
     ("speed-size-angle-distance", "both-moving", 11, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
-    ("condition", "corner-of-60", 3, "M1", "DM1 A1", "M1"),
+    ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
     ("angle-by-a-difference", "equal-elastic", 11, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),

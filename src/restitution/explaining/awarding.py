@@ -293,13 +293,14 @@ class _Awarding:
         """The same, with at most one point more in a part than it has lines.
 
         M1 A1 for an equation and A1 for its solution are three marks for two lines.
-        The first to go are those of accuracy on the way, from the top; an item keeps its last.
+        The first to go are those of accuracy on the way, from the bottom, where what was done above
+        is done again; an item keeps its last.
         """
         for part in dict.fromkeys(self.parts.values()):
             own = [each for each in self.derivation.lines if self.part(each) == part]
             over = sum(len(points[each.number]) for each in own) - self._room(part) - 1
             for kind in "AB":
-                for line in own:
+                for line in reversed(own):
                     if over > 0 and line.number not in self.ends and kind in points[line.number]:
                         points[line.number] = tuple(e for e in points[line.number] if e != kind)
                         over -= 1
