@@ -251,7 +251,7 @@ def test_solving_in_a_hurry_is_told(monkeypatch):
 
 @pytest.mark.parametrize("caught", [True, False])
 def test_a_working_in_a_hurry_is_told(monkeypatch, caught):
-    def hurried(solution, part=None):
+    def hurried(solution, part=None, **options):
         """Goes on until the time limit is met, and makes as if nothing had been."""
         if caught:
             until_it_rings()
