@@ -140,17 +140,4 @@ def _earned(points: Marks, seen: set[str]) -> tuple[Marks, set[str]]:
     return tuple(earned), seen
 
 
-def reasoned(mark: Mark) -> Mark:
-    """A mark with the id of the sentence that says what it is given for."""
-    if mark.star:
-        return replace(mark, because="mark.printed")
-    if mark.ft:
-        return replace(mark, because="mark.follow-through")
-    if mark.dependent:
-        return replace(mark, because="mark.dependent")
-    return replace(mark, because=_BECAUSE[mark.kind])
-
-
-_BECAUSE = {"M": "mark.method", "A": "mark.accuracy", "B": "mark.independent"}
-
 __all__ = ["again", "in_style", "settled", "without_method"]
