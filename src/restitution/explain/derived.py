@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from restitution.explain.marks import reasoned
 from restitution.explain.measured import (
     Measures,
     as_decimal,
@@ -33,7 +32,7 @@ from restitution.explaining.derivation import (
     Relation,
 )
 from restitution.explaining.layouts import chains
-from restitution.explaining.marks import Mark, Marks
+from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
