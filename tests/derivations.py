@@ -129,7 +129,8 @@ def _rounds_to(item: ItemResult, decimals: list[Expression]) -> str | None:
     got = sorted({float(each.value) for each in item.answers})
     printed = sorted(float(evaluate(each, lambda name: None)) for each in decimals)
     close = len(got) == len(printed) and all(
-        abs(a - b) <= 1e-3 * abs(a) for a, b in zip(got, printed, strict=True)
+        abs(a - b) <= 5e-3 * abs(a)  # half a unit in the third figure
+        for a, b in zip(got, printed, strict=True)
     )
     return None if close else f"got {got}"
 
