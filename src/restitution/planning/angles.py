@@ -49,3 +49,18 @@ def write_ratios(scene: Scene, symbol: sp.Symbol) -> None:
         scene.desk.know(Apply(each, letter), others[each], (number,))
     if "tan" in others:
         scene.desk.know(Apply("tan", letter), others["tan"], (number,))
+
+
+def write_other_ratio(scene: Scene, symbol: sp.Symbol, kind: str) -> None:
+    """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
+    letter = Letter(symbol.name)
+    value = tidy(getattr(sp, kind)(scene.model.final[symbol]))
+    for each in ("sin", "cos", "tan"):
+        known = scene.desk.known(Apply(each, letter))
+        if known is None or len(known.refs) != 1:
+            continue
+        relation = Relation(((Link(Apply(kind, letter), "=", tree_of(value)),),))
+        premises = (*known.refs, range_of(scene, symbol.name))
+        number = scene.desk.write(Move("triangle"), premises, relation)
+        scene.desk.know(Apply(kind, letter), value, (number,))
+        return

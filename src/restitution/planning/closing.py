@@ -1,31 +1,127 @@
-"""An equation with one unknown becomes lines, by its shape."""
+"""An equation with one unknown becomes lines, by its shape.
+
+The shapes are a table (``SHAPES``): the first that fits a line takes it. What is known of letters
+in the line is put in first, in a line of its own.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
+from fractions import Fraction
 
 import sympy as sp
 
-from restitution.components import Model, proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Apply, Expression, Letter
-from restitution.planning.angles import range_of
-from restitution.planning.desk import NotPlannedError, Source, chain
-from restitution.planning.forms import tree_of
-from restitution.planning.impacts import residual
-from restitution.planning.judging import Judge
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import swept, tree_of
+from restitution.planning.impacts import residual, scene_value
+from restitution.planning.premises import background, needed
+from restitution.planning.ratios import (
+    divided_angle,
+    even,
+    inside_functions,
+    ratio,
+    sum_of_angles,
+)
+from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
+
+Shape = Callable[[Scene, int, sp.Symbol], Source | None]
 
 
 def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
-    for shape in _SHAPES:
-        source = shape(scene, number, symbol)
+    number = with_known(scene, number, symbol)
+    symbol = _unknown_of(scene, number, symbol)
+    for shape in SHAPES:
+        try:
+            source = shape(scene, number, symbol)
+        except sp.PolynomialError:
+            continue  # no polynomial in what the shape is about
         if source is not None:
             return source
     raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
+    """The line with everything put in that is known, as a line; the same line without that."""
+    link = scene.desk.last_link(number)
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    for tree in _open_trees(link):
+        source = _known_tree(scene, tree, symbol)
+        if source is not None:
+            values[tree] = tree_of(source.value)
+            refs += source.refs
+    if not values or number in refs:
+        return number
+    left, right = (swept(_replaced(each, values)) for each in (link.left, link.right))
+    own = scene.desk.line(number)
+    start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
+    return scene.desk.write(Move("put"), (*start, *together(refs)), chain(left, (right, None)))
+
+
+def _open_trees(link: Link) -> Iterable[Expression]:
+    """Letters, and ratios of letters as one, for which values may be put in."""
+    pending: list[Expression] = [link.left, link.right]
+    seen: dict[Expression, None] = {}
+    while pending:
+        tree = pending.pop()
+        if isinstance(tree, Letter) or _is_ratio(tree):
+            seen[tree] = None
+        else:
+            pending += _parts(tree)
+    return seen
+
+
+def _parts(tree: Expression) -> list[Expression]:
+    values = (getattr(tree, each.name) for each in fields(tree) if each.name != "place")
+    return [each for each in values if isinstance(each, Expression)]
+
+
+def _is_ratio(tree: Expression) -> bool:
+    return (
+        isinstance(tree, Apply)
+        and tree.function in ("sin", "cos", "tan")
+        and isinstance(tree.argument, Letter)
+    )
+
+
+def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """A tree with values for ratios, and then for letters."""
+    for ratios in (True, False):
+        chosen = {each: value for each, value in values.items() if _is_ratio(each) is ratios}
+        tree = rebuilt(tree, lambda each, own=chosen: own.get(each, each))
+    return tree
+
+
+def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Source | None:
+    match tree:
+        case Letter(name) if symbol is None or name != symbol.name:
+            known = scene.desk.known(tree)
+            if known is None or isinstance(known.value, tuple):
+                return None
+            value, refs = scene.put(known.value)
+            return Source(value, together(known.refs, refs))
+        case Apply("sin" | "cos" | "tan", Letter(name)) if symbol is None or name != symbol.name:
+            return scene.desk.known(tree)
+    return None
+
+
+def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
+    """The unknown of a line; it may be another than that of the equation behind it."""
+    own = scene.unknown(residual(scene, number))
+    if symbol in own or len(own) != 1:
+        return symbol
+    (other,) = own
+    return other
+
+
+# --- shapes -------------------------------------------------------------------------------------
 
 
 def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -34,231 +130,89 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if link.left != Letter(symbol.name) or link.sign != "=":
         return None
     value = scene.final(symbol)
-    if scene.model.identically_zero(_value(scene, link.right) - value):
-        return _known(scene, symbol, value, number)
+    if scene.model.identically_zero(scene_value(scene, link.right) - value):
+        return known_as(scene, symbol, value, number)
     return None
 
 
-def _value(scene: Scene, tree: Expression) -> sp.Expr:
-    from restitution.planning.impacts import scene_value
+def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Roots on both sides, or one that is a number: both sides are squared."""
+    link = scene.desk.last_link(number)
+    sides = [link.left, link.right]
+    if not any(_has_root(each, symbol) for each in sides):
+        return None
+    squares = [_square_of(each) for each in sides]
+    if any(each is None for each in squares):
+        return None
+    relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
+    move = Move("rearrange")
+    refs = needed(scene, move, (number,), relation, _background(scene, number))
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(move, refs, relation), symbol)
 
-    return scene_value(scene, tree)
+
+def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
+    return any(
+        isinstance(each, Apply)
+        and each.function == "sqrt"
+        and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(each))
+        for each in walk(tree)
+    )
 
 
-def _known(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
-    return scene.desk.know(Letter(symbol.name), value, (number,))
+def _square_of(tree: Expression) -> Expression | None:
+    match tree:
+        case Apply("sqrt", inside):
+            return inside
+        case Binary("*", left, Apply("sqrt", inside)):
+            return Binary("*", Binary("^", left, Number(Fraction(2))), inside)
+    if any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree)):
+        return None
+    return Binary("^", tree, Number(Fraction(2)))
 
 
 def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """Linear in the unknown: it is made the subject."""
-    above = _numerator(residual(scene, number))
-    if symbol in _inside_functions(above):
+    above = numerator(residual(scene, number))
+    if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
-    judge = Judge(scene)
-    for each in (above, _uncertain(scene, above)):
-        poly = sp.Poly(each, symbol)
-        if poly.degree() != 1:
-            continue
-        value = tidy(-poly.nth(0) / poly.nth(1))
-        relation = chain(Letter(symbol.name), (tree_of(value), None))
-        names = (s.name for s in above.free_symbols)
-        pool = (number, *nonzero(scene, poly.nth(1)), *judge.known(names))
-        line = judge.write((Move("rearrange"), Move("cancel")), pool, relation)
-        if line is not None:
-            return _known(scene, symbol, value, line)
-    return None
+    poly = sp.Poly(above, symbol)
+    if poly.degree() != 1:
+        return None
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    line = rearranged(scene, number, chain(Letter(symbol.name), (tree_of(value), None)))
+    return None if line is None else known_as(scene, symbol, value, line)
 
 
-def _uncertain(scene: Scene, x: sp.Expr) -> sp.Expr:
-    """An expression without the factors that are certain not to vanish."""
-    factors = sp.Mul.make_args(sp.factor(x))
-    kept = (each for each in factors if not proved_sign(scene.model.ground, each))
-    return sp.expand(sp.Mul(*kept))
+def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
+    """A line in another form, with what makes the factor between them not zero."""
+    move = Move("rearrange")
+    refs = needed(scene, move, (number,), relation, _background(scene, number))
+    return None if refs is None else scene.desk.write(move, refs, relation)
 
 
-def _numerator(x: sp.Expr) -> sp.Expr:
-    return sp.expand(sp.fraction(sp.together(x))[0])
-
-
-def _inside_functions(x: sp.Expr) -> set[Any]:
-    return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
-
-
-def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:
-    """What has to be known for the root of a square to be this, beyond what is silent."""
-    odd = [
-        each
-        for each in sp.Mul.make_args(size)
-        if not (each.is_Pow and (each.exp.is_even or each.exp == sp.Rational(1, 2)))
-    ]
-    return nonzero(scene, sp.Mul(*odd), alone=True)
-
-
-def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref, ...]:
-    """What has to be known for a factor not to vanish, beyond what is silent."""
-    refs: list[Ref] = []
-    for each in sp.Mul.make_args(sp.factor(factor)):
-        base = each.base if each.is_Pow else each
-        for function in base.atoms(sp.sin, sp.cos):
-            for angle in function.free_symbols:
-                refs.append(range_of(scene, angle.name))
-        for letter in sorted(base.free_symbols, key=lambda s: s.name):
-            role = scene.model.unknowns.roles.get(letter.name)
-            if role is not None and role.kind == "restitution" and (alone or base != letter):
-                refs.append(f"{letter.name} >= 0")
-    return tuple(dict.fromkeys(refs))
+def _background(scene: Scene, number: int) -> tuple[Ref, ...]:
+    names = {each.name for each in residual(scene, number).free_symbols}
+    return background(scene, names)
 
 
 def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """A quadratic: its roots, and those that are excluded."""
-    above = _numerator(residual(scene, number))
-    if symbol in _inside_functions(above):
+    above = numerator(residual(scene, number))
+    if symbol in inside_functions(above):
         return None
-    return _by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
+    return by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
 
 
-def _by_roots(
-    scene: Scene,
-    number: int,
-    above: sp.Expr,
-    generator: sp.Expr,
-    subject: Expression,
-    symbol: sp.Symbol,
-) -> Source | None:
-    factors = [(base, power) for base, power in sp.factor_list(above)[1] if base.has(generator)]
-    if not factors or any(sp.Poly(base, generator).degree() > 2 for base, _ in factors):
-        return None
-    roots: list[sp.Expr] = []
-    for base, _ in factors:
-        roots += [tidy(each) for each in sp.roots(sp.Poly(base, generator))]
-    roots = list(dict.fromkeys(roots))
-    kept = [each for each in roots if _is_reached(scene, each, generator, symbol)]
-    if not kept:
-        return None
-    wanted = [each for each in kept if _is_value(scene.model, each, generator, symbol)]
-    if len(wanted) != 1:
-        return None
-    (value,) = wanted
-    roots.sort(key=lambda each: each not in kept)
-    line = scene.desk.write(
-        Move("roots"), (number,), Relation(tuple(_option(subject, each) for each in roots))
-    )
-    dropped = [each for each in roots if each not in kept]
-    if dropped:
-        line = scene.desk.write(
-            Move("reject"),
-            (line, *_exclusion(scene, symbol, generator, dropped)),
-            Relation(tuple(_option(subject, each) for each in kept)),
-        )
-    if len(kept) > 1:
-        if scene.desk.split is not None:
-            raise NotPlannedError("solutions that part twice")
-        scene.desk.split = line, kept.index(value)
-    if generator == symbol:
-        return _known(scene, symbol, value, line)
-    return scene.desk.know(subject, value, (line,))
-
-
-def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
-    return (Link(subject, "=", tree_of(value)),)
-
-
-def _is_value(model: Model, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
-    """Whether a root is what the unknown is by a solution."""
-    final = model.final[symbol]
-    target = final if generator == symbol else generator.func(final)
-    return model.sign(root - target) == 0
-
-
-def _is_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
-    """Whether a root is that of some solution of the part."""
-    return any(
-        _is_value(model, root, generator, symbol) for model in scene.others or (scene.model,)
-    )
-
-
-def _exclusion(
-    scene: Scene, symbol: sp.Symbol, generator: sp.Expr, dropped: Sequence[sp.Expr]
-) -> tuple[Ref, ...]:
-    """By what the roots that are dropped are excluded."""
-    role = scene.model.unknowns.roles.get(symbol.name)
-    if role is None:
-        raise NotPlannedError(f"nothing is known of {symbol}")
-    if role.kind == "positive":
-        return ()
-    if role.kind == "angle":
-        return (range_of(scene, symbol.name),)
-    if role.kind != "restitution":
-        raise NotPlannedError(f"nothing excludes a value of {symbol}")
-    refs: list[Ref] = []
-    for each in dropped:
-        low = scene.model.sign(each) < 0
-        refs.append(f"{symbol.name} >= 0" if low else f"{symbol.name} <= 1")
-    return tuple(dict.fromkeys(refs))
-
-
-def _ratio(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
-    """An angle that stands in one ratio, or in its sine and cosine of one degree."""
-    role = scene.model.unknowns.roles.get(symbol.name)
-    if role is None or role.kind != "angle":
-        return None
-    own = residual(scene, number)
-    functions = {each for each in own.atoms(sp.Function) if symbol in each.free_symbols}
-    if any(each.args != (symbol,) for each in functions):
-        return None
-    found = {type(each) for each in functions}
-    t = sp.Symbol("_t", real=True)
-    if found == {sp.sin, sp.cos}:
-        cosine = sp.cos(symbol)
-        above = _numerator(own)
-        mixed = sp.Poly(above, sp.sin(symbol), cosine)
-        degrees = {sum(each) for each in mixed.monoms()}
-        if len(degrees) != 1:
-            return None
-        put = sp.expand(above.subs(sp.sin(symbol), t * cosine) / cosine ** degrees.pop())
-        kind: Callable[..., Any] = sp.tan
-    elif len(found) == 1 and found <= {sp.sin, sp.cos, sp.tan}:
-        (kind,) = found
-        put = _numerator(own.subs(kind(symbol), t))
-    else:
-        return None
-    subject = Apply(kind.__name__, Letter(symbol.name))
-    above = _numerator(put)
-    poly = sp.Poly(above, t)
-    target = tidy(kind(scene.final(symbol)))
-    if poly.degree() == 1:
-        line = scene.desk.write(
-            Move("rearrange"),
-            (number, *nonzero(scene, poly.nth(1))),
-            chain(subject, (tree_of(tidy(-poly.nth(0) / poly.nth(1))), None)),
-        )
-    else:
-        again = above.subs(t, kind(symbol))
-        if kind is sp.tan:
-            again = sp.expand(again)
-        source = _by_roots(scene, number, again, kind(symbol), subject, symbol)
-        if source is None:
-            return None
-        (line,) = source.refs  # type: ignore[assignment]
-        target = source.value
-    scene.desk.know(subject, target, (line,))
-    return inverse(scene, line, symbol)
-
-
-def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
-    """The angle by its ratio."""
-    value = scene.final(symbol)
-    number = scene.desk.write(
-        Move("inverse"),
-        (line, range_of(scene, symbol.name)),
-        chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None)),
-    )
-    return _known(scene, symbol, value, number)
-
-
-_SHAPES: tuple[Callable[[Scene, int, sp.Symbol], Source | None], ...] = (
+SHAPES: tuple[Shape, ...] = (
     _already,
-    _ratio,
+    _squared,
+    ratio,
+    even,
+    divided_angle,
+    sum_of_angles,
     _linear,
     _quadratic,
 )
+"""What an equation may look like, in the order in which the shapes are tried."""

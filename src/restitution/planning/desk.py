@@ -23,6 +23,11 @@ from restitution.explaining.derivation import (
 )
 from restitution.expression.tree import Expression
 
+# These moves start from the line that is cited first.
+_FROM_A_LINE = frozenset(
+    ("put", "rearrange", "cancel", "identity", "roots", "reject", "triangle", "inverse", "value")
+)
+
 
 class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
@@ -113,7 +118,8 @@ class Desk:
         shown: Literal["line", "inline", "silent"] = "line",
     ) -> int:
         """Writes a line, and returns its number. One that stands already is not written again."""
-        refs = tuple(dict.fromkeys(premises)) if move.id in _FROM_A_LINE else together(premises)
+        own = tuple(premises)
+        refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
         for each in self.lines:
             if each.relation == relation and self.holds(each.number):
                 return each.number

@@ -9,6 +9,7 @@ import sympy as sp
 from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning import journeys
+from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import write_expression
 from restitution.planning.forms import tree_of
@@ -47,6 +48,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         case Quantity("mass" | "restitution"):
             _expression(scene, asked, name)
+        case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
+            _ratio(scene, asked, kind, letter, name)
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)
@@ -60,6 +63,21 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
     line, value = write_expression(scene, asked)
     scene.desk.end(name, line, chain(asked, (value, None)))
+
+
+def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:
+    """A ratio of an angle that is a letter."""
+    known = scene.desk.known(asked)
+    if known is None:
+        symbol = scene.model.unknowns.letter(letter)
+        if symbol not in scene.model.final:
+            raise NotPlannedError(f"{letter} is open")
+        write_other_ratio(scene, symbol, kind)
+        known = scene.desk.known(asked)
+    if known is None:
+        raise NotPlannedError(f"{kind} {letter} is open")
+    (line,) = (each for each in known.refs if isinstance(each, int))
+    scene.desk.end(name, line, chain(asked, (tree_of(known.value), None)))
 
 
 def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:

@@ -28,7 +28,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles import range_of
-from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
     ZERO,
@@ -42,6 +41,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import before, in_direction
+from restitution.planning.premises import nonzero
 from restitution.planning.resolving import along_axis
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene

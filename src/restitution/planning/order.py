@@ -17,7 +17,7 @@ from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import journeys
 from restitution.planning.blows import write_blows
-from restitution.planning.closing import close
+from restitution.planning.closing import close, with_known
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
@@ -31,6 +31,7 @@ from restitution.planning.impacts import (
     residual,
     restitution,
 )
+from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
 
@@ -59,6 +60,8 @@ class Solver:
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]] = {}
         self.goals: Sequence[sp.Expr] = ()
+        # Why a line could not be solved for its unknown.
+        self.reasons: list[NotPlannedError] = []
 
     def _laws(self) -> Iterable[Law]:
         model = self.scene.model
@@ -107,9 +110,12 @@ class Solver:
         route = self.route(goals)
         left = list(route)
         while left:
+            self.reasons.clear()
             step = self._next(left)
             if step is None and (self._separation(left) or self._widened(left)):
                 continue
+            if step is None and self.reasons:
+                raise self.reasons[0]
             if step is None:
                 raise NotPlannedError(f"no order of {[each.id for each in left]}")
             for each in step:
@@ -260,9 +266,18 @@ class Solver:
                 return (own,)
             if symbol in self._letters or self._is_value(given):
                 number = write_given(self.scene, given)
-                close(self.scene, number, symbol)
-                return (own,)
+                if self._closes(number, symbol):
+                    return (own,)
         return None
+
+    def _closes(self, number: int, symbol: sp.Symbol) -> bool:
+        """Solves a line for its unknown, if there is a way now; there may be one later."""
+        try:
+            close(self.scene, number, symbol)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return False
+        return True
 
     def _is_value(self, given: GivenEquation) -> bool:
         return isinstance(given.link.left, Letter)
@@ -370,7 +385,7 @@ class Solver:
             later = [s for s in open_ if s in self._after(law.number)]
             if len(later) != 1:
                 continue
-            number = _LAWS[law.kind](self.scene, self.scene.frame(law.number))
+            number = self._law_line(law)
             (symbol,) = later
             value = tidy(_solved(residual(self.scene, number), symbol))
             line = self.scene.desk.write(
@@ -410,12 +425,20 @@ class Solver:
                 kind = "along" if law.kind == "wall" else "across"
                 number = closing_at_wall(self.scene, body, self.scene.frame(law.number), kind)
             elif law is not None:
-                number = _LAWS[law.kind](self.scene, self.scene.frame(law.number))
+                number = self._law_line(law)
             else:
                 continue
-            close(self.scene, number, symbol)
-            return (own,)
+            if self._closes(number, symbol):
+                return (own,)
         return None
+
+    def _law_line(self, law: Law) -> int:
+        """The line of a law; where it stands already, with what is known by now put in."""
+        scene = self.scene
+        number = written_law(scene, law.kind, law.number)
+        if number is not None:
+            return with_known(scene, number)
+        return _LAWS[law.kind](scene, scene.frame(law.number))
 
 
 def _is_velocity(tree: object) -> bool:

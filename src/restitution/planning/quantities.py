@@ -19,7 +19,6 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.planning.closing import not_negative
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
@@ -35,6 +34,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, whole_direction
+from restitution.planning.premises import not_negative
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
 

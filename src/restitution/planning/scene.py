@@ -149,7 +149,8 @@ class Scene:
                     changes[each] = source.value
                     refs += source.refs
             # A ratio that is known stands for its angle.
-            for symbol in own.xreplace(changes).free_symbols if changes else own.free_symbols:
+            rest = own.xreplace(dict.fromkeys(changes, sp.Integer(1)))
+            for symbol in rest.free_symbols:
                 source = self.desk.known(Letter(symbol.name))
                 if source is not None:
                     changes[symbol] = source.value

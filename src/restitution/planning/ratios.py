@@ -1,0 +1,350 @@
+"""Equations in which an unknown angle stands in its sines, cosines and tangents."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.angles import range_of
+from restitution.planning.desk import Source, chain
+from restitution.planning.forms import (
+    ONE,
+    ZERO,
+    difference,
+    number,
+    product,
+    square,
+    total,
+    tree_of,
+)
+from restitution.planning.impacts import residual
+from restitution.planning.premises import background, needed
+from restitution.planning.roots import by_roots, known_as, numerator
+from restitution.planning.scene import Scene
+from restitution.problem import Find, Value
+
+_RATIOS = (sp.sin, sp.cos, sp.tan)
+
+
+def inside_functions(x: sp.Expr) -> set[Any]:
+    """The letters that stand in functions."""
+    return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
+
+
+def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> set[sp.Expr] | None:
+    """The ratios of an unknown angle in an equation; None where it is no such equation."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is None or role.kind != "angle":
+        return None
+    functions = {each for each in own.atoms(sp.Function) if symbol in each.free_symbols}
+    bare = own.subs({each: sp.Dummy() for each in functions})
+    if not functions or symbol in bare.free_symbols:
+        return None
+    return functions
+
+
+def asked_ratio(scene: Scene, symbol: sp.Symbol) -> Any:
+    """The ratio of an angle for which a part asks; None without one."""
+    for step in scene.part.steps:
+        if isinstance(step, Find):
+            for item in step.items:
+                match item:
+                    case Value(expression=Apply("sin" | "cos" | "tan" as kind, Letter(name))):
+                        if name == symbol.name:
+                            return getattr(sp, kind)
+    return None
+
+
+def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """An angle that stands in one ratio, or in its sine and cosine of one degree."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or any(each.args != (symbol,) for each in functions):
+        return None
+    found = {type(each) for each in functions}
+    if len(found) == 1:
+        (kind,) = found
+        return _by_one(scene, line, numerator(own), kind, symbol)
+    above = numerator(_in_sines(own, symbol))
+    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    degrees = {sum(each) for each in mixed.monoms()}
+    if len(degrees) != 1:
+        return None
+    return _by_one(scene, line, _over_cosines(above, symbol), sp.tan, symbol)
+
+
+def _in_sines(own: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    return own.subs(sp.tan(symbol), sp.sin(symbol) / sp.cos(symbol))
+
+
+def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """A form in sine and cosine of one degree, divided by cosines until tangents are left."""
+    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    least = min(m[1] for m in mixed.monoms())
+    top = max(sum(m) for m in mixed.monoms()) - least
+    return sum((c * sp.tan(symbol) ** m[0] for m, c in mixed.terms() if m[0] <= top), sp.Integer(0))
+
+
+def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbol) -> Source | None:
+    """An equation in one ratio: linear, or by its roots; then the angle."""
+    subject = Apply(kind.__name__, Letter(symbol.name))
+    generator = kind(symbol)
+    poly = sp.Poly(above, generator)
+    if any(symbol in each.free_symbols for each in poly.coeffs()):
+        return None
+    if poly.degree() == 1:
+        value = tidy(-poly.nth(0) / poly.nth(1))
+        relation = chain(subject, (tree_of(value), None))
+        move = Move("rearrange")
+        refs = needed(scene, move, (line,), relation, _background(scene, line))
+        if refs is None:
+            return None
+        known = scene.desk.write(move, refs, relation)
+        scene.desk.know(subject, value, (known,))
+    else:
+        source = by_roots(scene, line, above, generator, subject, symbol)
+        if source is None:
+            return None
+        (known,) = source.refs  # type: ignore[assignment]
+    return inverse(scene, known, symbol)
+
+
+def _background(scene: Scene, line: int) -> tuple[Any, ...]:
+    return background(scene, {each.name for each in residual(scene, line).free_symbols})
+
+
+def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """Squares of sine and cosine beside numbers: sin² + cos² = 1 leaves one of them."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or any(each.args != (symbol,) for each in functions):
+        return None
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
+    mixed = sp.Poly(mixed.primitive()[1].as_expr() if mixed.domain.is_QQ else mixed.as_expr(), s, c)
+    monomials = mixed.monoms()
+    asked = asked_ratio(scene, symbol)
+    whole = all(sum(m) % 2 == 0 for m in monomials)
+    single = [
+        kind
+        for kind, place in ((sp.cos, 0), (sp.sin, 1))
+        if all(m[place] % 2 == 0 for m in monomials)
+    ]
+    if whole and (asked is sp.tan or not single):
+        return _homogeneous(scene, line, mixed, symbol)
+    if not single:
+        return None
+    kind = asked if asked in single else single[0]
+    return _in_one_square(scene, line, mixed, kind, symbol)
+
+
+def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> Source | None:
+    """Numbers become multiples of sin² + cos², and cos² is divided out."""
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    top = max(sum(m) for m in mixed.monoms())
+    above = sum(
+        (
+            coefficient * s ** m[0] * c ** m[1] * (s**2 + c**2) ** ((top - sum(m)) // 2)
+            for m, coefficient in mixed.terms()
+        ),
+        sp.Integer(0),
+    )
+    again = sp.Poly(sp.expand(above), s, c)
+    common = sp.gcd_list(again.coeffs())
+    terms = {m: sp.cancel(k / common) for m, k in again.terms()}
+    left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
+    right = [(m, -k) for m, k in terms.items() if scene.model.sign(k) < 0]
+    relation = Relation(((Link(_form(left, symbol), "=", _form(right, symbol)),),))
+    own = _identity(scene, line, "pythagoras", relation)
+    if own is None:
+        return None
+    form = sum((k * s ** m[0] * c ** m[1] for m, k in terms.items()), sp.Integer(0))
+    return _by_one(scene, own, _over_cosines(form, symbol), sp.tan, symbol)
+
+
+def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Expression:
+    sine, cosine = (Apply(each, Letter(symbol.name)) for each in ("sin", "cos"))
+    return total(
+        product(tree_of(k), *_power(sine, m[0]), *_power(cosine, m[1]))
+        for m, k in sorted(terms, key=lambda each: -each[0][0])
+    )
+
+
+def _power(tree: Expression, exponent: int) -> tuple[Expression, ...]:
+    if exponent == 0:
+        return ()
+    if exponent == 1:
+        return (tree,)
+    return (square(tree),) if exponent == 2 else (Binary("^", tree, number(exponent)),)
+
+
+def _in_one_square(
+    scene: Scene, line: int, mixed: sp.Poly, kind: Any, symbol: sp.Symbol
+) -> Source | None:
+    """The square of the other ratio is one less that of this."""
+    letter = Letter(symbol.name)
+    own = Apply(kind.__name__, letter)
+    place = 0 if kind is sp.cos else 1
+    common = sp.gcd_list(mixed.coeffs())
+    sides: tuple[list[Expression], list[Expression]] = ([], [])
+    above = sp.Integer(0)
+    for m, k in mixed.terms():
+        k = sp.cancel(k / common)
+        other, same = m[place], m[1 - place]
+        above += k * (1 - kind(symbol) ** 2) ** (other // 2) * kind(symbol) ** same
+        factors: list[Expression] = []
+        if other == 2:
+            factors.append(difference(ONE, square(own)))
+        elif other:
+            factors.append(Binary("^", difference(ONE, square(own)), number(other // 2)))
+        negative = scene.model.sign(k) < 0
+        sides[negative].append(
+            product(tree_of(-k if negative else k), *factors, *_power(own, same))
+        )
+    relation = Relation(((Link(total(sides[0]), "=", total(sides[1])),),))
+    written = _identity(scene, line, "pythagoras", relation)
+    if written is None:
+        return None
+    return _by_one(scene, written, sp.expand(above), kind, symbol)
+
+
+def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:
+    move = Move("identity", record)
+    refs = needed(scene, move, (line, *others), relation, _background(scene, line))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+# --- an angle and its half ----------------------------------------------------------------------
+
+
+def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """The tangent of an angle by that of its double: an equation in the tangent of the smaller."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None:
+        return None
+    factors = {each.args[0] / symbol for each in functions}
+    if not all(each.is_Rational for each in factors) or len(factors) != 2:
+        return None
+    small, large = sorted(factors)
+    if large != 2 * small:
+        return None
+    link = scene.desk.last_link(line)
+    angle = link.left.argument if isinstance(link.left, Apply) else None
+    t = sp.Dummy("t", positive=True)
+    x, double = small * symbol, large * symbol
+    single = {sp.sin(x): t * sp.cos(x), sp.tan(x): t}
+    doubled = {sp.sin(double): sp.Symbol("T") * sp.cos(double), sp.tan(double): sp.Symbol("T")}
+    factor = sp.cancel(numerator(own.subs(single).subs(doubled)))
+    poly = sp.Poly(factor, t, sp.Symbol("T"))
+    if set(poly.monoms()) != {(1, 0), (0, 1)}:
+        return None
+    k = sp.cancel(-poly.coeff_monomial(sp.Symbol("T")) / poly.coeff_monomial(t))
+    if k.has(symbol):
+        return None
+    return _by_double(scene, line, symbol, small, tidy(k), angle)
+
+
+def _by_double(
+    scene: Scene, line: int, symbol: sp.Symbol, small: sp.Rational, k: sp.Expr, angle: Any
+) -> Source | None:
+    """From tan x = k tan 2x: the quadratic in tan x without the root 0."""
+    letter = Letter(symbol.name)
+    if small == 1:
+        subject: Expression = Apply("tan", letter)
+        record, meaning = "double-angle", ()
+    else:
+        if angle is None:
+            return None
+        name = _free_letter(scene)
+        subject, record = Letter(name), "half-angle"
+        meaning = (scene.desk.write(Move("let"), (), Meaning(name, Apply("tan", angle))),)
+    two = product(number(2), subject)
+    below = difference(ONE, square(subject))
+    right = Binary("/", product(tree_of(k), two), below)
+    if k.is_Rational and k.q != 1:
+        right = product(tree_of(k), Binary("/", two, below))
+    first = _identity(scene, line, record, chain(subject, (right, None)), *meaning)
+    if first is None:
+        return None
+    cancelled = chain(below, (tree_of(2 * k), None))
+    known = (range_of(scene, symbol.name), f"acute: {_text(small, symbol)}")
+    refs = needed(scene, Move("cancel"), (first, *meaning), cancelled, known)
+    if refs is None:
+        refs = needed(scene, Move("cancel"), (first,), cancelled, known)
+    if refs is None:
+        return None
+    second = scene.desk.write(Move("cancel"), refs, cancelled)
+    value = tidy(sp.tan(small * scene.final(symbol)))
+    others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
+    alternatives = Relation(tuple((each,) for each in others))
+    third = scene.desk.write(Move("roots"), (second,), alternatives)
+    only = Relation(((others[0],),))
+    refs = needed(scene, Move("reject"), (third, *meaning), only, known)
+    if refs is None:
+        return None
+    last = scene.desk.write(Move("reject"), refs, only)
+    if small == 1:
+        scene.desk.know(subject, value, (last,))
+        return inverse(scene, last, symbol)
+    final = scene.final(symbol)
+    relation = chain(letter, (tree_of(final, angle=True, as_it_is=True), None))
+    refs = needed(scene, Move("inverse"), (last, *meaning), relation, known)
+    if refs is None:
+        return None
+    return known_as(scene, symbol, final, scene.desk.write(Move("inverse"), refs, relation))
+
+
+def _text(small: sp.Rational, symbol: sp.Symbol) -> str:
+    return f"{symbol.name}/{small.q}" if small.p == 1 else f"{small.p}{symbol.name}/{small.q}"
+
+
+def _free_letter(scene: Scene) -> str:
+    """A letter that stands for nothing yet: t where it is free."""
+    taken = set(scene.model.unknowns.roles) | {
+        each.symbol.name for each in scene.model.components.values()
+    }
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning):
+            taken.add(line.relation.letter)
+    return next(each for each in ("t", "T", "k", "z") if each not in taken)
+
+
+# --- sums of angles -----------------------------------------------------------------------------
+
+
+def sum_of_angles(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """Sines and cosines of an angle and a number: by the formulae for sums."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or all(each.args == (symbol,) for each in functions):
+        return None
+    if any(abs(sp.diff(each.args[0], symbol)) != 1 for each in functions):
+        return None
+    expanded = numerator(_in_sines(sp.expand_trig(own), symbol))
+    mixed = sp.Poly(expanded, sp.sin(symbol), sp.cos(symbol))
+    terms = list(mixed.terms())
+    left = [(m, tidy(k)) for m, k in terms if scene.model.sign(k) > 0]
+    right = [(m, tidy(-k)) for m, k in terms if scene.model.sign(k) < 0]
+    relation = Relation(
+        ((Link(_form(left, symbol) if left else ZERO, "=", _form(right, symbol)),),)
+    )
+    written = _identity(scene, line, "sum-of-angles", relation)
+    if written is None:
+        return None
+    return ratio(scene, written, symbol) or even(scene, written, symbol)
+
+
+def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
+    """The angle by its ratio."""
+    value = scene.final(symbol)
+    written = scene.desk.write(
+        Move("inverse"),
+        (line, range_of(scene, symbol.name)),
+        chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None)),
+    )
+    return known_as(scene, symbol, value, written)

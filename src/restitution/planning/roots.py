@@ -1,0 +1,280 @@
+"""Equations of the second degree: their roots, and by what some of them are excluded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.components import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
+from restitution.planning.desk import NotPlannedError, Source, chain
+from restitution.planning.forms import ZERO, product, square, total, tree_of
+from restitution.planning.impacts import momentum, residual, restitution
+from restitution.planning.premises import background, follows_from, needed
+from restitution.planning.scene import Scene
+
+
+def numerator(x: sp.Expr) -> sp.Expr:
+    """What stands above in a quotient, multiplied out."""
+    return sp.expand(sp.fraction(sp.together(x))[0])
+
+
+def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
+    """From here on a letter has the value that a line says."""
+    return scene.desk.know(Letter(symbol.name), value, (number,))
+
+
+def by_roots(
+    scene: Scene,
+    number: int,
+    above: sp.Expr,
+    generator: sp.Expr,
+    subject: Expression,
+    symbol: sp.Symbol,
+) -> Source | None:
+    """The roots of a polynomial in a letter, or in a ratio of an angle, and what is left of them.
+
+    None where they cannot be written, or are none of the solution.
+    """
+    factors = [(base, power) for base, power in sp.factor_list(above)[1] if base.has(generator)]
+    polynomials = [sp.Poly(base, generator) for base, _ in factors]
+    if not factors or any(
+        each.degree() > 2 or symbol in (c for x in each.coeffs() for c in x.free_symbols)
+        for each in polynomials
+    ):
+        return None
+    roots: list[sp.Expr] = []
+    for each in polynomials:
+        roots += _real_roots(scene, each)
+    roots = list(dict.fromkeys(roots))
+    kept = [each for each in roots if is_reached(scene, each, generator, symbol)]
+    wanted = [each for each in kept if is_value(scene.model, each, generator, symbol)]
+    if len(wanted) != 1:
+        return None
+    (value,) = wanted
+    roots.sort(key=lambda each: each not in kept)
+    dropped = [each for each in roots if each not in kept]
+    laws = _laws(scene, symbol) if dropped and _is_component(scene, symbol) else ()
+    number = _in_standard_form(scene, number, above, generator, subject)
+    line = scene.desk.write(
+        Move("roots"), (number,), Relation(tuple(_option(subject, each) for each in roots))
+    )
+    if dropped:
+        line = _rejected(scene, line, symbol, subject, kept, laws)
+    if len(kept) > 1:
+        if scene.desk.split is not None:
+            raise NotPlannedError("solutions that part twice")
+        scene.desk.split = line, kept.index(value)
+    if generator == symbol:
+        return known_as(scene, symbol, value, line)
+    return scene.desk.know(subject, value, (line,))
+
+
+def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
+    """The roots of a factor that are real at the numbers of the solution."""
+    if polynomial.degree() == 2:
+        a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
+        inside = sp.factor(b**2 - 4 * a * c)
+        if scene.model.sign(inside) < 0:
+            return []
+        root = tidy(sp.sqrt(inside))
+        return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
+    return [tidy(each) for each in sp.roots(polynomial)]
+
+
+def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
+    return (Link(subject, "=", tree_of(value)),)
+
+
+def _in_standard_form(
+    scene: Scene, number: int, above: sp.Expr, generator: sp.Expr, subject: Expression
+) -> int:
+    """The equation as ``x² = c`` or ``ax² + bx + c = 0``, where it does not stand so already."""
+    polynomial = sp.Poly(above, generator)
+    if polynomial.degree() != 2:
+        return number
+    link = scene.desk.last_link(number)
+    squared = square(subject)
+    if squared in (link.left, link.right) or link.right == ZERO:
+        return number
+    if polynomial.nth(1) == 0:
+        value = tidy(-polynomial.nth(0) / polynomial.nth(2))
+        relation = chain(squared, (tree_of(value), None))
+    else:
+        x = sp.Dummy(real=True)
+        content, rest = sp.Poly(above.xreplace({generator: x}), x).primitive()
+        del content
+        names = rest.as_expr()
+        if rest.free_symbols_in_domain:
+            return number
+        if rest.LC() < 0:
+            names = -names
+        tree = _polynomial_tree(sp.Poly(names, x), subject)
+        relation = Relation(((Link(tree, "=", ZERO),),))
+    move = Move("rearrange")
+    names_ = {each.name for each in residual(scene, number).free_symbols}
+    refs = needed(scene, move, (number,), relation, background(scene, names_))
+    return number if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
+    powers = {2: square(subject), 1: subject}
+    terms = []
+    for (power,), value in polynomial.terms():
+        tree = tree_of(value)
+        terms.append(product(tree, powers[power]) if power else tree)
+    return total(terms)
+
+
+def is_value(model: Model, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a root is what the unknown is by a solution."""
+    final = model.final[symbol]
+    target = final if generator == symbol else generator.func(final)
+    return model.sign(model.in_data(root) - target) == 0
+
+
+def is_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a root is that of some solution of the part."""
+    return any(is_value(model, root, generator, symbol) for model in scene.others or (scene.model,))
+
+
+# --- what excludes a root -----------------------------------------------------------------------
+
+
+def _rejected(
+    scene: Scene,
+    line: int,
+    symbol: sp.Symbol,
+    subject: Expression,
+    kept: Sequence[sp.Expr],
+    laws: tuple[Ref, ...],
+) -> int:
+    """The line of what remains, with what excludes the rest."""
+    relation = Relation(tuple(_option(subject, each) for each in kept))
+    names = {symbol.name}
+    for each in kept:
+        names |= {x.name for x in each.free_symbols}
+    for ref in laws:
+        if isinstance(ref, int):
+            names |= {x.name for x in residual(scene, ref).free_symbols}
+    own = background(scene, {symbol.name})
+    rest = [each for each in background(scene, names) if each not in own]
+    component = _is_component(scene, symbol)
+    bare = () if component else _likely(scene, symbol, kept, own)
+    move = Move("reject")
+    if not component and follows_from(scene, move, (line, *bare), relation):
+        return scene.desk.write(move, (line, *bare), relation)
+    senses = _senses(scene, symbol)
+    if senses:
+        refs = needed(scene, move, (line,), relation, senses)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    for each in _by_laws(laws, rest):
+        if follows_from(scene, move, (line, *each), relation):
+            return scene.desk.write(move, (line, *each), relation)
+    refs = needed(scene, move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
+    if refs is None:
+        raise NotPlannedError(f"nothing excludes a value of {symbol}")
+    return scene.desk.write(move, refs, relation)
+
+
+def _likely(
+    scene: Scene, symbol: sp.Symbol, kept: Sequence[sp.Expr], own: tuple[Ref, ...]
+) -> tuple[Ref, ...]:
+    """What excludes the other root of two: a coefficient is not negative, an angle in its range."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is not None and role.kind == "restitution":
+        return own[:1]
+    return own
+
+
+def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, ...]]:
+    """Sets of premises that may exclude a sense of a component: both laws, and 0 ≤ e ≤ 1."""
+    if not laws:
+        return
+    angles = tuple(each for each in rest if not str(each).endswith(("= 0", "= 1")))
+    low = tuple(each for each in rest if str(each).endswith(">= 0"))
+    high = tuple(each for each in rest if str(each).endswith("<= 1"))
+    yield (*laws, *low, *angles)
+    if high:
+        yield (*laws, *high, *angles)
+
+
+def _is_component(scene: Scene, symbol: sp.Symbol) -> bool:
+    return any(each.symbol == symbol for each in scene.model.components.values())
+
+
+def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """The laws of the impact after which a component is: they may exclude a sense of it."""
+    for (number, _), component in scene.model.components.items():
+        if component.symbol == symbol:
+            frame = scene.frame(number)
+            if frame.wall is None:
+                return tuple(
+                    written_law(scene, record, number) or write(scene, frame)
+                    for record, write in (("restitution", restitution), ("momentum", momentum))
+                )
+    return ()
+
+
+def written_law(scene: Scene, record: str, number: int) -> int | None:
+    """The line of a law of an impact, where it stands already."""
+    move = Move("law", record, number, scene.bodies(number))
+    for each in scene.desk.lines:
+        if each.move == move and scene.desk.holds(each.number):
+            return each.number
+    return None
+
+
+def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
+    """The lines that give values of letters in laws."""
+    found: list[Ref] = []
+    for line in laws:
+        for each in residual(scene, line).free_symbols:  # type: ignore[arg-type]
+            known = scene.desk.known(Letter(each.name))
+            if known is not None:
+                found += known.refs
+    return tuple(dict.fromkeys(found))
+
+
+def _senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """Facts about the sense, or the range, of what a letter is, and what introduces the letter."""
+    refs: list[Ref] = []
+    bodies = {body for (_, body), each in scene.model.components.items() if each.symbol == symbol}
+    for fact in scene.desk.facts:
+        if not scene.desk.holds(fact.id) or not fact.id.startswith(("given", "sense")):
+            continue
+        nodes = [
+            each
+            for links in fact.relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for each in walk(side)
+        ]
+        about = any(
+            isinstance(each, Quantity)
+            and each.kind in ("velocity", "direction", "along", "across")
+            and any(Name(body) in walk(each) for body in bodies)
+            for each in nodes
+        )
+        ranged = fact.kind == "range" and Letter(symbol.name) in nodes
+        if about or ranged:
+            refs.append(fact.id)
+    if refs:
+        known = [
+            line.number
+            for line in scene.desk.lines
+            if line.move.id == "let" and getattr(line.relation, "letter", None) == symbol.name
+        ]
+        axes = [
+            ref
+            for (number, _), each in scene.model.components.items()
+            if each.symbol == symbol
+            for ref in scene.frame(number).refs
+        ]
+        return (*refs, *axes, *known)
+    return ()
