@@ -91,6 +91,23 @@ def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref,
     return tuple(dict.fromkeys(refs))
 
 
+def sign_known(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
+    """What has to be known of letters for the sign of a product, beyond what is silent."""
+    refs: list[Ref] = []
+    for each in sp.Mul.make_args(sp.factor(value)):
+        base, power = each.as_base_exp()
+        if power.is_even:
+            continue
+        for function in base.atoms(sp.sin, sp.cos):
+            refs += [range_of(scene, angle.name) for angle in function.free_symbols]
+        for letter in sorted(base.free_symbols, key=lambda s: s.name):
+            role = scene.model.unknowns.roles.get(letter.name)
+            if role is not None and role.kind == "restitution":
+                falls = scene.model.sign(sp.diff(base, letter)) < 0
+                refs.append(f"{letter.name} <= 1" if falls else f"{letter.name} >= 0")
+    return tuple(dict.fromkeys(refs))
+
+
 def range_text(scene: Scene, name: str) -> str | None:
     """The range of an angle, as a premise says it; None where it is open."""
     try:

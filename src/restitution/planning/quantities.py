@@ -34,7 +34,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, whole_direction
-from restitution.planning.premises import not_negative
+from restitution.planning.premises import not_negative, sign_known
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
@@ -478,6 +478,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
             refs = together(refs, not_negative(scene, own.value))
         if _trivial(own.right, final):
             right = final
+            refs = together(refs, sign_known(scene, own.value))
         number = scene.desk.write(
             own.move, refs, chain(own.left, (right, None), (final, "rearrange"))
         )
