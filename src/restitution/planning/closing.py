@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
@@ -19,7 +20,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, Numbe
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import residual, scene_value
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background, needed, nonzero, not_negative
 from restitution.planning.ratios import (
     divided_angle,
     even,
@@ -177,19 +178,31 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
-    poly = sp.Poly(above, symbol)
-    if poly.degree() != 1:
-        return None
-    value = tidy(-poly.nth(0) / poly.nth(1))
-    line = rearranged(scene, number, chain(Letter(symbol.name), (tree_of(value), None)))
-    return None if line is None else known_as(scene, symbol, value, line)
+    for each in (above, _uncertain(scene, above)):
+        poly = sp.Poly(each, symbol)
+        if poly.degree() != 1:
+            continue
+        value = tidy(-poly.nth(0) / poly.nth(1))
+        line = rearranged(scene, number, chain(Letter(symbol.name), (tree_of(value), None)))
+        if line is not None:
+            return known_as(scene, symbol, value, line)
+    return None
+
+
+def _uncertain(scene: Scene, x: sp.Expr) -> sp.Expr:
+    """An expression without the factors that are certain not to vanish."""
+    factors = sp.Mul.make_args(sp.factor(x))
+    kept = (each for each in factors if not proved_sign(scene.model.ground, each))
+    return sp.expand(sp.Mul(*kept))
 
 
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
     """A line in another form, with what makes the factor between them not zero."""
-    move = Move("rearrange")
-    refs = needed(scene, move, (number,), relation, _background(scene, number))
-    return None if refs is None else scene.desk.write(move, refs, relation)
+    for move in (Move("rearrange"), Move("cancel")):
+        refs = needed(scene, move, (number,), relation, _background(scene, number))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return None
 
 
 def _background(scene: Scene, number: int) -> tuple[Ref, ...]:
@@ -216,3 +229,5 @@ SHAPES: tuple[Shape, ...] = (
     _quadratic,
 )
 """What an equation may look like, in the order in which the shapes are tried."""
+
+__all__ = ["SHAPES", "close", "nonzero", "not_negative", "rearranged", "with_known"]

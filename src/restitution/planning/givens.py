@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
+    Apply,
+    Binary,
     Expression,
     Name,
     Quantity,
@@ -11,8 +13,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning import journeys
+from restitution.planning.deflections import write_deflection
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
+from restitution.planning.forms import ONE, ZERO, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.routes import Candidate
@@ -66,6 +69,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):
+        if own.left.kind == "deflection" and not has_quantity(own.right):
+            return write_deflection(scene, each)
         if own.left.kind == "velocity":
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
@@ -83,7 +88,13 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     """The definition of what is given, with its value on the left."""
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
-    if own.move.record == "speed":
+    if (
+        isinstance(left, Apply)
+        and own.left == Apply("tan", own.quantity)
+        and left.function == "arctan"
+    ):
+        relation = chain(left.argument, (swept(own.right), None))
+    elif own.move.record == "speed":
         right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
         relation = chain(square(left), (swept(right), None))
     else:
@@ -164,11 +175,52 @@ def _directed(scene: Scene, tree: Expression) -> tuple[str, int] | None:
     return None
 
 
+def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """A speed as a multiple of another, in their squares."""
+    others = [
+        node
+        for node in walk(each.link.right)
+        if isinstance(node, Quantity) and node.kind == "speed" and isinstance(node.stage, int)
+    ]
+    if len(others) != 1 or not isinstance(left.stage, int):
+        return None
+    (other,) = others
+    factor = product_without(each.link.right, other)
+    if factor is None:
+        return None
+    a, b = (formula(scene, one) for one in (left, other))
+    if not all(isinstance(own.right, Apply) for own in (a, b)):
+        return None
+    inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
+    known = scene.desk.write(b.move, b.refs, chain(square(other), (inside[1], None)))
+    right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
+    return scene.desk.write(
+        a.move, together((each.fact.id,), a.refs, (known,)), chain(right, (inside[0], None))
+    )
+
+
+def product_without(tree: Expression, factor: Expression) -> Expression | None:
+    """What a product is without one of its factors; None where it is no such product."""
+    if tree == factor:
+        return ONE
+    match tree:
+        case Binary("*", left, right) if right == factor and not has_quantity(left):
+            return left
+        case Binary("/", above, below) if not has_quantity(below):
+            rest = product_without(above, factor)
+            return None if rest is None else Binary("/", rest, below)
+    return None
+
+
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
+    own = each.link
+    if isinstance(own.left, Quantity) and own.left.kind == "speed":
+        number = _of_two_speeds(scene, each, own.left)
+        if number is not None:
+            return number
     refs: list[int] = []
     values: dict[Expression, Expression] = {}
-    own = each.link
     for side in (own.left, own.right):
         for node in walk(side):
             if (

@@ -291,12 +291,28 @@ def _by_double(
     if small == 1:
         scene.desk.know(subject, value, (last,))
         return inverse(scene, last, symbol)
+    _write_double(scene, line, last, meaning, Apply("tan", letter), tidy(value / k))
     final = scene.final(symbol)
     relation = chain(letter, (tree_of(final, angle=True, as_it_is=True), None))
     refs = needed(scene, Move("inverse"), (last, *meaning), relation, known)
     if refs is None:
         return None
     return known_as(scene, symbol, final, scene.desk.write(Move("inverse"), refs, relation))
+
+
+def _write_double(
+    scene: Scene,
+    line: int,
+    last: int,
+    meaning: tuple[int, ...],
+    subject: Apply,
+    value: sp.Expr,
+) -> None:
+    """The tangent of the whole angle, by that of its half."""
+    relation = chain(subject, (tree_of(value), None))
+    refs = needed(scene, Move("put"), (line, last), relation, meaning)
+    if refs is not None:
+        scene.desk.know(subject, value, (scene.desk.write(Move("put"), refs, relation),))
 
 
 def _text(small: sp.Rational, symbol: sp.Symbol) -> str:

@@ -1,0 +1,69 @@
+"""A deflection that is given, as an equation in the components before and after."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Relation
+from restitution.expression.tree import Binary, Name, Quantity
+from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
+from restitution.planning.impacts import in_direction
+from restitution.planning.premises import needed
+from restitution.planning.scene import GivenEquation, Scene
+
+
+def write_deflection(scene: Scene, each: GivenEquation) -> int:
+    """The line of a deflection that is given: a right angle by the scalar product, else tan δ."""
+    quantity = each.link.left
+    assert isinstance(quantity, Quantity)
+    (name,), event = quantity.arguments, quantity.stage
+    if not isinstance(name, Name) or event not in scene.model.frames:
+        raise NotPlannedError("a deflection by a blow")
+    assert isinstance(event, int)
+    frame = scene.frame(event)
+    early, late = (
+        tuple(in_direction(scene, kind, name.name, stage, frame) for kind in ("along", "across"))
+        for stage in (event - 1, event)
+    )
+    angle, refs = scene.put(scene.scalar(each.link.right))
+    if angle == sp.pi / 2:
+        return _at_right_angles(scene, each, name.name, event, early, late)
+    (c, s), (d, t) = early, late
+    cross = c.value * t.value - s.value * d.value
+    trees = [tree_of(own.value) for own in (c, s, d, t)]
+    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
+    if scene.model.sign(cross) < 0:
+        above.reverse()
+    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
+    relation = chain(
+        tree_of(tidy(sp.tan(angle))), (swept(Binary("/", difference(*above), below)), None)
+    )
+    move = Move("define", "tan-deflection", event, (name.name,))
+    sources = together((each.fact.id,), refs, *(own.whole for own in (*early, *late)))
+    own = needed(scene, move, sources, relation, frame.refs)
+    return scene.desk.write(move, own or sources, relation)
+
+
+def _at_right_angles(
+    scene: Scene,
+    each: GivenEquation,
+    body: str,
+    event: int,
+    early: tuple[Source, ...],
+    late: tuple[Source, ...],
+) -> int:
+    pairs = list(zip(early, late, strict=True))
+    tree: Any = total(product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
+    used: list[Any] = []
+    for p, q in pairs:
+        zero = next((own for own in (p, q) if own.value == 0), None)
+        used += [zero] if zero is not None else [p, q]
+    refs = together((each.fact.id,), *(own.whole for own in used))
+    move = Move("define", "perpendicular", event, (body,))
+    relation = Relation(((link(swept(tree), ZERO),),))
+    own = needed(scene, move, refs, relation, scene.frame(event).refs)
+    return scene.desk.write(move, own or refs, relation)
