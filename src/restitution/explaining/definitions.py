@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Number,
+    Polar,
     Quantity,
     Unit,
     walk,
@@ -236,6 +237,10 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
     """The two directions of which a relation says how they stand to each other."""
     if link.sign in ("perpendicular to", "parallel to"):
         return link.left, link.right, link.sign
+    match link:
+        case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle):
+            unit = Polar(Number(Fraction(1)), angle)
+            return Quantity("velocity", (body,), stage), unit, "parallel to"
     if link.sign == "=" and link.right == RIGHT_ANGLE:
         match link.left:
             case Quantity("angle", (left, right)):

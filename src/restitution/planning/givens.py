@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
-    Name,
     Quantity,
     has_quantity,
     walk,
 )
 from restitution.planning import journeys
 from restitution.planning.deflections import write_deflection
-from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.forms import ONE, ZERO, product, square, swept, total, tree_of
-from restitution.planning.impacts import in_direction
-from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.forms import ONE, product, square, swept, tree_of
+from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.ties import write_tie
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
 
@@ -64,8 +66,8 @@ _RECORDS = {
 def write_given(scene: Scene, each: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
     own = each.link
-    if own.sign in ("perpendicular to", "parallel to"):
-        return _tie(scene, each)
+    if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
+        return write_tie(scene, each)
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):
@@ -78,6 +80,16 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if not has_quantity(own.right) and not journeys.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     return _of_several(scene, each)
+
+
+def _is_right(scene: Scene, own: Link) -> bool:
+    """Whether an angle is given of which there is no tangent, or a direction along a line."""
+    match own.left:
+        case Quantity("direction", _, int()):
+            return bool(tidy(sp.sin(2 * scene.scalar(own.right))) == 0)
+        case Quantity("deflection" | "angle"):
+            return bool(scene.scalar(own.right) == sp.pi / 2)
+    return False
 
 
 def _between_letters(scene: Scene, each: GivenEquation) -> int:
@@ -116,63 +128,6 @@ def _component(scene: Scene, each: GivenEquation) -> int:
 
 def _velocity(scene: Scene, each: GivenEquation) -> int:
     raise NotPlannedError("a velocity that is given is put into the laws")
-
-
-def _tie(scene: Scene, each: GivenEquation) -> int:
-    """A right angle, or a common direction, in components."""
-    left, right = each.link.left, each.link.right
-    record = each.link.sign.removesuffix(" to")
-    pair = [_directed(scene, side) for side in (left, right)]
-    moving = [own for own in pair if own is not None]
-    if not moving:
-        raise NotPlannedError("a tie of two directions that are given")
-    body, stage = moving[0]
-    frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
-    move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
-    if len(moving) == 1:
-        other = right if pair[0] is not None else left
-        centres = other == Quantity("line_of_centres", (), frame.number)
-        wall = isinstance(other, Name) and other.name == frame.wall
-        if not centres and not wall:
-            raise NotPlannedError("a tie to a direction in the plane")
-        kind = "along" if (record == "perpendicular") != wall else "across"
-        own = in_direction(scene, kind, body, stage, frame)
-        return scene.desk.write(
-            move, together((each.fact.id,), own.whole), Relation(((_zero(tree_of(own.value)),),))
-        )
-    sources = [
-        [in_direction(scene, kind, name, when, frame) for kind in ("along", "across")]
-        for name, when in moving
-    ]
-    (a, b), (c, d) = sources
-    pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
-    refs = together((each.fact.id,), *(_needed(*pair) for pair in pairs))
-    if record == "perpendicular":
-        tree = total(product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
-        return scene.desk.write(move, refs, Relation(((_zero(tree),),)))
-    first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
-    return scene.desk.write(move, refs, Relation(((link(first, second),),)))
-
-
-def _needed(*factors: Source) -> tuple[Ref, ...]:
-    """What a product rests on: where a factor is 0, on that alone."""
-    for each in factors:
-        if each.value == 0:
-            return each.whole
-    return together(*(each.whole for each in factors))
-
-
-def _zero(tree: Expression) -> Link:
-    return link(tree, ZERO)
-
-
-def _directed(scene: Scene, tree: Expression) -> tuple[str, int] | None:
-    match tree:
-        case Quantity("velocity" | "direction", (Name(body),), int()):
-            if body in scene.model.story.walls:
-                return None
-            return body_and_stage(scene, tree)
-    return None
 
 
 def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:

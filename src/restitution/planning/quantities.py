@@ -446,6 +446,33 @@ def _momentum(scene: Scene, quantity: Quantity) -> Formula:
     )
 
 
+def _deflection(scene: Scene, quantity: Quantity) -> Formula:
+    """The tangent of a deflection, by the components before and after."""
+    (name,) = quantity.arguments
+    event = quantity.stage
+    assert isinstance(name, Name)
+    assert isinstance(event, int)
+    body, frame = name.name, scene.frame(event)
+    early, late = (parts(scene, body, stage, frame) for stage in (event - 1, event))
+    (c, s), (d, t) = early, late
+    dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
+    cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
+    trees = [tree_of(each.value) for each in (c, s, d, t)]
+    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
+    if scene.model.sign(cross) < 0:
+        above, cross = above[::-1], -cross
+    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    return Formula(
+        Move("define", "tan-deflection", event, (body,)),
+        tangent,
+        quantity,
+        Binary("/", difference(*above), below),
+        tidy(cross / dot),
+        together(*(each.whole for each in (*early, *late)), names),
+    )
+
+
 _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "velocity": _velocity,
     "speed": _speed,
@@ -453,6 +480,7 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "across": _component,
     "angle": _angle,
     "direction": _direction,
+    "deflection": _deflection,
     "impulse": _impulse,
     "energy": _energy,
     "energy_lost": _energy_lost,

@@ -355,8 +355,17 @@ def _deflection(
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
+    own = formula(scene, asked)
     letter, meaning = _named(scene, asked)
-    return _by_tangent(scene, body, event, early, late, together((meaning,), refs), letter)
+    line = _ratio_line(
+        scene,
+        own.move,
+        together(own.refs, (meaning,)),
+        Apply("tan", Letter(letter)),
+        own.right,
+        own.value,
+    )
+    return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
 
 
 def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
@@ -367,35 +376,6 @@ def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vecto
     if scene.last_event(body, event - 1) or fact is None:
         return False
     return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))
-
-
-def _by_tangent(
-    scene: Scene,
-    body: str,
-    event: int,
-    early: Any,
-    late: Any,
-    refs: tuple[Ref, ...],
-    letter: str,
-) -> int:
-    """Tan δ by the components before and after."""
-    (c, s), (d, t) = early, late
-    dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
-    cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
-    trees = [tree_of(each.value) for each in (c, s, d, t)]
-    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
-    if scene.model.sign(cross) < 0:
-        above, cross = above[::-1], -cross
-    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
-    line = _ratio_line(
-        scene,
-        Move("define", "tan-deflection", event, (body,)),
-        refs,
-        Apply("tan", Letter(letter)),
-        Binary("/", difference(*above), below),
-        tidy(cross / dot),
-    )
-    return Ratio(line, letter, "tan", tidy(cross / dot), _RANGES["deflection"].format(letter))
 
 
 def _by_sum(scene: Scene, asked: Quantity) -> int:

@@ -1,0 +1,170 @@
+"""Directions that are tied to each other: a right angle or a common direction, in components."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Expression, Name, Number, Polar, Quantity, Unit, walk
+from restitution.planning.desk import NotPlannedError, Source, link, together
+from restitution.planning.forms import ONE, ZERO, product, total, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import in_direction, whole_direction
+from restitution.planning.quantities import body_and_stage, frame_after, in_the_plane
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+_KINDS = ("along", "across")
+
+
+def write_tie(scene: Scene, each: GivenEquation) -> int:
+    """The line in which a tie of directions becomes an equation."""
+    left, right, record = tied(each.link) or (each.link.left, each.link.right, "")
+    pair = [moving(scene, side) for side in (left, right)]
+    both = [own for own in pair if own is not None]
+    if len(both) == 2:
+        return _two_velocities(scene, each, record, both)
+    if not both:
+        raise NotPlannedError("a tie of two directions that are given")
+    other = right if pair[0] is not None else left
+    return _to_a_direction(scene, each, record, both[0], other)
+
+
+def tied(own: Link) -> tuple[Expression, Expression, str] | None:
+    """The two directions of a relation, and whether they are perpendicular or parallel."""
+    if own.sign in ("perpendicular to", "parallel to"):
+        return own.left, own.right, own.sign.removesuffix(" to")
+    if own.sign != "=":
+        return None
+    match own.left, own.right:
+        case Quantity("direction", (Name() as body,), int(stage)), angle:
+            velocity = Quantity("velocity", (body,), stage)
+            return velocity, Polar(ONE, angle), "parallel"
+        case Quantity("deflection", (body,), int(stage)), _:
+            early, late = (Quantity("velocity", (body,), n) for n in (stage - 1, stage))
+            return early, late, "perpendicular"
+        case Quantity("angle", (a, b)), _:
+            return a, b, "perpendicular"
+    return None
+
+
+def moving(scene: Scene, tree: Expression) -> tuple[str, int] | None:
+    """The body and the event of a velocity; None for a direction in the plane."""
+    match tree:
+        case Quantity("velocity" | "direction", (Name(body),), int()):
+            if body in scene.model.story.walls:
+                return None
+            return body_and_stage(scene, tree)
+    return None
+
+
+def _two_velocities(
+    scene: Scene, each: GivenEquation, record: str, both: list[tuple[str, int]]
+) -> int:
+    frame = frame_after(scene, *max(both, key=lambda own: own[1]))
+    sources = [
+        [in_direction(scene, kind, name, when, frame) for kind in _KINDS] for name, when in both
+    ]
+    (a, b), (c, d) = sources
+    pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
+    refs = together((each.fact.id,), *(_needed(*p) for p in pairs), _axis(frame, pairs))
+    first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
+    bodies = tuple(dict.fromkeys(body for body, _ in both))
+    move = Move("define", record, frame.number, bodies)
+    own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
+    return scene.desk.write(move, refs, Relation(((own,),)))
+
+
+def _needed(*factors: Source) -> tuple[Ref, ...]:
+    """What a product rests on: where a factor is 0, on that alone."""
+    for each in factors:
+        if each.value == 0:
+            return each.refs
+    return together(*(each.refs for each in factors))
+
+
+def _axis(frame: Frame, pairs: Any) -> tuple[Ref, ...]:
+    """The axis, where components of vectors stand beside those that are named by it."""
+    named = isinstance(frame.along, Quantity)
+    plain = frame.across is not None and named
+    vectors = any(source.axis for pair in pairs for source in pair)
+    return frame.refs if (vectors and named) or plain else ()
+
+
+def _to_a_direction(
+    scene: Scene, each: GivenEquation, record: str, own: tuple[str, int], other: Expression
+) -> int:
+    body, stage = own
+    frame = frame_after(scene, body, stage)
+    move = Move("define", record, frame.number, (body,))
+    centres = other == Quantity("line_of_centres", (), frame.number)
+    wall = isinstance(other, Name) and other.name == frame.wall
+    if centres or wall:
+        kind = "along" if (record == "perpendicular") != wall else "across"
+        source = in_direction(scene, kind, body, stage, frame)
+        refs = together((each.fact.id,), source.whole, frame.names_axis(kind))
+        return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
+    direction, about = _direction(scene, other)
+    if _slants(frame):
+        return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
+    x, y = in_the_plane(scene, body, stage)
+    refs = together((each.fact.id,), about)
+    if record == "perpendicular":
+        terms = [(x, direction.x), (y, direction.y)]
+        used = [(s, w) for s, w in terms if w != 0]
+        relation = link(total(product(tree_of(w), tree_of(s.value)) for s, w in used), ZERO)
+    else:
+        terms = [(y, direction.x), (x, direction.y)]
+        used = [(s, w) for s, w in terms if w != 0]
+        sides = [product(tree_of(w), tree_of(s.value)) if w != 0 else ZERO for s, w in terms]
+        relation = link(*sides) if sides[0] != ZERO else link(sides[1], ZERO)
+    refs = together(refs, *(source.whole for source, _ in used))
+    return scene.desk.write(move, refs, Relation(((relation,),)))
+
+
+def _across_a_frame(
+    scene: Scene,
+    each: GivenEquation,
+    move: Move,
+    body: str,
+    stage: int,
+    frame: Frame,
+    direction: Vector,
+    about: tuple[Ref, ...],
+) -> int:
+    """By the components in the directions of an impact that slants."""
+    sources = [in_direction(scene, kind, body, stage, frame) for kind in _KINDS]
+    shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
+    if move.record == "parallel":
+        shares = [-shares[1], shares[0]]
+    used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
+    tree = total(product(tree_of(w), tree_of(s.value)) for s, w in used)
+    refs = together((each.fact.id,), about, *(s.refs for s, _ in used), frame.refs)
+    return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
+
+
+def _slants(frame: Frame) -> bool:
+    return frame.across is None and frame.n.x != 0 and frame.n.y != 0
+
+
+def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
+    """A direction in the plane as a vector, of whole numbers where that is so, and its facts."""
+    refs = tuple(
+        f"wall {each.name}"
+        for each in walk(tree)
+        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+    )
+    if isinstance(tree, Unit):
+        return Vector(*(sp.Integer(tree.axis == axis) for axis in "ij")), refs
+    own, more = scene.put(scene.model.story.direction(tree, scene.events))
+    if any(scene.unknown(each) for each in own):
+        raise NotPlannedError("a tie to a direction that is open")
+    whole, _ = whole_direction(own)
+    return Vector(*(tidy(each) for each in whole)), together(refs, more)
+
+
+__all__ = ["moving", "tied", "write_tie"]
+_ = (Source, Number)
