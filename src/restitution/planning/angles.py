@@ -54,13 +54,15 @@ def write_ratios(scene: Scene, symbol: sp.Symbol) -> None:
 def write_other_ratio(scene: Scene, symbol: sp.Symbol, kind: str) -> None:
     """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
     letter = Letter(symbol.name)
-    value = tidy(getattr(sp, kind)(scene.model.final[symbol]))
-    for each in ("sin", "cos", "tan"):
+    for each in ("tan", "sin", "cos"):
         known = scene.desk.known(Apply(each, letter))
         if known is None or len(known.refs) != 1:
             continue
-        relation = Relation(((Link(Apply(kind, letter), "=", tree_of(value)),),))
+        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
+        trees = {own: tidy(getattr(sp, own)(scene.model.final[symbol])) for own in kinds}
+        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         premises = (*known.refs, range_of(scene, symbol.name))
-        number = scene.desk.write(Move("triangle"), premises, relation)
-        scene.desk.know(Apply(kind, letter), value, (number,))
+        number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
+        for own in kinds:
+            scene.desk.know(Apply(own, letter), trees[own], (number,))
         return

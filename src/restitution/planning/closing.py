@@ -108,8 +108,12 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
                 return None
             value, refs = scene.put(known.value)
             return Source(value, together(known.refs, refs))
-        case Apply("sin" | "cos" | "tan", Letter(name)) if symbol is None or name != symbol.name:
-            return scene.desk.known(tree)
+        case Apply("sin" | "cos" | "tan" as kind, Letter(name)):
+            if symbol is not None and name == symbol.name:
+                return None
+            letter = scene.model.unknowns.letter(name)
+            value, refs = scene.put(getattr(sp, kind)(letter))
+            return Source(value, refs) if refs else None
     return None
 
 
@@ -130,10 +134,16 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     link = scene.desk.last_link(number)
     if link.left != Letter(symbol.name) or link.sign != "=":
         return None
-    value = scene.final(symbol)
-    if scene.model.identically_zero(scene_value(scene, link.right) - value):
-        return known_as(scene, symbol, value, number)
-    return None
+    value, right = scene.final(symbol), scene_value(scene, link.right)
+    if right.free_symbols & scene.model.final.keys():
+        return None
+    if not scene.model.identically_zero(right - value):
+        return None
+    last = tree_of(value, as_it_is=True)
+    if link.right != last and link.right != tree_of(value) and not isinstance(value, sp.atan):
+        relation = chain(link.left, (tree_of(value), None))
+        number = scene.desk.write(Move("rearrange"), (number,), relation)
+    return known_as(scene, symbol, value, number)
 
 
 def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

@@ -43,7 +43,7 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         tree_of(tidy(sp.tan(angle))), (swept(Binary("/", difference(*above), below)), None)
     )
     move = Move("define", "tan-deflection", event, (name.name,))
-    sources = together((each.fact.id,), refs, *(own.whole for own in (*early, *late)))
+    sources = together((each.fact.id,), refs, *(own.refs for own in (*early, *late)))
     own = needed(scene, move, sources, relation, frame.refs)
     return scene.desk.write(move, own or sources, relation)
 
@@ -62,7 +62,7 @@ def _at_right_angles(
     for p, q in pairs:
         zero = next((own for own in (p, q) if own.value == 0), None)
         used += [zero] if zero is not None else [p, q]
-    refs = together((each.fact.id,), *(own.whole for own in used))
+    refs = together((each.fact.id,), *(own.refs for own in used))
     move = Move("define", "perpendicular", event, (body,))
     relation = Relation(((link(swept(tree), ZERO),),))
     own = needed(scene, move, refs, relation, scene.frame(event).refs)

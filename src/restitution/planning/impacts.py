@@ -229,9 +229,10 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     refs = together(later.whole, earlier.whole, frame.names_axis(kind))
     if kind == "across":
         move = Move("law", "unchanged", frame.number, (body,))
-        return scene.desk.write(
-            move, refs, chain(tree_of(later.value), (tree_of(earlier.value), None))
-        )
+        sides = [tree_of(later.value), tree_of(earlier.value)]
+        if scene.unknown(earlier.value) and not scene.unknown(later.value):
+            sides.reverse()
+        return scene.desk.write(move, refs, chain(sides[0], (sides[1], None)))
     e = scene.coefficient(frame.number)
     move = Move("law", "restitution-wall", frame.number, (body,))
     left, right = tree_of(later.value), tree_of(earlier.value)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import sympy as sp
 
@@ -31,6 +32,7 @@ from restitution.planning.impacts import (
     residual,
     restitution,
 )
+from restitution.planning.pairs import close_two
 from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
@@ -213,6 +215,7 @@ class Solver:
             self._block,
             self._single,
             self._closing,
+            self._two,
         ):
             used = test(left)
             if used:
@@ -414,23 +417,49 @@ class Solver:
             if len(open_) != 1:
                 continue
             (symbol,) = open_
-            given = self.givens.get(own.id)
-            law = self._law(own)
-            if given is not None:
-                number = write_given(self.scene, given)
-            elif own.id in self.paths:
-                number = journeys.write_path(self.scene, self.paths[own.id])
-            elif law is not None and law.kind not in _LAWS:
-                body = law.body or self.scene.spheres(law.number)[0]
-                kind = "along" if law.kind == "wall" else "across"
-                number = closing_at_wall(self.scene, body, self.scene.frame(law.number), kind)
-            elif law is not None:
-                number = self._law_line(law)
-            else:
-                continue
-            if self._closes(number, symbol):
+            number = self._line(own)
+            if number is not None and self._closes(number, symbol):
                 return (own,)
         return None
+
+    def _line(self, own: Candidate) -> int | None:
+        """The line of an equation that closes, with what is known put in."""
+        given = self.givens.get(own.id)
+        law = self._law(own)
+        if given is not None:
+            return write_given(self.scene, given)
+        if own.id in self.paths:
+            return journeys.write_path(self.scene, self.paths[own.id])
+        if law is None:
+            return None
+        if law.kind in _LAWS:
+            return self._law_line(law)
+        body = law.body or self.scene.spheres(law.number)[0]
+        kind = "along" if law.kind == "wall" else "across"
+        return closing_at_wall(self.scene, body, self.scene.frame(law.number), kind)
+
+    def _two(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Two equations with the same two unknowns."""
+        for first, second in combinations(left, 2):
+            unknowns = self._open(first) | self._open(second)
+            if len(unknowns) != 2:
+                continue
+            lines = [self._line(each) for each in (first, second)]
+            if None in lines:
+                continue
+            x, y = sorted(unknowns, key=self._wanted_later)
+            try:
+                close_two(self.scene, (lines[0], lines[1]), (x, y))  # type: ignore[arg-type]
+            except NotPlannedError as error:
+                self.reasons.append(error)
+                continue
+            return first, second
+        return None
+
+    def _wanted_later(self, symbol: sp.Symbol) -> tuple[bool, str]:
+        """What is not asked comes first: it is left out, or put in."""
+        asked = any(symbol in each.free_symbols for each in self.goals)
+        return asked, symbol.name
 
     def _law_line(self, law: Law) -> int:
         """The line of a law; where it stands already, with what is known by now put in."""

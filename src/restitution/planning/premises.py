@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from restitution.explaining.algebra import NotComparableError
-from restitution.explaining.derivation import Derivation, Move, Ref, Relation
+from restitution.explaining.derivation import Derivation, Meaning, Move, Ref, Relation
 from restitution.explaining.follower import known_of_letters, setting_of
 from restitution.explaining.moves import follows
 from restitution.explaining.step import Cited, Known, Setting, Step
@@ -129,7 +129,7 @@ def _follows(
     known: list[Known] = []
     for ref in premises:
         if isinstance(ref, int):
-            cited.append(Cited(ref, scene.desk.line(ref).relation))
+            cited.append(Cited(ref, _cited(scene, ref)))
         elif ref in scene.facts:
             cited.append(Cited(ref, scene.facts[ref].relation))
         else:
@@ -141,3 +141,12 @@ def _follows(
         return follows(Step(setting, move, tuple(cited), tuple(known)), relation)
     except NotComparableError:
         return False
+
+
+def _cited(scene: Scene, number: int) -> Relation | Meaning:
+    """What a line says: of alternatives, the one under which the next lines stand."""
+    own = scene.desk.line(number).relation
+    split = scene.desk.split
+    if split is not None and split[0] == number and isinstance(own, Relation):
+        return Relation((own.options[split[1]],))
+    return own

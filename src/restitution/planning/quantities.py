@@ -104,7 +104,7 @@ def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     frame = frame_after(scene, body, stage)
     along, across = parts(scene, body, stage, frame)
     value = frame.n * along.value + frame.t * across.value
-    refs = together(along.refs, across.refs, frame.unit_free)
+    refs = together(along.refs, across.refs, frame.unit_free if stage else ())
     aligned = frame.across is not None or frame.n in (Vector(1, 0), Vector(0, 1))
     if aligned:
         right = vector(tree_of(value.x), tree_of(value.y))

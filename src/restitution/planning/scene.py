@@ -141,19 +141,21 @@ class Scene:
     def _changed(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
         """An expression with all that is known put in; the same object where that is nothing."""
         refs: list[Ref] = []
-        for _ in range(6):
+        for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
-            for each in own.atoms(*_RATIOS):
-                source = self._ratio(each)
-                if source is not None:
-                    changes[each] = source.value
-                    refs += source.refs
-            # A ratio that is known stands for its angle.
-            rest = own.xreplace(dict.fromkeys(changes, sp.Integer(1)))
-            for symbol in rest.free_symbols:
+            bare = own.xreplace({each: sp.Integer(1) for each in own.atoms(*_RATIOS)})
+            for symbol in bare.free_symbols:
                 source = self.desk.known(Letter(symbol.name))
                 if source is not None:
                     changes[symbol] = source.value
+                    refs += source.refs
+            if changes:
+                own = own.xreplace(changes)
+                continue
+            for each in own.atoms(*_RATIOS):
+                source = self._ratio(each) or self._angle(each)
+                if source is not None:
+                    changes[each] = source.value
                     refs += source.refs
             if not changes:
                 break
@@ -172,7 +174,28 @@ class Scene:
 
             write_ratios(self, argument)
             known = self.desk.known(tree)
+        if known is None and self._by_an_inverse(argument):
+            from restitution.planning.angles import write_other_ratio
+
+            write_other_ratio(self, argument, type(ratio).__name__)
+            known = self.desk.known(tree)
         return known
+
+    def _by_an_inverse(self, symbol: sp.Basic) -> bool:
+        """Whether an angle is known as the inverse of a ratio only."""
+        known = self.desk.known(Letter(symbol.name))  # type: ignore[attr-defined]
+        return known is not None and bool(sp.sympify(known.value).atoms(sp.atan, sp.asin, sp.acos))
+
+    def _angle(self, ratio: sp.Expr) -> Source | None:
+        """A ratio of angles that are known, as numbers or by others."""
+        changes = {}
+        refs: list[Ref] = []
+        for symbol in ratio.free_symbols:
+            source = self.desk.known(Letter(symbol.name))
+            if source is not None:
+                changes[symbol] = source.value
+                refs += source.refs
+        return Source(ratio.xreplace(changes), tuple(refs)) if changes else None
 
     def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
         """The fact that gives a sine, cosine or tangent of an angle as a number."""

@@ -1,0 +1,255 @@
+"""Two equations with two unknowns: one unknown is left out, or expressed and put in.
+
+The shapes are a table (``SHAPES``), tried in order: both linear; V cos θ and V sin θ; one that
+gives an unknown, or the square of a ratio, by the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import permutations
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.closing import close, with_known
+from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.forms import product, square, swept, tree_of
+from restitution.planning.impacts import residual
+from restitution.planning.premises import background, needed
+from restitution.planning.ratios import inside_functions
+from restitution.planning.roots import numerator
+from restitution.planning.scene import Scene
+
+Pair = tuple[int, int]
+Unknowns = tuple[sp.Symbol, sp.Symbol]
+
+
+def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
+    """Solves two lines for the two unknowns in them. Raises NotPlannedError for other shapes."""
+    first, second = (with_known(scene, each) for each in lines)
+    for x, y in permutations(unknowns):
+        for shape in SHAPES:
+            for a, b in ((first, second), (second, first)):
+                try:
+                    if shape(scene, (a, b), (x, y)):
+                        return
+                except (sp.PolynomialError, NotPlannedError):
+                    continue
+    names = ", ".join(str(each) for each in unknowns)
+    raise NotPlannedError(f"no way from lines {first} and {second} to {names}")
+
+
+def _above(scene: Scene, line: int) -> sp.Expr:
+    return numerator(residual(scene, line))
+
+
+def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
+    names = {each.name for line in lines for each in residual(scene, line).free_symbols}
+    return background(scene, names)
+
+
+def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:
+    refs = needed(scene, move, lines, relation, _background(scene, lines))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+# --- linear in both -----------------------------------------------------------------------------
+
+
+def _linear(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """One unknown is left out of two linear equations; then the other follows from one of them."""
+    x, y = unknowns
+    rows = [_above(scene, each) for each in lines]
+    if any(inside_functions(each) & set(unknowns) for each in rows):
+        return False
+    polys = [sp.Poly(each, x, y) for each in rows]
+    if any(each.total_degree() != 1 for each in polys):
+        return False
+    if any(set(each.gens) & each.free_symbols_in_domain for each in polys):
+        return False
+    (a, b), (c, d) = ([p.coeff_monomial(g) for g in (x, y)] for p in polys)
+    e, f = (p.coeff_monomial(1) for p in polys)
+    if b == 0 or d == 0:
+        return False
+    value = tidy((b * f - d * e) / (a * d - b * c))
+    relation = chain(Letter(x.name), (tree_of(value), None))
+    line = _write(scene, Move("combine", eliminated=y.name), lines, relation)
+    if line is None:
+        return False
+    scene.desk.know(Letter(x.name), value, (line,))
+    close(scene, lines[0], y)
+    return True
+
+
+# --- a size and its direction -------------------------------------------------------------------
+
+
+def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """V cos θ = A and V sin θ = B: divided for the angle, squared and added for V."""
+    v, theta = unknowns
+    role = scene.model.unknowns.roles.get(theta.name)
+    if role is None or role.kind != "angle":
+        return False
+    parts = []
+    for line, ratio in zip(lines, (sp.cos(theta), sp.sin(theta)), strict=True):
+        poly = sp.Poly(_above(scene, line), v, ratio)
+        if set(poly.monoms()) - {(1, 1), (0, 0)} or (1, 1) not in poly.monoms():
+            return False
+        if poly.free_symbols_in_domain & {v, theta}:
+            return False
+        parts.append(tidy(-poly.coeff_monomial(1) / poly.coeff_monomial(v * ratio)))
+    first, second = (
+        _as_product(scene, line, v, theta, kind, value)
+        for line, kind, value in zip(lines, ("cos", "sin"), parts, strict=True)
+    )
+    if first is None or second is None or parts[0] == 0:
+        return False
+    tangent = tidy(parts[1] / parts[0])
+    subject = Apply("tan", Letter(theta.name))
+    line = _write(scene, Move("divide"), (second, first), chain(subject, (tree_of(tangent), None)))
+    if line is None:
+        return False
+    scene.desk.know(subject, tangent, (line,))
+    added = chain(square(Letter(v.name)), (tree_of(tidy(parts[0] ** 2 + parts[1] ** 2)), None))
+    whole = _write(scene, Move("square-add"), (first, second), added)
+    if whole is None:
+        return False
+    close(scene, line, theta)
+    close(scene, whole, v)
+    return True
+
+
+def _as_product(
+    scene: Scene, line: int, v: sp.Symbol, theta: sp.Symbol, kind: str, value: sp.Expr
+) -> int | None:
+    """The line as ``V cos θ = A``."""
+    tree = product(Letter(v.name), Apply(kind, Letter(theta.name)))
+    relation = chain(tree, (tree_of(value), None))
+    link = scene.desk.last_link(line)
+    if tree == link.left:
+        return line
+    return _write(scene, Move("rearrange"), (line,), relation)
+
+
+# --- one expressed by the other -----------------------------------------------------------------
+
+
+def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """An unknown that stands linearly in one equation is put into the other."""
+    x, _ = unknowns
+    own = _above(scene, lines[0])
+    if x in inside_functions(own) or x not in own.free_symbols:
+        return False
+    poly = sp.Poly(own, x)
+    if poly.degree() != 1 or x in inside_functions(_above(scene, lines[1])):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    return _put_in(scene, lines, unknowns, Letter(x.name), value, Move("rearrange"))
+
+
+def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A sine, cosine or tangent that stands alone and linearly in one equation."""
+    x, _ = unknowns
+    own, other = (_above(scene, each) for each in lines)
+    functions = {each for each in own.atoms(sp.sin, sp.cos, sp.tan) if each.args == (x,)}
+    if len(functions) != 1:
+        return False
+    (ratio,) = functions
+    poly = sp.Poly(own, ratio)
+    if poly.degree() != 1 or x in inside_functions(other.subs(ratio, sp.Dummy())):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    subject = Apply(type(ratio).__name__, Letter(x.name))
+    return _put_in(scene, lines, unknowns, subject, value, Move("rearrange"))
+
+
+def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A square of sine or cosine, by sin² + cos² = 1 from one equation, put into the other."""
+    x, _ = unknowns
+    s, c = sp.sin(x), sp.cos(x)
+    own, other = (sp.Poly(_above(scene, each), s, c) for each in lines)
+    if set(own.monoms()) - {(2, 0), (0, 2), (0, 0)}:
+        return False
+    if any(x in poly.free_symbols_in_domain for poly in (own, other)):
+        return False
+    a, b, k = (own.coeff_monomial(each) for each in (s**2, c**2, 1))
+    if a - b == 0:
+        return False
+    sine = tidy(-(b + k) / (a - b))
+    for ratio, value, place in ((s, sine, 1), (c, tidy(1 - sine), 0)):
+        if any(m[place] or m[1 - place] % 2 for m in other.monoms()):
+            continue
+        subject = square(Apply(type(ratio).__name__, Letter(x.name)))
+        move = Move("identity", "pythagoras")
+        if _put_in(scene, lines, unknowns, subject, value, move):
+            return True
+    return False
+
+
+def _put_in(
+    scene: Scene,
+    lines: Pair,
+    unknowns: Unknowns,
+    subject: Expression,
+    value: sp.Expr,
+    move: Move,
+) -> bool:
+    """A line for the first unknown, put into the other line, which is solved for the second."""
+    x, y = unknowns
+    expressed = _write(scene, move, lines[:1], chain(subject, (tree_of(value), None)))
+    if expressed is None:
+        return False
+    link = scene.desk.last_link(lines[1])
+    left, right = (swept(_with(each, subject, tree_of(value))) for each in (link.left, link.right))
+    relation = Relation(((Link(left, "=", right),),))
+    put = _write(scene, Move("put"), (lines[1], expressed), relation)
+    if put is None:
+        return False
+    close(scene, put, y)
+    close(scene, expressed, x)
+    return True
+
+
+def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:
+    """A tree in which a value stands for a subject, also for the square of a product of it."""
+    from restitution.explaining.trees import rebuilt
+
+    base = subject.left if isinstance(subject, Binary) and subject.op == "^" else None
+
+    def change(each: Expression) -> Expression:
+        if each == subject:
+            return value
+        match each:
+            case Binary("^", inside, _) if base is not None:
+                rest = _without(inside, base)
+                if rest is not None:
+                    return product(square(rest), value)
+        return each
+
+    return rebuilt(tree, change)
+
+
+def _without(tree: Expression, factor: Expression) -> Expression | None:
+    match tree:
+        case Binary("*", left, right):
+            if right == factor:
+                return left
+            if left == factor:
+                return right
+            rest = _without(left, factor)
+            return None if rest is None else product(rest, right)
+    return None
+
+
+SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
+    _linear,
+    _polar,
+    _expressed,
+    _ratio_expressed,
+    _square_expressed,
+)
+"""What two equations may look like, in the order in which the shapes are tried."""
