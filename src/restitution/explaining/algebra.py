@@ -399,9 +399,25 @@ class World:
         if isinstance(tree, Quantity) or (isinstance(tree, Letter) and tree.name in self.vectors):
             return None
         if self.is_angle(tree):
-            return Plane(*self.cos_sin(self.turn(tree)))
+            return self._at_angle(self.turn(tree))
         value = self.value(tree)
         return value if isinstance(value, Plane) else None
+
+    def _at_angle(self, turn: Turn) -> Plane:
+        """The unit vector at an angle; one at right angles to another is that one turned."""
+        if not turn.terms or turn.degrees % 90:
+            return Plane(*self.cos_sin(turn))
+        x, y = self.cos_sin(Turn(turn.terms))
+        for _ in range(int(turn.degrees // 90) % 4):
+            x, y = -y, x
+        return Plane(x, y)
+
+    def _is_at_angle(self, tree: Expression) -> bool:
+        """Whether a direction is told by its angle, so that its vector is a unit vector."""
+        seen = 0
+        while tree in self.directions and seen < _GENERATORS:
+            tree, seen = self.directions[tree], seen + 1
+        return self.is_angle(tree)
 
     def _quantity(self, tree: Quantity) -> Value:
         match tree.kind:
@@ -435,7 +451,7 @@ class World:
             if not isinstance(vector, Quantity):
                 return self._of_parts(tree, vector, axis)
             return self.generator(("quantity", tree))
-        size = self.size(direction)
+        size = CONSTANT(1) if self._is_at_angle(axis) else self.size(direction)
         value = self.value(vector)
         if not isinstance(value, Plane):
             raise NotComparableError("a component of a number")

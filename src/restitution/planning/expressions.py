@@ -45,6 +45,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         if right != final:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
         return line, final
+    if len(set(refs)) == 1:
+        # Of one line there is nothing to put in.
+        line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
+        return line, final
     line = scene.desk.write(
         Move("put"), together(refs), chain(asked, (right, None), (final, "rearrange"))
     )

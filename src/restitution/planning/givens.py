@@ -14,10 +14,13 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
+from restitution.oracle import Oracle, compared
+from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys
 from restitution.planning.deflections import write_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import ONE, product, square, swept, tree_of
+from restitution.planning.impacts import scene_value
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -77,6 +80,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
             return _component(scene, each)
+        if own.left.kind == "deflection":
+            _decided(scene, own.left)
         if not has_quantity(own.right) and not journeys.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     return _of_several(scene, each)
@@ -90,6 +95,21 @@ def _is_right(scene: Scene, own: Link) -> bool:
         case Quantity("deflection" | "angle"):
             return bool(scene.scalar(own.right) == sp.pi / 2)
     return False
+
+
+def _decided(scene: Scene, deflection: Quantity) -> None:
+    """Raises NotPlannedError where it is open to which side a sphere turns."""
+    (above, _), roles = _sides(formula(scene, deflection).right), dict(scene.model.unknowns.roles)
+    for each in scene.model.components.values():
+        roles[each.symbol.name] = POSITIVE
+    value = scene_value(scene, above)
+    if not Oracle(roles).proves(compared(value, ">=", sp.Integer(0))):
+        raise NotPlannedError("to which side a sphere turns is open")
+
+
+def _sides(tree: Expression) -> tuple[Expression, Expression]:
+    assert isinstance(tree, Binary)
+    return tree.left, tree.right
 
 
 def _between_letters(scene: Scene, each: GivenEquation) -> int:
@@ -192,6 +212,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             if not isinstance(node.stage, int):
                 continue
             made = formula(scene, node)
+            if made.left != node:
+                raise NotPlannedError(f"a relation with {node.kind}s")
             number = scene.desk.write(
                 made.move, made.refs, chain(made.left, (swept(made.right), None))
             )

@@ -50,6 +50,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _expression(scene, asked, name)
         case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
             _ratio(scene, asked, kind, letter, name)
+        case Quantity("along" | "across") if _is_named(scene, asked):
+            known = scene.desk.known(asked)
+            assert known is not None
+            _letter(scene, next(iter(known.value.free_symbols)), name)
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)
@@ -112,6 +116,23 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     if rest or len(lines) != len(refs):
         raise NotPlannedError("an expression of several letters")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _is_named(scene: Scene, asked: Quantity) -> bool:
+    """Whether a component that is asked is one for which the working has a letter."""
+    known = scene.desk.known(asked)
+    letters = {each.symbol for each in scene.model.components.values()}
+    return known is not None and known.value in letters
+
+
+def _letter(scene: Scene, letter: sp.Symbol, name: str) -> None:
+    """A component that a letter stands for: by the line that says what the letter is."""
+    tree = Letter(letter.name)
+    known = scene.desk.known(tree)
+    if known is None:
+        raise NotPlannedError(f"{letter} is open")
+    (line,) = (each for each in known.refs if isinstance(each, int))
+    scene.desk.end(name, line, chain(tree, (_right(scene, line), None)))
 
 
 def _right(scene: Scene, line: int) -> Expression:

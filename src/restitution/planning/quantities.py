@@ -8,8 +8,9 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.errors import StatementError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.derivation import Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -503,13 +504,13 @@ def write_formula(scene: Scene, own: Formula) -> int:
     else:
         refs = own.refs
         if isinstance(right, Apply) and right.function == "sqrt":
-            refs = together(refs, not_negative(scene, own.value))
+            refs = together(
+                refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
+            )
         if _trivial(own.right, final):
             right = final
-            refs = together(refs, sign_known(scene, own.value))
-        number = scene.desk.write(
-            own.move, refs, chain(own.left, (right, None), (final, "rearrange"))
-        )
+        by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
+        number = scene.desk.write(own.move, refs, chain(own.left, (right, None), (final, by)))
     scene.desk.know(own.quantity, own.value, (number,))
     return number
 
@@ -520,3 +521,33 @@ def _trivial(right: Expression, final: Expression) -> bool:
         case Apply("sqrt", Binary("^", base, _)):
             return base == final
     return False
+
+
+def _before_root(value: sp.Expr) -> sp.Expr:
+    """The factors of a value that are not roots."""
+    return sp.Mul(
+        *(
+            each
+            for each in sp.Mul.make_args(value)
+            if not (each.is_Pow and each.exp.is_Rational and each.exp.q == 2)
+        )
+    )
+
+
+def _by_pythagoras(scene: Scene, own: Formula) -> bool:
+    """Whether a value comes of its formula by sin² + cos² = 1 alone."""
+    value = sp.sympify(own.value, strict=True)
+    try:
+        right = scene.scalar(own.right)
+    except StatementError:
+        return False
+    ratios = right.atoms(sp.sin, sp.cos) | value.atoms(sp.sin, sp.cos, sp.tan)
+    angles = {each.args[0] for each in ratios}
+    if len(ratios) == len(angles):
+        return False
+    put: dict[sp.Basic, sp.Expr] = {}
+    for angle in angles:
+        s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
+        put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
+    gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
+    return sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Expression, Name, Number, Polar, Quantity, Unit, walk
+from restitution.expression.tree import Expression, Name, Negate, Polar, Quantity, Unit, walk
 from restitution.planning.desk import NotPlannedError, Source, link, together
 from restitution.planning.forms import ONE, ZERO, product, total, tree_of
 from restitution.planning.frames import Frame
@@ -54,6 +54,8 @@ def tied(own: Link) -> tuple[Expression, Expression, str] | None:
 def moving(scene: Scene, tree: Expression) -> tuple[str, int] | None:
     """The body and the event of a velocity; None for a direction in the plane."""
     match tree:
+        case Negate(operand):
+            return moving(scene, operand)
         case Quantity("velocity" | "direction", (Name(body),), int()):
             if body in scene.model.story.walls:
                 return None
@@ -70,20 +72,18 @@ def _two_velocities(
     ]
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
-    refs = together((each.fact.id,), *(_needed(*p) for p in pairs), _axis(frame, pairs))
-    first, second = (product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
+    pairs = tuple(_cited(pair) for pair in pairs)
+    refs = together((each.fact.id,), *(s.refs for p in pairs for s in p), _axis(frame, pairs))
+    first, second = (product(*(tree_of(each.value) for each in pair)) for pair in pairs)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))
 
 
-def _needed(*factors: Source) -> tuple[Ref, ...]:
-    """What a product rests on: where a factor is 0, on that alone."""
-    for each in factors:
-        if each.value == 0:
-            return each.refs
-    return together(*(each.refs for each in factors))
+def _cited(pair: tuple[Source, Source]) -> tuple[Source, ...]:
+    """Of a product that is zero, the factor that is zero."""
+    return next(((each,) for each in pair if each.value == 0), pair)
 
 
 def _axis(frame: Frame, pairs: Any) -> tuple[Ref, ...]:
@@ -167,4 +167,3 @@ def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]
 
 
 __all__ = ["moving", "tied", "write_tie"]
-_ = (Source, Number)
