@@ -5,44 +5,69 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Case, Line, Ref
+from restitution.explaining.derivation import Case, ItemEnd, Line, Ref
 from restitution.planning.desk import Desk, NotPlannedError
 
 
 def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
     """One desk of several that went on from the same: what is common stands once.
 
-    Raises NotPlannedError where the solutions do not part at one line of alternatives.
+    Raises NotPlannedError where the solutions do not part at lines of alternatives.
     """
-    splits = {draft.split for draft in drafts}
-    lines = {each[0] for each in splits if each is not None}
-    if len(lines) != 1 or None in splits or len(splits) != len(drafts):
+    return _joined(before, drafts, 0)
+
+
+def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
+    """The same, of solutions that have parted so many times already."""
+    if len(drafts) == 1:
+        return drafts[0]
+    splits = [each.splits[depth] if len(each.splits) > depth else None for each in drafts]
+    parted = {each[0] for each in splits if each is not None}
+    options = list(dict.fromkeys(each[1] for each in splits if each is not None))
+    if len(parted) != 1 or None in splits or len(options) < 2:
         raise NotPlannedError("solutions that do not part at one line")
-    (split,) = lines
+    (split,) = parted
+    groups = [
+        [own for own, each in zip(drafts, splits, strict=True) if each == (split, option)]
+        for option in options
+    ]
     first = drafts[0]
     if any(draft.lines[:split] != first.lines[:split] for draft in drafts):
         raise NotPlannedError("solutions that differ before they part")
     desk = first.fork()
-    desk.lines, desk.ends, desk.split = first.lines[:split], list(before.ends), None
-    ends = []
-    for count, draft in enumerate(drafts, len(before.cases) + 1):
-        assert draft.split is not None
-        numbers = _added(desk, draft, split)
-        own = tuple(
-            numbers[each.number]
-            for each in draft.lines[split:]
-            if _under(draft, each.number, split)
-        )
-        desk.cases.append(Case(count, split, draft.split[1], own))
-        for end in draft.ends[len(before.ends) :]:
-            line = numbers.get(end.line, end.line)
-            case = count if line in own else None
-            placed = replace(end, line=line, case=case)
-            if placed not in ends:
-                ends.append(placed)
+    desk.lines, desk.ends, desk.splits = first.lines[:split], list(before.ends), ()
+    desk.cases = list(before.cases)
+    ends: list[ItemEnd] = []
+    for option, group in zip(options, groups, strict=True):
+        for each in _added_case(before, desk, _joined(before, group, depth + 1), split, option):
+            if each not in ends:
+                ends.append(each)
     items = list(dict.fromkeys(each.item for each in ends))
     desk.ends += sorted(ends, key=lambda each: items.index(each.item))
+    desk.splits = first.splits[:depth]
     return desk
+
+
+def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) -> list[ItemEnd]:
+    """Adds what follows from one of some alternatives; returns its last lines of items."""
+    numbers = _added(desk, draft, split)
+    own = tuple(
+        numbers[each.number] for each in draft.lines[split:] if _under(draft, each.number, split)
+    )
+    count = len(desk.cases) + 1
+    desk.cases.append(Case(count, split, option, own))
+    within = {}
+    for case in draft.cases[len(before.cases) :]:
+        within[case.number] = len(desk.cases) + 1
+        lines = tuple(numbers.get(each, each) for each in case.lines)
+        line = numbers.get(case.line, case.line)
+        desk.cases.append(Case(within[case.number], line, case.option, lines))
+    ends = []
+    for end in draft.ends[len(before.ends) :]:
+        line = numbers.get(end.line, end.line)
+        case = count if line in own else None
+        ends.append(replace(end, line=line, case=within.get(end.case, case)))
+    return ends
 
 
 def _added(desk: Desk, draft: Desk, split: int) -> dict[int, int]:

@@ -188,7 +188,7 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
-    for each in (above, _uncertain(scene, above)):
+    for each in (above, _uncertain(scene, above, symbol)):
         poly = sp.Poly(each, symbol)
         if poly.degree() != 1:
             continue
@@ -199,11 +199,20 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return None
 
 
-def _uncertain(scene: Scene, x: sp.Expr) -> sp.Expr:
-    """An expression without the factors that are certain not to vanish."""
+def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """An expression without the factors that are certain not to vanish.
+
+    A factor that is linear in the unknown has a root, which is written down and rejected.
+    """
     factors = sp.Mul.make_args(sp.factor(x))
-    kept = (each for each in factors if not proved_sign(scene.model.ground, each))
+    kept = [each for each in factors if not proved_sign(scene.model.ground, each)]
+    kept += [each for each in factors if each not in kept and _single(each, symbol)]
     return sp.expand(sp.Mul(*kept))
+
+
+def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a factor is a polynomial in an unknown alone: it has roots to be looked at."""
+    return factor.free_symbols == {symbol} and factor.is_polynomial(symbol) and factor != symbol
 
 
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:

@@ -25,18 +25,15 @@ from restitution.expression.tree import Expression
 
 # These moves start from the line that is cited first.
 _FROM_A_LINE = frozenset(
-    ("put", "rearrange", "cancel", "identity", "roots", "reject", "triangle", "inverse", "value")
+    (
+        *("put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"),
+        *("roots", "reject", "triangle", "inverse", "value"),
+    )
 )
 
 
 class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
-
-
-# The moves that start from a line: it is the first that they name.
-_FROM_A_LINE = frozenset(
-    {"put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"}
-)
 
 
 @dataclass(frozen=True)
@@ -86,9 +83,9 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
 class Desk:
     """The lines of a working so far.
 
-    ``split`` is the line of alternatives, and which of them, under which the lines stand that come
-    now; None where all solutions are still one. ``route`` is which of the ways to a goal is taken,
-    ``others`` are those that are not.
+    ``splits`` are the lines of alternatives, and which of them, under which the lines stand that
+    come now; there are none where all solutions are still one. ``route`` is which of
+    the ways to a goal is taken, ``others`` are those that are not.
     """
 
     events: tuple[Event, ...]
@@ -100,7 +97,7 @@ class Desk:
     others: list[Route] = field(default_factory=list)
     item: str | None = None
     part: str | None = None
-    split: tuple[int, int] | None = None
+    splits: tuple[tuple[int, int], ...] = ()
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
     _parts: dict[Ref, frozenset[str]] = field(default_factory=dict)
 

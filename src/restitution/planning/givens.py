@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,6 +28,7 @@ from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.ties import write_tie
+from restitution.solve.letters import roles
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
 
@@ -120,6 +124,8 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     """The definition of what is given, with its value on the left."""
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
+    if own.move.record == "tan" and _of_open_sense(scene, own):
+        return _squared_tangent(scene, each, own, value, refs)
     if (
         isinstance(left, Apply)
         and own.left == Apply("tan", own.quantity)
@@ -132,6 +138,32 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     else:
         relation = chain(own.of(left), (swept(own.right), None))
     return scene.desk.write(own.move, together((each.fact.id,), refs, own.refs), relation)
+
+
+def _of_open_sense(scene: Scene, own: Formula) -> bool:
+    """Whether the sense of a component in a tangent is not certain."""
+    open_ = scene.unknown(own.value)
+    if any(each.symbol in open_ for each in scene.model.components.values()):
+        return True
+    if not open_:
+        return False
+    known = Oracle(roles(scene.problem))
+    value = sp.sympify(own.value, strict=True)
+    return not any(known.proves(compared(value, sign, sp.Integer(0))) for sign in (">=", "<="))
+
+
+def _squared_tangent(
+    scene: Scene, each: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
+) -> int:
+    """The square of a tangent: on which side the angle lies is open."""
+    assert isinstance(own.right, Binary)
+    squares = [square(part) for part in (own.right.left, own.right.right)]
+    left = tree_of(tidy(sp.tan(angle) ** 2))
+    return scene.desk.write(
+        replace(own.move, record="tan-squared"),
+        together((each.fact.id,), refs, own.refs),
+        chain(left, (swept(Binary("/", *squares)), None)),
+    )
 
 
 def _component(scene: Scene, each: GivenEquation) -> int:

@@ -146,7 +146,7 @@ def _follows(
 def _cited(scene: Scene, number: int) -> Relation | Meaning:
     """What a line says: of alternatives, the one under which the next lines stand."""
     own = scene.desk.line(number).relation
-    split = scene.desk.split
-    if split is not None and split[0] == number and isinstance(own, Relation):
-        return Relation((own.options[split[1]],))
+    for line, option in scene.desk.splits:
+        if line == number and isinstance(own, Relation):
+            return Relation((own.options[option],))
     return own

@@ -19,8 +19,11 @@ from restitution.planning.scene import Scene
 
 
 def numerator(x: sp.Expr) -> sp.Expr:
-    """What stands above in a quotient, multiplied out."""
-    return sp.expand(sp.fraction(sp.together(x))[0])
+    """What stands above in a quotient in lowest terms, multiplied out."""
+    above, below = sp.fraction(sp.together(x))
+    if below.free_symbols:
+        above = sp.fraction(sp.cancel(above / below))[0]
+    return sp.expand(above)
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -56,7 +59,8 @@ def by_roots(
     if len(wanted) != 1:
         return None
     (value,) = wanted
-    roots.sort(key=lambda each: each not in kept)
+    kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
+    roots = [*kept, *(each for each in roots if each not in kept)]
     dropped = [each for each in roots if each not in kept]
     laws = _laws(scene, symbol) if dropped and _is_component(scene, symbol) else ()
     number = _in_standard_form(scene, number, above, generator, subject)
@@ -66,9 +70,10 @@ def by_roots(
     if dropped:
         line = _rejected(scene, line, symbol, subject, kept, laws)
     if len(kept) > 1:
-        if scene.desk.split is not None:
-            raise NotPlannedError("solutions that part twice")
-        scene.desk.split = line, kept.index(value)
+        scene.desk.splits += ((line, kept.index(value)),)
+        scene.others = tuple(
+            each for each in scene.others if is_value(each, value, generator, symbol)
+        )
     if generator == symbol:
         return known_as(scene, symbol, value, line)
     return scene.desk.know(subject, value, (line,))
@@ -140,6 +145,15 @@ def is_value(model: Model, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol)
 def is_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether a root is that of some solution of the part."""
     return any(is_value(model, root, generator, symbol) for model in scene.others or (scene.model,))
+
+
+def _first_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> int:
+    """Which of the solutions is the first with a root: in that order they are written."""
+    return next(
+        n
+        for n, model in enumerate(scene.others or (scene.model,))
+        if is_value(model, root, generator, symbol)
+    )
 
 
 # --- what excludes a root -----------------------------------------------------------------------
