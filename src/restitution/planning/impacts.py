@@ -72,7 +72,7 @@ def _by_scalar_product(
     own = _put(scene, source)
     source = Source(own.value, own.refs)
     value = tidy(source.value.dot(direction))
-    if value == 0 and not any(source.value):
+    if value == 0 and not any(source.value) and direction.x.is_number:
         return Source(value, source.refs, frame.refs)
     terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
     number = scene.desk.write(

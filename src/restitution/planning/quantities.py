@@ -103,6 +103,8 @@ def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> li
 def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
     frame = frame_after(scene, body, stage)
+    if not all(each.is_number for each in frame.n):
+        raise NotPlannedError("a velocity put together of directions at an angle in letters")
     along, across = parts(scene, body, stage, frame)
     value = frame.n * along.value + frame.t * across.value
     refs = together(along.refs, across.refs, frame.unit_free if stage else ())
