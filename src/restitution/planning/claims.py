@@ -916,9 +916,7 @@ class Claims:
                 return line
         return None
 
-    def _named_component(
-        self, side: Expression
-    ) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+    def _named_component(self, side: Expression) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
         """A component by the letter for it, and the line that says what it is."""
         scene = self.scene
         match side:

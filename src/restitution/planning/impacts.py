@@ -162,9 +162,18 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     for each in scene.given:
         if each.link.sign == "=" and each.link.left == velocity:
             value = scene.model.story.evaluator(scene.events).vector(each.link.right)
-            own = tidy(value.dot(frame.direction(kind)))
-            return Source(own, (each.fact.id,), frame.refs)
-    return None
+            return _of_vector(scene, kind, body, frame, Source(value, (each.fact.id,)))
+    known = scene.desk.known(velocity)
+    return None if known is None else _of_vector(scene, kind, body, frame, known)
+
+
+def _of_vector(scene: Scene, kind: str, body: str, frame: Frame, source: Source) -> Source:
+    """A component after an impact of a velocity that is known as a vector."""
+    direction = frame.direction(kind)
+    if _is_slanted(frame) and all(x.is_number for x in (*frame.n, *source.value)):
+        quantity = frame.component(kind, body, frame.number)
+        return _by_scalar_product(scene, quantity, source, frame, direction)
+    return Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
 
 
 def named(scene: Scene, body: str, frame: Frame) -> Source:

@@ -17,6 +17,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import journeys
+from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
 from restitution.planning.closing import close, with_known
 from restitution.planning.desk import NotPlannedError, chain, together
@@ -82,14 +83,12 @@ class Solver:
                 given = self._given_velocity(body, number)
                 if given is None:
                     continue
-                own = self.scene.frame(number)
-                after_ = self.scene.value(given.link.right).dot(own.t)
-                before_ = self.scene.velocity(body, number - 1).dot(own.t)
+                after_ = self.scene.value(given.link.right).dot(frame.t)
+                before_ = self.scene.velocity(body, number - 1).dot(frame.t)
                 residual_ = tidy(after_ - before_)
                 if residual_ != 0:
                     id_ = f"unchanged {number} {body}"
                     yield Law("unchanged", number, Candidate(id_, 1.0, (residual_,)), body)
-            del frame
 
     def _given_velocity(self, body: str, number: int) -> GivenEquation | None:
         velocity = Quantity("velocity", (Name(body),), number)
@@ -199,7 +198,7 @@ class Solver:
         match each.link:
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
-                    frame = self.scene.frame(stage)
+                    frame = self.scene.model.frames[stage]
                     gap = self.scene.velocity(body, stage) - self.scene.value(right)
                     return replace(own, residuals=(tidy(gap.dot(frame.n)),))
         return own
@@ -252,9 +251,18 @@ class Solver:
         """A velocity that is given is known at once."""
         for own in left:
             given = self.givens.get(own.id)
-            if given is not None and given.link.sign == "=" and _is_velocity(given.link.left):
-                self._take_velocity(given)
-                return (own,)
+            if given is None or given.link.sign != "=":
+                continue
+            match given.link.left:
+                case Quantity("velocity"):
+                    self._take_velocity(given)
+                    return (own,)
+                case Quantity("impulse", (Name(body),), int(event)):
+                    if any(self.scene.unknown(each) for each in self.scene.value(given.link.right)):
+                        continue
+                    take_impulse(self.scene, given)
+                    self._take_components(body, event)
+                    return (own,)
         return None
 
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
@@ -300,11 +308,24 @@ class Solver:
         """The components of a velocity that is given are known from now on."""
         scene = self.scene
         for (number, body), component in scene.model.components.items():
+            if given.link.left != Quantity("velocity", (Name(body),), number):
+                continue
             frame = scene.frame(number)
             source = _given_after(scene, "along", body, frame)
-            if source is not None and source.refs == (given.fact.id,):
+            if source is not None:
                 value = frame.letter_sign * source.value
                 scene.desk.know(Letter(component.symbol.name), value, source.refs)
+
+    def _take_components(self, body: str, event: int) -> None:
+        """The component of a velocity that is a line is known from now on."""
+        scene = self.scene
+        component = scene.model.components.get((event, body))
+        if component is None:
+            return
+        frame = scene.frame(event)
+        source = after(scene, "along", body, frame)
+        value = frame.letter_sign * source.value
+        scene.desk.know(Letter(component.symbol.name), value, source.refs)
 
     def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """At a wall the component after follows at once."""

@@ -10,6 +10,7 @@ from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
 from restitution.oracle import Oracle
+from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined
 from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
@@ -109,7 +110,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
     for told in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
-        _write_items(Scene(problem, part.part, part, told, draft, others))
+        _write_items(Scene(problem, part.part, part, told, draft, others, find_frame=found_frame))
         require_true(told, draft.lines[len(desk.lines) :], draft.lines)
         drafts.append(draft)
     return drafts[0] if len(drafts) == 1 else joined(desk, drafts)

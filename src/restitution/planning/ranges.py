@@ -59,4 +59,3 @@ def _end(value: Any, angle: bool) -> Expression | None:
     if value in (sp.oo, -sp.oo):
         return None
     return tree_of(value, angle=angle, as_it_is=angle)
-

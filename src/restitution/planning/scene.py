@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -60,6 +60,7 @@ class Scene:
     """Letters that an item leaves open, though facts tie them to others."""
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
+    find_frame: Callable[[Scene, int], Frame] | None = None
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -76,7 +77,10 @@ class Scene:
     def frame(self, number: int) -> Frame:
         """The frame of an impact."""
         if number not in self.frames:
-            self.frames[number] = frame_of(self.model, self.facts, number)
+            if self.find_frame is not None and f"axis {number}" not in self.facts:
+                self.frames[number] = self.find_frame(self, number)
+            else:
+                self.frames[number] = frame_of(self.model, self.facts, number)
         return self.frames[number]
 
     def bodies(self, number: int) -> tuple[str, ...]:

@@ -1,0 +1,178 @@
+"""Lines of centres, and walls, whose direction is worked out: by an impulse or a change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Binary, Expression, Name, Negate, Quantity
+from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.forms import tree_of, vector
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import whole_direction
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+
+def found_frame(scene: Scene, number: int) -> Frame:
+    """The frame of an impact whose line is not among the data, with the line that finds it.
+
+    Raises NotPlannedError where no impulse and no change of a velocity is known.
+    """
+    own = scene.model.frames.get(number)
+    if own is None:
+        raise NotPlannedError(f"event {number} is no impact")
+    if own.angle is not None or not all(each.is_number for each in own.n):
+        raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+    for way in _WAYS:
+        line = way(scene, number)
+        if line is not None:
+            n = -own.n if own.wall is not None else own.n
+            number_ = _plainly(scene, number, line, n)
+            centres = Quantity("line_of_centres", (), number)
+            refs = (number_,)
+            sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
+            return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
+    raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+
+
+def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
+    """The direction by a vector of whole numbers, where there is one."""
+    centres = Quantity("line_of_centres", (), number)
+    whole, _ = whole_direction(n)
+    tree = vector(*map(tree_of, whole))
+    relation = Relation(((Link(centres, "parallel to", tree),),))
+    if scene.desk.relation(line) == relation:
+        return line
+    return scene.desk.write(Move("rearrange"), (line,), relation)
+
+
+# --- ways --------------------------------------------------------------------------------------
+
+
+def _by_impulse(scene: Scene, number: int) -> int | None:
+    """An impulse that is given as a vector, or as parallel to one."""
+    for each in scene.given:
+        match each.link:
+            case Link(Quantity("impulse", (Name(body),), event), "=" | "parallel to", right):
+                if event == number:
+                    return _parallel(scene, "across-the-impulse", number, body, (each,), right)
+    return None
+
+
+def _by_change(scene: Scene, number: int) -> int | None:
+    """A velocity that is known before and after."""
+    for body in scene.spheres(number):
+        late = velocity_given(scene, body, number)
+        if late is None:
+            continue
+        fact = scene.facts.get(f"velocity {body}")
+        if fact is None or scene.last_event(body, number - 1):
+            continue
+        early = fact.relation.only[0].right
+        source = scene.initial(body)
+        if any(scene.unknown(each) for each in (*source.value, *late[1])):
+            continue
+        value = scene.model.story.evaluator(scene.events).vector(early)
+        change: Expression = late[0]
+        if any(value):
+            change = Binary("-", late[0], early)
+        refs = together(source.refs, late[2])
+        return _write(scene, "along-the-change", number, body, refs, change)
+    return None
+
+
+def velocity_given(
+    scene: Scene, body: str, number: int
+) -> tuple[Expression, Vector, tuple[Ref, ...]] | None:
+    """A velocity after an event that is given: as a vector, or by its size and direction."""
+    velocity = Quantity("velocity", (Name(body),), number)
+    parts: dict[str, GivenEquation] = {}
+    for each in scene.given:
+        if each.link.sign != "=":
+            continue
+        if each.link.left == velocity:
+            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
+            tree = tree_of(tuple(tidy(part) for part in value))
+            return tree, value, (each.fact.id,)
+        match each.link.left:
+            case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
+                name == body and event == number
+            ):
+                parts[kind] = each
+    if len(parts) != 2:
+        return None
+    angle = scene.scalar(parts["direction"].link.right)
+    direction = Vector(tidy(sp.cos(angle)), tidy(sp.sin(angle)))
+    size = scene.scalar(parts["speed"].link.right)
+    refs = tuple(each.fact.id for each in parts.values())
+    value = direction * size
+    return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def _parallel(
+    scene: Scene,
+    record: str,
+    number: int,
+    body: str,
+    given: Iterable[GivenEquation],
+    right: Expression,
+) -> int:
+    refs = together(each.fact.id for each in given)
+    value = scene.value(right)
+    if not isinstance(value, Vector):
+        raise NotPlannedError("an impulse along a direction at an angle")
+    return _write(scene, record, number, body, refs, right)
+
+
+def _write(
+    scene: Scene, record: str, number: int, body: str, refs: Iterable[Ref], right: Expression
+) -> int:
+    centres = Quantity("line_of_centres", (), number)
+    return scene.desk.write(
+        Move("law", record, number, (body,)),
+        refs,
+        Relation(((Link(centres, "parallel to", right),),)),
+    )
+
+
+_WAYS: tuple[Callable[[Scene, int], int | None], ...] = (_by_impulse, _by_change)
+
+
+# --- impulses that are given --------------------------------------------------------------------
+
+
+def take_impulse(scene: Scene, given: GivenEquation) -> None:
+    """The velocity after an impulse that is given as a vector: impulse = change of momentum."""
+    match given.link:
+        case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
+            mass, early = scene.mass(body), scene.initial(body)
+        case _:
+            raise NotPlannedError("no impulse of a body")
+    if scene.last_event(body, event - 1):
+        raise NotPlannedError("an impulse after an earlier event")
+    velocity = Quantity("velocity", (Name(body),), event)
+    impulse = scene.value(right)
+    late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, impulse, strict=True)))
+    before = tree_of(early.value)
+    change: Expression = velocity
+    if any(early.value):
+        negative = isinstance(before, Negate)
+        change = (
+            Binary("+", velocity, before.operand) if negative else Binary("-", velocity, before)
+        )
+    line = scene.desk.write(
+        Move("law", "impulse-vector", event, (body,)),
+        together((given.fact.id,), mass.refs, early.refs),
+        Relation(((Link(right, "=", Binary("*", tree_of(mass.value), change)),),)),
+    )
+    line = scene.desk.write(
+        Move("rearrange"), (line,), Relation(((Link(velocity, "=", tree_of(late)),),))
+    )
+    scene.desk.know(velocity, late, (line,))
+
+
+__all__ = ["Source", "found_frame", "take_impulse", "velocity_given"]
