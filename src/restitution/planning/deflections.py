@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Relation
+from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import Binary, Name, Quantity
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
@@ -44,8 +45,7 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     )
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together((each.fact.id,), refs, *(own.refs for own in (*early, *late)))
-    own = needed(scene, move, sources, relation, frame.refs)
-    return scene.desk.write(move, own or sources, relation)
+    return _written(scene, move, sources, relation, frame.refs)
 
 
 def _at_right_angles(
@@ -65,5 +65,13 @@ def _at_right_angles(
     refs = together((each.fact.id,), *(own.refs for own in used))
     move = Move("define", "perpendicular", event, (body,))
     relation = Relation(((link(swept(tree), ZERO),),))
-    own = needed(scene, move, refs, relation, scene.frame(event).refs)
-    return scene.desk.write(move, own or refs, relation)
+    return _written(scene, move, refs, relation, scene.frame(event).refs)
+
+
+def _written(
+    scene: Scene, move: Move, refs: Sequence[Ref], relation: Relation, axis: tuple[Ref, ...]
+) -> int:
+    own = needed(scene, move, refs, relation, axis)
+    if own is None:
+        raise NotPlannedError("a deflection to either side")
+    return scene.desk.write(move, own, relation)

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys
+from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import write_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import ONE, product, square, swept, tree_of
@@ -75,6 +76,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     own = each.link
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
         return write_tie(scene, each)
+    if is_sum(scene, each):
+        return write_sum(scene, each)
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):

@@ -81,7 +81,10 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     if known is None:
         raise NotPlannedError(f"{kind} {letter} is open")
     (line,) = (each for each in known.refs if isinstance(each, int))
-    scene.desk.end(name, line, chain(asked, (tree_of(known.value), None)))
+    relation = scene.desk.relation(line)
+    if len(relation.options) == 1:
+        relation = chain(asked, (tree_of(known.value), None))
+    scene.desk.end(name, line, relation)
 
 
 def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:

@@ -161,7 +161,7 @@ class Solver:
         """The cheapest equations that determine some values."""
         scene = self.scene
         candidates = [
-            Candidate(own.id, own.cost, tuple(scene.put(each)[0] for each in own.residuals))
+            Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
             for own in (
                 *(each.candidate for each in self.laws),
                 *(self._of_given(each) for each in scene.given),
@@ -169,7 +169,7 @@ class Solver:
             )
             if own.id not in self.used
         ]
-        put = [scene.put(each)[0] for each in goals]
+        put = [scene.with_values(each)[0] for each in goals]
         unknowns = frozenset(
             s for each in candidates for x in each.residuals for s in scene.unknown(x)
         ) | frozenset(s for x in put for s in scene.unknown(x))

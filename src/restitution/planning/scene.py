@@ -119,7 +119,7 @@ class Scene:
     def unknown(self, value: Any) -> frozenset[sp.Symbol]:
         """The unknowns in a value that have no value on the desk yet."""
         parts = value if isinstance(value, Vector) else (value,)
-        put = [self._changed(sp.sympify(each, strict=True))[0] for each in parts]
+        put = [sp.expand(self.with_values(each)[0]) for each in parts]
         return frozenset(
             symbol
             for each in put
@@ -139,11 +139,15 @@ class Scene:
             x, y = (self.put(each) for each in value)
             return Vector(x[0], y[0]), together(x[1], y[1])
         own = sp.sympify(value, strict=True)
-        changed, refs = self._changed(own)
+        changed, refs = self.with_values(own)
         return (own, ()) if changed is own else (tidy(changed), refs)
 
-    def _changed(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
-        """An expression with all that is known put in; the same object where that is nothing."""
+    def with_values(self, value: Any) -> tuple[sp.Expr, tuple[Ref, ...]]:
+        """The same of a number, as it comes, without a search for its usual form.
+
+        It is the same object where nothing is put in.
+        """
+        own = sp.sympify(value, strict=True)
         refs: list[Ref] = []
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}

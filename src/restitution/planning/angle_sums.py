@@ -1,0 +1,131 @@
+"""A sum or difference of angles that is given: by the tangents of both, or as a complement."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.forms import ONE, difference, product, swept, tree_of
+from restitution.planning.impacts import scene_value
+from restitution.planning.premises import background, needed
+from restitution.planning.quantities import formula
+from restitution.planning.scene import GivenEquation, Scene
+
+
+def is_sum(scene: Scene, each: GivenEquation) -> bool:
+    """Whether a fact ties two angles by their sum or difference, one of which has a letter."""
+    return _terms(scene, each) is not None
+
+
+def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
+    """Two letters, the sign of the second (the first has +), and what the sum is worth."""
+    sides = (each.link.left, each.link.right)
+    names = list(dict.fromkeys(name for side in sides for name in letters(side)))
+    if len(names) != 2 or any(has_quantity(side) for side in sides):
+        return None
+    if not any(_quantity(scene, own) is not None for own in names):
+        return None
+    first, second = (scene.model.unknowns.letter(own) for own in names)
+    if not (isinstance(first, sp.Symbol) and isinstance(second, sp.Symbol)):
+        return None
+    left, right = (scene_value(scene, side) for side in sides)
+    gap = sp.expand(left - right)
+    a, b = (sp.diff(gap, own) for own in (first, second))
+    if abs(a) != 1 or abs(b) != 1:
+        return None
+    rest = gap.subs({first: 0, second: 0})
+    if a == -1 and b == 1:
+        names, a, b = names[::-1], b, a
+    return names[0], names[1], int(a * b), tidy(-a * rest)
+
+
+def _quantity(scene: Scene, name: str) -> Quantity | None:
+    """The angle for which a letter of the statement stands."""
+    fact = scene.facts.get(f"let {name}")
+    if fact is None:
+        return None
+    own = fact.relation.only[0].left
+    return own if isinstance(own, Quantity) and own.kind == "angle" else None
+
+
+def write_sum(scene: Scene, each: GivenEquation) -> int:
+    """The equation in tangents. Raises NotPlannedError where there is none."""
+    terms = _terms(scene, each)
+    assert terms is not None
+    *names, sign, angle = terms
+    tangents: list[Expression] = []
+    refs: list[Ref] = []
+    for name in names:
+        tree, own = _tangent(scene, Letter(name))
+        tangents.append(tree)
+        refs += own
+    ranges = background(scene, names)
+    subjects = [Apply("tan", Letter(name)) for name in names]
+    if angle == sp.pi / 2 and sign == 1:
+        relation: Relation = chain(product(*subjects), (ONE, None))
+        move = Move("identity", "complement")
+    else:
+        above: Expression = Binary("+" if sign == 1 else "-", *subjects)
+        both = product(*subjects)
+        below = difference(ONE, both) if sign == 1 else Binary("+", ONE, both)
+        value = tree_of(tidy(sp.tan(angle)))
+        relation = Relation(((Link(Binary("/", above, below), "=", value),),))
+        move = Move("identity", "sum-of-angles")
+    own_refs = needed(scene, move, (each.fact.id,), relation, ranges)
+    if own_refs is None:
+        raise NotPlannedError("a sum of angles")
+    number = scene.desk.write(move, own_refs, relation)
+    values = dict(zip(subjects, tangents, strict=True))
+    link = scene.desk.last_link(number)
+    put = Relation(((Link(_with(link.left, values), "=", _with(link.right, values)),),))
+    premises = needed(scene, Move("put"), (number, *together(refs)), put, ranges)
+    if premises is None:
+        raise NotPlannedError("a sum of angles")
+    return scene.desk.write(Move("put"), premises, put)
+
+
+def _with(tree: Expression, values: dict[Apply, Expression]) -> Expression:
+    return swept(rebuilt(tree, lambda each: values.get(each, each)))  # type: ignore[call-overload]
+
+
+def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]:
+    """The tangent of an angle, by components where the letter stands for one of the motion."""
+    quantity = _quantity(scene, letter.name)
+    if quantity is None:
+        return Apply("tan", letter), ()
+    own = formula(scene, quantity)
+    own = replace(own, quantity=letter, refs=together((f"let {letter.name}",), own.refs))
+    value: Any = tidy(own.value)
+    final = tree_of(_in_tangents(value))
+    number = scene.desk.write(
+        own.move, own.refs, chain(own.left, (swept(own.right), None), (final, "rearrange"))
+    )
+    return final, (number,)
+
+
+def _in_tangents(value: sp.Expr) -> sp.Expr:
+    """A quotient with sine over cosine as the tangent."""
+    for ratio in value.atoms(sp.sin):
+        (argument,) = ratio.args
+        put = sp.cancel(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
+        if not put.has(sp.cos(argument)):
+            value = put.subs(sp.Symbol("_t"), sp.tan(argument))
+    return value
+
+
+__all__ = ["is_sum", "write_sum"]
