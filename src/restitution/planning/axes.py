@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-import sympy as sp
-
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Name, Negate, Quantity
-from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import whole_direction
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
 
 
@@ -85,34 +84,6 @@ def _by_change(scene: Scene, number: int) -> int | None:
     return None
 
 
-def velocity_given(
-    scene: Scene, body: str, number: int
-) -> tuple[Expression, Vector, tuple[Ref, ...]] | None:
-    """A velocity after an event that is given: as a vector, or by its size and direction."""
-    velocity = Quantity("velocity", (Name(body),), number)
-    parts: dict[str, GivenEquation] = {}
-    for each in scene.given:
-        if each.link.sign != "=":
-            continue
-        if each.link.left == velocity:
-            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
-            tree = tree_of(tuple(tidy(part) for part in value))
-            return tree, value, (each.fact.id,)
-        match each.link.left:
-            case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
-                name == body and event == number
-            ):
-                parts[kind] = each
-    if len(parts) != 2:
-        return None
-    angle = scene.scalar(parts["direction"].link.right)
-    direction = Vector(tidy(sp.cos(angle)), tidy(sp.sin(angle)))
-    size = scene.scalar(parts["speed"].link.right)
-    refs = tuple(each.fact.id for each in parts.values())
-    value = direction * size
-    return vector(*map(tree_of, direction)), value, together(refs)
-
-
 def _parallel(
     scene: Scene,
     record: str,
@@ -175,4 +146,4 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
     scene.desk.know(velocity, late, (line,))
 
 
-__all__ = ["Source", "found_frame", "take_impulse", "velocity_given"]
+__all__ = ["found_frame", "take_impulse"]

@@ -13,6 +13,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, link, toge
 from restitution.planning.forms import difference, negative, product, swept, total, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
+from restitution.planning.vectors import velocity_given
 from restitution.problem import Impact
 from restitution.vector import Vector
 
@@ -159,10 +160,9 @@ def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
 def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | None:
     """A component of a velocity after an impact that is given as a vector."""
     velocity = Quantity("velocity", (Name(body),), frame.number)
-    for each in scene.given:
-        if each.link.sign == "=" and each.link.left == velocity:
-            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
-            return _of_vector(scene, kind, body, frame, Source(value, (each.fact.id,)))
+    given = velocity_given(scene, body, frame.number)
+    if given is not None:
+        return _of_vector(scene, kind, body, frame, Source(given[1], given[2]))
     known = scene.desk.known(velocity)
     return None if known is None else _of_vector(scene, kind, body, frame, known)
 
@@ -170,7 +170,7 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
 def _of_vector(scene: Scene, kind: str, body: str, frame: Frame, source: Source) -> Source:
     """A component after an impact of a velocity that is known as a vector."""
     direction = frame.direction(kind)
-    if _is_slanted(frame) and all(x.is_number for x in (*frame.n, *source.value)):
+    if _is_slanted(frame) and all(x.is_number for x in frame.n):
         quantity = frame.component(kind, body, frame.number)
         return _by_scalar_product(scene, quantity, source, frame, direction)
     return Source(tidy(source.value.dot(direction)), source.refs, frame.refs)

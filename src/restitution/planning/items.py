@@ -46,6 +46,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case _ if journeys.serves(asked) or journeys.is_duration(asked):
             line, value = journeys.write(scene, asked)
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+        case Quantity("line_of_centres", (), int(number)):
+            _axis(scene, number, name)
         case Quantity("mass" | "restitution"):
             _expression(scene, asked, name)
         case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
@@ -119,6 +121,14 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     if rest or len(lines) != len(refs):
         raise NotPlannedError("an expression of several letters")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _axis(scene: Scene, number: int, name: str) -> None:
+    """A line of centres that is asked: the line that finds it."""
+    lines = [each for each in scene.frame(number).refs if isinstance(each, int)]
+    if not lines:
+        raise NotPlannedError("a line of centres of the data")
+    scene.desk.end(name, lines[0], scene.desk.relation(lines[0]))
 
 
 def _is_named(scene: Scene, asked: Quantity) -> bool:

@@ -37,6 +37,7 @@ from restitution.planning.pairs import close_two
 from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.vectors import velocity_given
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
 
@@ -257,9 +258,12 @@ class Solver:
                 case Quantity("velocity"):
                     self._take_velocity(given)
                     return (own,)
+                case Quantity("speed" | "direction", (Name(body),), int(event)):
+                    known = velocity_given(self.scene, body, event)
+                    if known is not None and (event, body) in self.scene.model.components:
+                        self._take_components(body, event)
+                        return tuple(each for each in left if each.id in known[2])
                 case Quantity("impulse", (Name(body),), int(event)):
-                    if any(self.scene.unknown(each) for each in self.scene.value(given.link.right)):
-                        continue
                     take_impulse(self.scene, given)
                     self._take_components(body, event)
                     return (own,)
@@ -359,11 +363,25 @@ class Solver:
             if other is None:
                 continue
             after_ = self._after(law.number)
-            open_ = (self._open(own) | self._open(other)) & after_.keys()
+            every = self._open(own) | self._open(other)
+            open_ = every & after_.keys()
             if len(open_) == 2:
                 self._pair(law.number, after_)
                 return (own, other)
+            if len(every) == 2 and self._is_linear((own, other), every):
+                self._pair(law.number, dict.fromkeys(sorted(every, key=str), ""))
+                return (own, other)
         return None
+
+    def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
+        """Whether laws are linear in some letters, with what is known put in."""
+        return all(
+            sp.diff(self.scene.put(each)[0], a, b) == 0
+            for own in laws
+            for each in own.residuals
+            for a in symbols
+            for b in symbols
+        )
 
     def _after(self, number: int) -> dict[sp.Symbol, str]:
         return {s: body for s, (n, body) in self._letters.items() if n == number}

@@ -100,8 +100,21 @@ def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> li
     return [in_direction(scene, kind, body, stage, own) for kind in ("along", "across")]
 
 
+def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formula:
+    """The velocity of the data, with the letters put in that have been found."""
+    source = scene.initial(body)
+    value, refs = scene.put(source.value)
+    if not refs:
+        raise NotPlannedError("a velocity that is given")
+    whole = Vector(*(tidy(each) for each in value))
+    own = Quantity(quantity.kind, quantity.arguments, 0)
+    return Formula(Move("put"), _itself, own, tree_of(whole), whole, together(source.refs, refs))
+
+
 def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
+    if not stage:
+        return _velocity_at_the_start(scene, quantity, body)
     frame = frame_after(scene, body, stage)
     if not all(each.is_number for each in frame.n):
         raise NotPlannedError("a velocity put together of directions at an angle in letters")

@@ -1,0 +1,41 @@
+"""Velocities that are given as vectors: by their parts, or by a size and a direction."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Ref
+from restitution.expression.tree import Expression, Name, Quantity
+from restitution.planning.desk import together
+from restitution.planning.forms import tree_of, vector
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+
+def velocity_given(
+    scene: Scene, body: str, number: int
+) -> tuple[Expression, Vector, tuple[Ref, ...]] | None:
+    """A velocity after an event that is given: as a vector, or by its size and direction."""
+    velocity = Quantity("velocity", (Name(body),), number)
+    parts: dict[str, GivenEquation] = {}
+    for each in scene.given:
+        if each.link.sign != "=":
+            continue
+        if each.link.left == velocity:
+            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
+            tree = tree_of(tuple(tidy(part) for part in value))
+            return tree, value, (each.fact.id,)
+        match each.link.left:
+            case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
+                name == body and event == number
+            ):
+                parts[kind] = each
+    if len(parts) != 2:
+        return None
+    angle = scene.scalar(parts["direction"].link.right)
+    direction = Vector(tidy(sp.cos(angle)), tidy(sp.sin(angle)))
+    size = scene.scalar(parts["speed"].link.right)
+    refs = tuple(each.fact.id for each in parts.values())
+    value = direction * size
+    return vector(*map(tree_of, direction)), value, together(refs)
