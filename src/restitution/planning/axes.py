@@ -9,7 +9,7 @@ from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Name, Negate, Quantity
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import tree_of, vector
-from restitution.planning.frames import Frame
+from restitution.planning.frames import Frame, frame_of
 from restitution.planning.impacts import whole_direction
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.vectors import velocity_given
@@ -23,7 +23,7 @@ def found_frame(scene: Scene, number: int) -> Frame:
     """
     own = scene.model.frames.get(number)
     if own is None:
-        raise NotPlannedError(f"event {number} is no impact")
+        return frame_of(scene.model, scene.facts, number)
     if own.angle is not None or not all(each.is_number for each in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     for way in _WAYS:

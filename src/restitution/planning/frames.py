@@ -63,11 +63,17 @@ class Frame:
         return None if self.letter_sign == 1 else Negate(self.along)
 
 
+_I, _J = (Vector(sp.Integer(x), sp.Integer(y)) for x, y in ((1, 0), (0, 1)))
+
+
 def frame_of(model: Model, facts: dict[str, Fact], number: int) -> Frame:
-    """The frame of an impact. Raises NotPlannedError where its line is not among the data."""
+    """The frame of an impact; of a blow, **i** and **j**.
+
+    Raises NotPlannedError where the line of centres is not among the data.
+    """
     own = model.frames.get(number)
     if own is None:
-        raise NotPlannedError(f"event {number} is no impact")
+        return Frame(number, None, Unit("i"), Unit("j"), _I, _J, (), 1)
     fact = facts.get(f"axis {number}")
     if fact is None or own.by_values or own.angle is not None:
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")

@@ -42,6 +42,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if vector is not None and last not in scene.model.frames:
         return _put(scene, Source(tidy(vector.value.dot(direction)), vector.refs, frame.refs))
+    if last not in scene.model.frames:
+        return _of_vector(scene, kind, body, frame, blown(scene, body, last), last)
     own = scene.frame(last)
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)
@@ -70,9 +72,10 @@ def _by_scalar_product(
 ) -> Source:
     """A component of a vector of numbers in a direction that is one: a line of its own."""
     whole, length = whole_direction(direction)
-    own = _put(scene, source)
-    source = Source(own.value, own.refs)
-    value = tidy(source.value.dot(direction))
+    value, more = scene.put(source.value.dot(direction))
+    if more:
+        source = Source(scene.put(source.value)[0], together(source.refs, more))
+    value = tidy(value)
     if value == 0 and not any(source.value) and direction.x.is_number:
         return Source(value, source.refs, frame.refs)
     terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
@@ -150,6 +153,8 @@ def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
     given = _given_after(scene, kind, body, frame)
     if given is not None:
         return given
+    if frame.number not in scene.model.frames:
+        return _of_vector(scene, kind, body, frame, blown(scene, body, frame.number))
     if kind == "across":
         return unchanged(scene, body, frame)
     if frame.wall is not None:
@@ -167,13 +172,46 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     return None if known is None else _of_vector(scene, kind, body, frame, known)
 
 
-def _of_vector(scene: Scene, kind: str, body: str, frame: Frame, source: Source) -> Source:
-    """A component after an impact of a velocity that is known as a vector."""
+def _of_vector(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source, stage: int | None = None
+) -> Source:
+    """A component after an event of a velocity that is known as a vector."""
     direction = frame.direction(kind)
     if _is_slanted(frame) and all(x.is_number for x in frame.n):
-        quantity = frame.component(kind, body, frame.number)
+        quantity = frame.component(kind, body, frame.number if stage is None else stage)
         return _by_scalar_product(scene, quantity, source, frame, direction)
     return Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
+
+
+def blown(scene: Scene, body: str, number: int) -> Source:
+    """A velocity after a blow: the impulse is the change of momentum."""
+    velocity = Quantity("velocity", (Name(body),), number)
+    known = scene.desk.known(velocity)
+    if known is not None:
+        return known
+    given = velocity_given(scene, body, number)
+    if given is not None:
+        return Source(given[1], given[2])
+    fact = scene.facts.get(f"impulse {number}")
+    if fact is None:
+        raise NotPlannedError(f"the velocity of {body} after event {number}")
+    plain = scene.frame(number)
+    parts = [in_direction(scene, each, body, number - 1, plain) for each in ("along", "across")]
+    early = Vector(*(each.value for each in parts))
+    mass = scene.mass(body)
+    right = fact.relation.only[0].right
+    impulse, refs = scene.put(scene.value(right))
+    late = Vector(*(tidy(u + j / mass.value) for u, j in zip(early, impulse, strict=True)))
+    change = difference(velocity, tree_of(early)) if any(early) else velocity
+    line = scene.desk.write(
+        Move("law", "impulse-vector", number, (body,)),
+        together((fact.id,), refs, mass.refs, *(each.refs for each in parts)),
+        chain(
+            right if not refs else tree_of(impulse), (product(tree_of(mass.value), change), None)
+        ),
+    )
+    line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
+    return scene.desk.know(velocity, late, (line,))
 
 
 def named(scene: Scene, body: str, frame: Frame) -> Source:
@@ -239,7 +277,8 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     if kind == "across":
         move = Move("law", "unchanged", frame.number, (body,))
         sides = [tree_of(later.value), tree_of(earlier.value)]
-        if scene.unknown(earlier.value) and not scene.unknown(later.value):
+        open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
+        if open_ or isinstance(sides[1], Letter):
             sides.reverse()
         return scene.desk.write(move, refs, chain(sides[0], (sides[1], None)))
     e = scene.coefficient(frame.number)

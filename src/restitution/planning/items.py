@@ -56,6 +56,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             known = scene.desk.known(asked)
             assert known is not None
             _letter(scene, next(iter(known.value.free_symbols)), name)
+        case Quantity() if (line := _written(scene, asked)) is not None:
+            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         case Quantity():
             own = formula(scene, asked)
             line = write_formula(scene, own)
@@ -121,6 +123,16 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     if rest or len(lines) != len(refs):
         raise NotPlannedError("an expression of several letters")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _written(scene: Scene, asked: Quantity) -> int | None:
+    """The line that says what a quantity is, with nothing open in it."""
+    known = scene.desk.known(asked)
+    if known is None or len(known.refs) != 1 or not isinstance(known.refs[0], int):
+        return None
+    line = known.refs[0]
+    settled = scene.put(known.value)[0] == known.value
+    return line if settled and scene.desk.last_link(line).left == asked else None
 
 
 def _axis(scene: Scene, number: int, name: str) -> None:

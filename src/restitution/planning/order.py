@@ -368,7 +368,8 @@ class Solver:
             if len(open_) == 2:
                 self._pair(law.number, after_)
                 return (own, other)
-            if len(every) == 2 and self._is_linear((own, other), every):
+            shared = self._open(own) & self._open(other)
+            if len(every) == len(shared) == 2 and self._is_linear((own, other), every):
                 self._pair(law.number, dict.fromkeys(sorted(every, key=str), ""))
                 return (own, other)
         return None

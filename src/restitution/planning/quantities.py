@@ -34,7 +34,7 @@ from restitution.planning.forms import (
     vector,
 )
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import in_direction, whole_direction
+from restitution.planning.impacts import blown, in_direction, whole_direction
 from restitution.planning.premises import not_negative, sign_known
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -111,10 +111,24 @@ def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formu
     return Formula(Move("put"), _itself, own, tree_of(whole), whole, together(source.refs, refs))
 
 
+def _once_more(scene: Scene, quantity: Quantity, body: str, stage: int, known: Source) -> Formula:
+    """A velocity that is a line already, perhaps in letters that are known by now."""
+    value, refs = scene.put(known.value)
+    own = Quantity(quantity.kind, quantity.arguments, stage)
+    whole = Vector(*(tidy(each) for each in value))
+    move = Move("put") if refs else Move("rearrange")
+    return Formula(move, _itself, own, tree_of(whole), whole, together(known.refs, refs))
+
+
 def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
     if not stage:
         return _velocity_at_the_start(scene, quantity, body)
+    known = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    if stage not in scene.model.frames and known is None:
+        known = blown(scene, body, stage)
+    if known is not None:
+        return _once_more(scene, quantity, body, stage, known)
     frame = frame_after(scene, body, stage)
     if not all(each.is_number for each in frame.n):
         raise NotPlannedError("a velocity put together of directions at an angle in letters")
@@ -297,10 +311,11 @@ def _direction(scene: Scene, quantity: Quantity) -> Formula:
 
 def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     event = quantity.stage
-    if not isinstance(event, int) or event not in scene.model.frames:
-        raise NotPlannedError("an impulse of a blow")
+    assert isinstance(event, int)
     if quantity.arguments:
         return _impulse_vector(scene, quantity, event)
+    if event not in scene.model.frames:
+        raise NotPlannedError("the size of a blow")
     frame = scene.frame(event)
     spheres = scene.spheres(event)
     body = spheres[0]
@@ -361,6 +376,8 @@ def velocity_source(scene: Scene, body: str, stage: int) -> Source:
     for each in scene.given:
         if each.link.left == quantity and each.link.sign == "=":
             return Source(scene.value(each.link.right), (each.fact.id,))
+    if last not in scene.model.frames:
+        return blown(scene, body, last)
     own = _velocity(scene, quantity)
     return Source(own.value, own.refs)
 

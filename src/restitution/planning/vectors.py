@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Ref
-from restitution.expression.tree import Expression, Name, Quantity
+from restitution.expression.tree import Expression, Name, Quantity, walk
 from restitution.planning.desk import together
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.scene import GivenEquation, Scene
@@ -25,7 +25,7 @@ def velocity_given(
         if each.link.left == velocity:
             value = scene.model.story.evaluator(scene.events).vector(each.link.right)
             tree = tree_of(tuple(tidy(part) for part in value))
-            return tree, value, (each.fact.id,)
+            return tree, value, together((each.fact.id,), _started(scene, each.link.right))
         match each.link.left:
             case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
                 name == body and event == number
@@ -39,3 +39,16 @@ def velocity_given(
     refs = tuple(each.fact.id for each in parts.values())
     value = direction * size
     return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
+    """The velocities at the start of which a tree speaks."""
+    return tuple(
+        f"velocity {each.arguments[0].name}"
+        for each in walk(tree)
+        if isinstance(each, Quantity)
+        and each.kind == "velocity"
+        and each.stage == 0
+        and isinstance(each.arguments[0], Name)
+        and f"velocity {each.arguments[0].name}" in scene.facts
+    )
