@@ -180,7 +180,8 @@ def _of_vector(
     if _is_slanted(frame) and all(x.is_number for x in frame.n):
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
         return _by_scalar_product(scene, quantity, source, frame, direction)
-    return Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
+    own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
+    return _put(scene, own)
 
 
 def blown(scene: Scene, body: str, number: int) -> Source:
@@ -202,13 +203,17 @@ def blown(scene: Scene, body: str, number: int) -> Source:
     right = fact.relation.only[0].right
     impulse, refs = scene.put(scene.value(right))
     late = Vector(*(tidy(u + j / mass.value) for u, j in zip(early, impulse, strict=True)))
+    walls = [
+        f"wall {each.name}"
+        for each in walk(right)
+        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+    ]
     change = difference(velocity, tree_of(early)) if any(early) else velocity
+    left = tree_of(impulse) if refs or isinstance(right, Polar) else right
     line = scene.desk.write(
         Move("law", "impulse-vector", number, (body,)),
-        together((fact.id,), refs, mass.refs, *(each.refs for each in parts)),
-        chain(
-            right if not refs else tree_of(impulse), (product(tree_of(mass.value), change), None)
-        ),
+        together((fact.id,), walls, refs, mass.refs, *(each.refs for each in parts)),
+        chain(left, (product(tree_of(mass.value), change), None)),
     )
     line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
     return scene.desk.know(velocity, late, (line,))

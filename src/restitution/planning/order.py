@@ -37,6 +37,7 @@ from restitution.planning.pairs import close_two
 from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.unknown_blows import take_blow
 from restitution.planning.vectors import velocity_given
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
@@ -255,6 +256,11 @@ class Solver:
             if given is None or given.link.sign != "=":
                 continue
             match given.link.left:
+                case Quantity("velocity", _, int(event)) if (
+                    event and event not in self.scene.model.frames and self._open(own)
+                ):
+                    take_blow(self.scene, given)
+                    return (own,)
                 case Quantity("velocity"):
                     self._take_velocity(given)
                     return (own,)

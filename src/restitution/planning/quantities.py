@@ -220,12 +220,27 @@ def tangent(tree: Expression) -> Expression:
     return Apply("tan", tree)
 
 
+def _frame_of_line(scene: Scene, body: str, stage: int, line: Expression) -> Frame:
+    """The frame in which the angle to a wall or a line of centres is taken."""
+    for event in sorted({stage, *scene.model.frames}):
+        if event not in scene.model.frames or body not in scene.bodies(event):
+            continue
+        if stage not in (event, scene.last_event(body, event - 1)):
+            continue
+        frame = scene.model.frames[event]
+        if line == Quantity("line_of_centres", (), event) or (
+            isinstance(line, Name) and line.name == frame.wall
+        ):
+            return scene.frame(event)
+    return frame_after(scene, body, stage)
+
+
 def _angle(scene: Scene, quantity: Quantity) -> Formula:
     velocity, line = quantity.arguments
     body, stage = body_and_stage(scene, velocity)
     if isinstance(line, Unit):
         return _angle_to_unit(scene, quantity, body, stage, line)
-    frame = frame_after(scene, body, stage)
+    frame = _frame_of_line(scene, body, stage, line)
     along, across = parts(scene, body, stage, frame)
     if isinstance(line, Name) and line.name == frame.wall:
         above, below = along, across
@@ -368,7 +383,8 @@ def velocity_source(scene: Scene, body: str, stage: int) -> Source:
     quantity = Quantity("velocity", (Name(body),), last)
     known = scene.desk.known(quantity)
     if known is not None:
-        return known
+        value, more = scene.put(known.value)
+        return Source(value, together(known.refs, more))
     if last == 0:
         source = scene.initial(body)
         value, refs = scene.put(source.value)

@@ -327,6 +327,10 @@ def _deflection(
     scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None
 ) -> Ratio | None:
     """The cosine or tangent of a deflection; None at a wall, where two angles are added."""
+    if event not in scene.model.frames:
+        sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
+        move = Move("define", "scalar-angle", event, (body,))
+        return _by_scalar(scene, move, sources, asked)
     frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))

@@ -1,0 +1,86 @@
+"""Blows whose impulse is found from the velocities before and after."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.expression.tree import Apply, Letter, Name, Quantity
+from restitution.planning.closing import close
+from restitution.planning.desk import NotPlannedError, chain, link
+from restitution.planning.forms import square, total, tree_of
+from restitution.planning.quantities import formula, write_formula
+from restitution.planning.ratios import inverse
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+
+def take_blow(scene: Scene, given: GivenEquation) -> None:
+    """Finds what is open in an impulse from the velocity after it, component by component."""
+    match given.link.left:
+        case Quantity("velocity", (Name() as body,), int(event)):
+            impulse = Quantity("impulse", (body,), event)
+        case _:
+            raise NotPlannedError("no velocity after a blow")
+    fact = scene.facts.get(f"impulse {event}")
+    if fact is None:
+        raise NotPlannedError("a blow of which nothing is told")
+    told = fact.relation.only[0].right
+    open_ = scene.value(told)
+    assert isinstance(open_, Vector)
+    line = write_formula(scene, formula(scene, impulse))
+    value = scene.desk.known(impulse)
+    assert value is not None
+    sides = tree_of(tuple(open_)), tree_of(value.value)
+    line = scene.desk.write(Move("put"), (fact.id, line), Relation(((link(*sides),),)))
+    lines: list[int] = []
+    for left, right in zip(open_, value.value, strict=True):
+        if not scene.unknown(left):
+            continue
+        trees = tree_of(left), tree_of(right)
+        if _is_minus(left):
+            trees = tree_of(-left), tree_of(tidy(-right))
+        lines.append(
+            scene.desk.write(Move("rearrange"), (line,), chain(trees[0], (trees[1], None)))
+        )
+    unknown = [scene.unknown(each) for each in open_ if scene.unknown(each)]
+    if all(len(each) == 1 for each in unknown):
+        for number, symbols in zip(lines, unknown, strict=True):
+            if scene.desk.known(Letter(next(iter(symbols)).name)) is None:
+                close(scene, number, next(iter(symbols)))
+        return
+    _size_and_angle(scene, lines, open_)
+
+
+def _is_minus(x: Any) -> bool:
+    return bool(sp.sympify(x, strict=True).could_extract_minus_sign())
+
+
+def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
+    """Two lines J sin θ = a and J cos θ = b: squared and added for J, divided for θ."""
+    symbols = scene.unknown(open_)
+    angles = {s for each in open_ for f in each.atoms(sp.sin, sp.cos) for s in f.free_symbols}
+    sizes = symbols - angles
+    if len(lines) != 2 or len(angles) != 1 or len(sizes) != 1:
+        raise NotPlannedError("an impulse with several letters that are open")
+    (size,), (angle,) = sizes, angles
+    rights = [scene.desk.last_link(each).right for each in lines]
+    squared = total(square(each) for each in rights)
+    line = scene.desk.write(
+        Move("square-add"), lines, chain(square(Letter(size.name)), (squared, None))
+    )
+    found = tidy(scene.final(size))
+    roots = tuple((Link(Letter(size.name), "=", tree_of(each)),) for each in (found, -found))
+    line = scene.desk.write(Move("roots"), (line,), Relation(roots))
+    line = scene.desk.write(
+        Move("reject"), (line,), chain(Letter(size.name), (tree_of(found), None))
+    )
+    scene.desk.know(Letter(size.name), found, (line,))
+    tangent = tidy(sp.tan(scene.final(angle)))
+    subject = Apply("tan", Letter(angle.name))
+    line = scene.desk.write(Move("divide"), lines, chain(subject, (tree_of(tangent), None)))
+    scene.desk.know(subject, tangent, (line,))
+    inverse(scene, line, angle)
