@@ -416,6 +416,10 @@ class Claims:
     def _value(self, tree: Expression) -> sp.Expr:
         return scene_value(self.scene, tree)
 
+    def value_of(self, tree: Expression) -> sp.Expr:
+        """What a tree of a line is worth, in letters."""
+        return self._value(tree)
+
     def solved(self, sign: Sign, x: sp.Expr, wanted: Expression | None = None) -> Link | None:
         """``P sign 0`` solved for the letter or the ratio in it, where it is linear in one."""
         symbols = sorted(x.free_symbols, key=lambda s: s.name)
@@ -685,7 +689,7 @@ class Claims:
         whole = self.scene.desk.last_link(line)
         value = self._value(whole.right)
         (link,) = relation.only
-        turned = link.right == subject_of(relation) or not has_quantity(link.left)
+        turned = not has_quantity(link.left)
         sign = FLIPPED[link.sign] if turned else link.sign
         for symbol in sorted(value.free_symbols, key=lambda s: s.name):
             role = roles(self.scene.problem).get(symbol.name)

@@ -36,6 +36,10 @@ class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
 
 
+# The moves that say what stands above once more.
+_LAST = frozenset({"answer", "shown"})
+
+
 @dataclass(frozen=True)
 class Source:
     """A value that is known, as an expression or a vector of them, and what it rests on.
@@ -117,7 +121,7 @@ class Desk:
         """Writes a line, and returns its number. One that stands already is not written again."""
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
-        for each in self.lines:
+        for each in self.lines if move.id not in _LAST else ():
             if each.relation == relation and self.holds(each.number):
                 return each.number
         number = len(self.lines) + 1

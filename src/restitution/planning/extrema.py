@@ -1,14 +1,25 @@
-"""Greatest and least values."""
+"""Greatest and least values: a bound, and where it is reached."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from typing import Any
 
-from restitution.expression.tree import Expression
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation, Sign
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, Quantity
+from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
+from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
+from restitution.solve.letters import roles
 from restitution.solve.solution import Answer, ItemResult
+
+_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
 
 def only_answer(result: ItemResult) -> Answer:
@@ -24,10 +35,243 @@ def write_extremum(
     kind: str,
     asked: Expression,
     over: Expression,
+    answer: Answer | None,
     value: Any,
-    where: Any,
     name: str,
     shown: bool = False,
 ) -> None:
-    """Writes the lines of a greatest or least value."""
-    raise NotPlannedError("Extremum")
+    """Writes the lines of a greatest or least value, of which the last says it as a bound."""
+    if answer is not None and not answer.reached:
+        raise NotPlannedError("a bound that is only approached")
+    if not isinstance(over, Letter):
+        raise NotPlannedError("an extremum over what is no letter")
+    with Claims(scene, solver) as claims:
+        own = _Extremum(claims, kind, asked, over.name, sp.sympify(value, strict=True))
+        line = own.write()
+    scene.desk.end(name, line, Relation(((own.end,),)), shown=shown)
+
+
+class _Extremum:
+    """An expression whose greatest or least value over a letter is sought."""
+
+    def __init__(
+        self, claims: Claims, kind: str, asked: Expression, over: str, value: sp.Expr
+    ) -> None:
+        self.claims = claims
+        self.scene = claims.scene
+        self.judge = claims.judge
+        self.symbol = roles(self.scene.problem)[over].symbol(over)
+        self.angle = roles(self.scene.problem)[over].kind == "angle"
+        self.least = kind == "minimum"
+        self.asked = claims.opened(asked)
+        self.value = value
+        sign: Sign = ">=" if self.least else "<="
+        angle = _is_angle(self.asked)
+        self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
+
+    def write(self) -> int:
+        """Writes the lines, and returns the number of the last."""
+        if _is_angle(self.asked):
+            raise NotPlannedError("the greatest or least angle")
+        line = self._line()
+        for way in (self._monotone, self._quotient, self._square, self._plain):
+            mark = self.claims.mark()
+            bound = way(line)
+            if bound is not None:
+                last = self._reached(line, bound)
+                if last is not None:
+                    return last
+            self.claims.back(mark)
+        raise NotPlannedError("a greatest or least value")
+
+    def _line(self) -> int:
+        match self.asked:
+            case Letter(letter):
+                for each in self.claims.ties():
+                    if self.scene.desk.last_link(each).left == self.asked:
+                        return each
+                raise NotPlannedError(f"{letter} by other letters")
+        line = self.claims.worth(self.asked)
+        if line is None:
+            raise NotPlannedError("an expression of several quantities")
+        return line
+
+    @property
+    def _relation(self) -> Relation:
+        return Relation(((self.end,),))
+
+    def _known(self, *names: str) -> tuple[Ref, ...]:
+        return self.judge.known(names)
+
+    def _names(self, x: sp.Expr) -> list[str]:
+        known = roles(self.scene.problem)
+        return sorted(s.name for s in x.free_symbols if s.name in known)
+
+    # --- where it is reached --------------------------------------------------------------------
+
+    def _reached(self, line: int, bound: int) -> int | None:
+        """The value at the place where it is greatest or least, and the answer."""
+        for place in self._places(line):
+            value = Link(self.end.left, "=", self.end.right)
+            unless = Link(place.left, "!=", place.right)
+            relation = Relation(((unless,), (value,)))
+            known = self._known(*self._names(self._value(line)))
+            there = self.judge.write((Move("put"),), [line, *known], relation)
+            if there is None:
+                continue
+            move = Move("answer", "least" if self.least else "greatest")
+            if self.judge.follows(move, [bound, there], self._relation):
+                return self.scene.desk.write(move, [bound, there], self._relation)
+        return None
+
+    def _places(self, line: int) -> Iterator[Link]:
+        """The value of the letter, or of its tangent, at which the bound is reached."""
+        gap = sp.fraction(sp.together(self._value(line) - self.value))[0]
+        letter = Letter(self.symbol.name)
+        if not self.angle:
+            x, subject, generator = sp.expand(gap), letter, self.symbol
+        else:
+            t = sp.Dummy("t", positive=True)
+            x = sp.fraction(sp.together(sp.expand(_by_tangent(gap, self.symbol, t) ** 1)))[0]
+            subject, generator = Apply("tan", letter), t  # type: ignore[assignment]
+        if any(p.exp == sp.Rational(1, 2) and generator in p.free_symbols for p in x.atoms(sp.Pow)):
+            gap = self._value(line) ** 2 - self.value**2
+            if self.angle:
+                gap = _by_tangent(gap, self.symbol, generator)
+            x = sp.expand(sp.fraction(sp.together(gap))[0])
+        try:
+            roots = sp.roots(sp.Poly(x, generator))
+        except sp.PolynomialError:
+            return
+        role = roles(self.scene.problem)[self.symbol.name]
+        for root in sorted(roots, key=sp.default_sort_key):
+            own = tidy(root)
+            if own.is_real is False or (self.angle and own.is_positive is False):
+                continue
+            if not self.angle and role.low is not None and (own - role.low).is_negative:
+                continue
+            if not self.angle and role.high is not None and (own - role.high).is_positive:
+                continue
+            yield Link(subject, "=", tree_of(own))
+
+    def _value(self, line: int) -> sp.Expr:
+        return self.claims.value_of(self.scene.desk.last_link(line).right)
+
+    # --- ways -----------------------------------------------------------------------------------
+
+    def _monotone(self, line: int) -> int | None:
+        """What only grows, or only falls, is greatest or least at an end."""
+        pool = [line, *self._known(*self._names(self._value(line)))]
+        return self.judge.write((Move("monotone"),), pool, self._relation)
+
+    def _quotient(self, line: int) -> int | None:
+        """``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""
+        t = sp.Dummy("t", positive=True)
+        x = self._value(line)
+        x = _by_tangent(x, self.symbol, t) if self.angle else x.subs(self.symbol, t)
+        above, below = sp.fraction(sp.factor(sp.together(x)))
+        try:
+            top, poly = (sp.Poly(sp.expand(each), t) for each in (above, below))
+        except sp.PolynomialError:
+            return None
+        if self.least or top.monoms() != [(1,)] or poly.degree() != 2:
+            return None
+        a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
+        c = tidy(top.nth(1))
+        common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
+        a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
+        if self.scene.model.sign(a) < 0:
+            a, b, c, d = (tidy(-each) for each in (a, b, c, d))
+        letter: Expression = Letter(self.symbol.name)
+        own: Expression = Apply("tan", letter) if self.angle else letter
+        name = self._free_letter()
+        terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
+        if d != 0:
+            terms.append(tree_of(d))
+        known = self._known(*self._names(self._value(line)), self.symbol.name)
+        desk = self.scene.desk
+        whole = total(terms)
+        let = desk.write(Move("let"), (), Meaning(name, whole))
+        by_name = Relation(((Link(self.end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
+        quotient = self.judge.write((Move("put"),), [line, let, *known], by_name)
+        if quotient is None:
+            return None
+        roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
+        gap = square(Binary("-", roots[0], product(roots[1], own)))
+        rest = tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d)
+        squared = Relation(
+            ((Link(Letter(name), "=", total((Binary("/", gap, own), tree_of(rest)))),),)
+        )
+        complete = self.judge.write((Move("complete"),), [let, *known], squared)
+        if complete is None:
+            return None
+        least = Relation(((Link(Letter(name), ">=", tree_of(rest)),),))
+        bound = self.judge.write((Move("sign"),), [complete, *known], least)
+        if bound is None:
+            return None
+        return self.judge.write((Move("compare"),), [quotient, bound, *known], self._relation)
+
+    def _free_letter(self) -> str:
+        taken = set(roles(self.scene.problem)) | {
+            each.relation.letter
+            for each in self.scene.desk.lines
+            if isinstance(each.relation, Meaning)
+        }
+        names = {each.name for each in (*self.scene.problem.spheres, *self.scene.problem.walls)}
+        return next(each for each in "SQNKHFG" if each not in taken | names)
+
+    def _square(self, line: int) -> int | None:
+        """A quadratic in the letter: its square completed."""
+        x = self._value(line)
+        if self.angle:
+            return None
+        for each in (x, x**2):
+            above, below = sp.fraction(sp.factor(sp.together(each)))
+            if self.symbol in below.free_symbols:
+                continue
+            try:
+                poly = sp.Poly(sp.expand(above), self.symbol)
+            except sp.PolynomialError:
+                continue
+            if poly.degree() != 2 or poly.nth(1) == 0:
+                continue
+            content, primitive = poly.primitive()
+            del content
+            a, b, c = (primitive.nth(n) for n in (2, 1, 0))
+            letter = Letter(self.symbol.name)
+            middle = tree_of(tidy(self.symbol + b / (2 * a)))
+            squared = product(tree_of(tidy(a)), square(middle))
+            rest = tree_of(tidy(c - b**2 / (4 * a)))
+            del letter
+            told = Relation(((Link(tree_of(primitive.as_expr()), "=", total((squared, rest))),),))
+            complete = self.judge.write((Move("complete"),), [], told)
+            if complete is None:
+                continue
+            pool = [line, complete, *self._known(*self._names(x))]
+            bound = self.judge.write((Move("compare"),), pool, self._relation)
+            if bound is not None:
+                return bound
+        return None
+
+    def _plain(self, line: int) -> int | None:
+        """A bound that what a line says shows at once."""
+        pool = [line, *self._known(*self._names(self._value(line)))]
+        return self.judge.write((Move("sign"),), pool, self._relation)
+
+
+def _is_angle(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection", "direction")
+
+
+def _by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
+    """An expression of the second degree in sine and cosine of an angle by its tangent."""
+    put: Mapping[sp.Basic, sp.Expr] = {
+        sp.sin(angle): t / sp.sqrt(1 + t**2),
+        sp.cos(angle): 1 / sp.sqrt(1 + t**2),
+        sp.tan(angle): t,
+    }
+    return sp.together(x.xreplace(dict(put)))
+
+
+_TWO = Number(Fraction(2))
+__all__ = ["only_answer", "write_extremum"]

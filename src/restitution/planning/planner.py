@@ -137,9 +137,7 @@ def _write_items(scene: Scene) -> None:
                 asked = staged(problem, item.expression, now)
                 answer = only_answer(result)
                 over = item.over
-                write_extremum(
-                    scene, solver, item.kind, asked, over, answer.value, answer.where, name
-                )
+                write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
             case Value():
                 asked = staged(problem, item.expression, now)
                 write_item(scene, solver, asked, name)
