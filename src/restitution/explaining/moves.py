@@ -347,6 +347,8 @@ def _is_resolved(step: Step, line: Link) -> bool:
     resolved = rules.put_into(value)
     if resolved == value:
         return False
+    if isinstance(resolved, Plane) and isinstance(right, Quotient) and right.vanishes:
+        right = Plane(right, right)  # at rest
     if isinstance(resolved, Plane) and isinstance(right, Plane):
         pairs = [(resolved.x, right.x), (resolved.y, right.y)]
     elif isinstance(resolved, Quotient) and isinstance(right, Quotient):

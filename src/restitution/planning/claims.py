@@ -1,11 +1,11 @@
-"""Inequalities: the conditions of a part in components, solved, and joined with what holds anyway."""
+"""Inequalities: conditions in components, solved, and joined with what holds anyway."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -21,13 +21,13 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
-    Unit,
+    children,
     has_quantity,
     letters,
     walk,
 )
 from restitution.planning.desk import Mark, NotPlannedError, Source, together
-from restitution.planning.forms import ZERO, UnwrittenError, number, square, swept, tree_of
+from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import in_direction, residual, scene_value
@@ -55,7 +55,7 @@ class Claims:
     def __post_init__(self) -> None:
         self.judge = Judge(self.scene)
 
-    def __enter__(self) -> Claims:
+    def __enter__(self) -> Self:
         self.scene.free |= self._tied_letters()
         return self
 
@@ -525,7 +525,7 @@ class Claims:
                 case Quantity("velocity", (Name(),), int()):
                     body, stage = body_and_stage(self.scene, each)
                     frame = frame_after(self.scene, body, stage)
-                    for kind in ("along", "across") if not frame.wall else ("along", "across"):
+                    for kind in ("along", "across"):
                         refs += self._with_letter(kind, body, stage, frame)
         return refs
 
@@ -699,7 +699,7 @@ class Claims:
                 if end is None:
                     continue
                 there = value.subs(symbol, end)
-                if not there.is_finite and there.is_finite is not None:
+                if there.has(sp.zoo, sp.oo, sp.nan):
                     continue
                 weak: Sign = ">=" if sign[0] == ">" else "<="
                 own = Relation(((Link(whole.left, weak, tree_of(tidy(there))),),))
@@ -882,8 +882,6 @@ class Claims:
             case Quantity(kind) if kind not in ("mass", "line_of_centres"):
                 yield tree
             case _:
-                from restitution.expression.tree import children
-
                 for each in children(tree):
                     yield from self.quantities(each)
 
@@ -1067,6 +1065,3 @@ def _bounds(role: Any, generator: sp.Expr, symbol: sp.Symbol) -> list[tuple[Sign
         own: Any = sign + ("=" if closed else "")
         ends.append((FLIPPED[own] if falling else own, value))
     return ends
-
-
-_UNUSED = (Unit, UnwrittenError, number)

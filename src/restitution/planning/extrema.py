@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import product, square, total, tree_of
@@ -271,7 +270,3 @@ def _by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
         sp.tan(angle): t,
     }
     return sp.together(x.xreplace(dict(put)))
-
-
-_TWO = Number(Fraction(2))
-__all__ = ["only_answer", "write_extremum"]

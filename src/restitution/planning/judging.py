@@ -1,4 +1,4 @@
-"""What a line needs: premises tried with the follower, and those left out that it can do without."""
+"""What a line needs: premises tried with the follower, without those it can do without."""
 
 from __future__ import annotations
 

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation
+from restitution.components import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.facts import links_of, staged
-from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
-    Pair,
     Quantity,
+    children,
     has_quantity,
     letters,
     walk,
@@ -27,14 +29,13 @@ from restitution.expression.tree import (
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
-from restitution.planning.forms import ZERO, is_zero, square, swept, tree_of
+from restitution.planning.forms import ZERO, product, square, swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
 from restitution.solve.solution import ItemResult
-from restitution.vector import Vector
 
 # By these a line becomes the printed form, in the order in which they are tried.
 _LAST: tuple[Move, ...] = (
@@ -97,8 +98,6 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             quantity = staged(scene.problem, Quantity("velocity", (body,)), now)
             link = Link(quantity, "=", ZERO)
             return _Equation(claims, link).write(), Relation(((link,),))
-        case Aligned(how="perpendicular to" | "parallel to") if False:
-            raise AssertionError
         case Aligned():
             return _aligned(claims, item.relation, now)
     raise NotPlannedError("a show of several equations")
@@ -131,6 +130,8 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
     """How two directions stand to each other, by their components."""
     scene = claims.scene
     (link,) = links_of(scene.problem, relation, now)
+    if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
+        return _common_direction(claims, relation, link)
     record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
     moving = [
         body_and_stage(scene, each)
@@ -153,6 +154,31 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
     if line is None:
         raise NotPlannedError("two directions")
     return line, own_relation
+
+
+def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation]:
+    """One velocity as a multiple of another, or of a direction: the sign of the factor tells."""
+    scene = claims.scene
+    left = link.left
+    right = link.right.operand if isinstance(link.right, Negate) else link.right
+    a, b = (scene.model.story.direction(each, scene.events) for each in (left, right))
+    for own in (a, b):
+        claims.solver.determine(list(own))
+    (ax, ay), (bx, by) = (
+        (sp.sympify(scene.put(own.x)[0]), sp.sympify(scene.put(own.y)[0])) for own in (a, b)
+    )
+    factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
+    sign = proved_sign(scene.model.oracle, factor)
+    wanted = {"in the direction of": 1, "opposite to": -1}.get(relation.relation, sign)
+    if not isinstance(left, Quantity) or sign is None or sign == 0 or sign != wanted:
+        raise NotPlannedError("two directions")
+    if isinstance(right, Quantity) and right.kind == "line_of_centres":
+        fact = scene.facts.get(f"axis {right.stage}")
+        if fact is None:
+            raise NotPlannedError("a line of centres that is to be worked out")
+        right = fact.relation.only[0].right
+    told = Link(left, "=", product(tree_of(factor), right))
+    return _Equation(claims, told).write(), Relation(((told,),))
 
 
 class _Equation:
@@ -288,15 +314,4 @@ def _quantities(*trees: Expression) -> Iterator[Quantity]:
             case Quantity() | Letter() | Number() | Name():
                 continue
             case _:
-                yield from _quantities(*_children(tree))
-
-
-def _children(tree: Expression) -> Iterable[Expression]:
-    from restitution.expression.tree import children
-
-    return children(tree)
-
-
-__all__ = ["write_show"]
-
-_UNUSED = (Pair, Vector, is_zero, rebuilt, tree_of, MoveId)
+                yield from _quantities(*children(tree))
