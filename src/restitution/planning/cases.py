@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Case, ItemEnd, Line, Ref
+from restitution.explaining.derivation import Case, Derivation, ItemEnd, Line, Ref
 from restitution.planning.desk import Desk, NotPlannedError
 
 
@@ -46,6 +46,21 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     desk.ends += sorted(ends, key=lambda each: items.index(each.item))
     desk.splits = first.splits[:depth]
     return desk
+
+
+def without_idle(derivation: Derivation) -> Derivation:
+    """A working without cases under which nothing stands: the alternatives are the answer."""
+    busy = {each.line for each in derivation.cases if each.lines}
+    idle = {each.number for each in derivation.cases if each.line not in busy}
+    return replace(
+        derivation,
+        cases=tuple(each for each in derivation.cases if each.number not in idle),
+        items=tuple(
+            dict.fromkeys(
+                replace(each, case=None) if each.case in idle else each for each in derivation.items
+            )
+        ),
+    )
 
 
 def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) -> list[ItemEnd]:

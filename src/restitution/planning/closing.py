@@ -196,6 +196,20 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         line = rearranged(scene, number, chain(Letter(symbol.name), (tree_of(value), None)))
         if line is not None:
             return known_as(scene, symbol, value, line)
+    return _by_identity(scene, number, symbol)
+
+
+def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The unknown in the form of its answer, where sin² + cos² = 1 leads to that."""
+    value = scene.final(symbol)
+    if not value.atoms(sp.sin, sp.cos, sp.tan):
+        return None
+    relation = chain(Letter(symbol.name), (tree_of(value), None))
+    for record in ("pythagoras", "double-angle"):
+        move = Move("identity", record)
+        refs = needed(scene, move, (number,), relation, _background(scene, number))
+        if refs is not None:
+            return known_as(scene, symbol, value, scene.desk.write(move, refs, relation))
     return None
 
 

@@ -42,6 +42,26 @@ def number(value: int | Fraction) -> Expression:
     return Binary("/", Number(Fraction(exact.numerator)), Number(Fraction(exact.denominator)))
 
 
+def neat(value: Any) -> Any:
+    """A value in its usual form, in which ratios of 2θ and ½θ are not written by those of θ."""
+    own = sp.sympify(value, strict=True)
+    multiples = {
+        each.args[0]
+        for each in own.atoms(sp.sin, sp.cos, sp.tan)
+        if not each.args[0].is_Symbol and len(each.args[0].free_symbols) == 1
+    }
+    if not multiples:
+        return tidy(own)
+    names = {each: sp.Dummy("angle", positive=True) for each in multiples}
+    functions = {
+        each: type(each)(names[each.args[0]])
+        for each in own.atoms(sp.sin, sp.cos, sp.tan)
+        if each.args[0] in names
+    }
+    back = {dummy: angle for angle, dummy in names.items()}
+    return tidy(own.xreplace(functions)).xreplace(back)
+
+
 def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expression:
     """The tree of a value, with its terms and factors in the order that textbooks use.
 
@@ -51,7 +71,7 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     if isinstance(value, Vector | tuple):
         return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
     own = sp.sympify(value, strict=True)
-    own = own if as_it_is else tidy(own)
+    own = own if as_it_is else neat(own)
     names = {_parted(each.name): each.name for each in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)
 

@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Name,
     Quantity,
     has_quantity,
     walk,
@@ -30,6 +31,7 @@ from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.ties import write_tie
 from restitution.solve.letters import roles
+from restitution.vector import Vector
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
 
@@ -125,6 +127,8 @@ def _between_letters(scene: Scene, each: GivenEquation) -> int:
 
 def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     """The definition of what is given, with its value on the left."""
+    if isinstance(own.value, Vector):
+        raise NotPlannedError("a vector that is given")
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
     if own.move.record == "tan" and _of_open_sense(scene, own):
@@ -148,6 +152,9 @@ def _of_open_sense(scene: Scene, own: Formula) -> bool:
     open_ = scene.unknown(own.value)
     if any(each.symbol in open_ for each in scene.model.components.values()):
         return True
+    match own.quantity:
+        case Quantity("angle", (_, Name())):
+            return False  # a wall: who hits it goes away from it
     if not open_:
         return False
     known = Oracle(roles(scene.problem))

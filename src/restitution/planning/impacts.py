@@ -10,7 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move
 from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.forms import difference, neat, negative, product, swept, total, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
@@ -35,7 +35,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     direction = frame.direction(kind)
     if last == 0:
         initial = scene.initial(body)
-        value = tidy(initial.value.dot(direction))
+        value = neat(initial.value.dot(direction))
         if _is_slanted(frame) and not _is_polar(scene, body):
             return _by_scalar_product(scene, tree, initial, frame, direction)
         return _put(scene, Source(value, initial.refs, frame.refs))
@@ -256,7 +256,7 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     source = before(scene, "along", body, frame)
     e = scene.coefficient(frame.number)
     quantity = frame.component("along", body, frame.number)
-    value = tidy(-e.value * source.value)
+    value = neat(-e.value * source.value)
     number = scene.desk.write(
         Move("law", "restitution-wall", frame.number, (body,)),
         together(source.whole, frame.names_axis("along"), e.refs),

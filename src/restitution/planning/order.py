@@ -286,8 +286,8 @@ class Solver:
             if self._is_value(given) and self._take_value(given, symbol):
                 return (own,)
             if symbol in self._letters or self._is_value(given):
-                number = write_given(self.scene, given)
-                if self._closes(number, symbol):
+                number = self._line(own)
+                if number is not None and self._closes(number, symbol):
                     return (own,)
         return None
 
@@ -473,7 +473,11 @@ class Solver:
         given = self.givens.get(own.id)
         law = self._law(own)
         if given is not None:
-            return write_given(self.scene, given)
+            try:
+                return write_given(self.scene, given)
+            except NotPlannedError as error:
+                self.reasons.append(error)
+                return None
         if own.id in self.paths:
             return journeys.write_path(self.scene, self.paths[own.id])
         if law is None:

@@ -11,7 +11,7 @@ from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
 from restitution.oracle import Oracle
 from restitution.planning.axes import found_frame
-from restitution.planning.cases import joined
+from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.extrema import only_answer, write_extremum
@@ -60,7 +60,7 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             tuple(dict.fromkeys(desk.others)),
         )
     )
-    return without_spare(whole, Oracle(roles(problem)))
+    return without_spare(without_idle(whole), Oracle(roles(problem)))
 
 
 def pruned(derivation: Derivation) -> Derivation:

@@ -64,9 +64,12 @@ def by_roots(
     dropped = [each for each in roots if each not in kept]
     laws = _laws(scene, symbol) if dropped and _is_component(scene, symbol) else ()
     number = _in_standard_form(scene, number, above, generator, subject)
-    line = scene.desk.write(
-        Move("roots"), (number,), Relation(tuple(_option(subject, each) for each in roots))
-    )
+    alternatives = Relation(tuple(_option(subject, each) for each in roots))
+    names = {each.name for each in above.free_symbols}
+    refs = needed(scene, Move("roots"), (number,), alternatives, background(scene, names))
+    if refs is None:
+        return None
+    line = scene.desk.write(Move("roots"), refs, alternatives)
     if dropped:
         line = _rejected(scene, line, symbol, subject, kept, laws)
     if len(kept) > 1:
@@ -104,7 +107,7 @@ def _in_standard_form(
         return number
     link = scene.desk.last_link(number)
     squared = square(subject)
-    if squared in (link.left, link.right) or link.right == ZERO:
+    if squared in (link.left, link.right):
         return number
     if polynomial.nth(1) == 0:
         value = tidy(-polynomial.nth(0) / polynomial.nth(2))
@@ -120,6 +123,8 @@ def _in_standard_form(
             names = -names
         tree = _polynomial_tree(sp.Poly(names, x), subject)
         relation = Relation(((Link(tree, "=", ZERO),),))
+    if scene.desk.relation(number) == relation:
+        return number
     move = Move("rearrange")
     names_ = {each.name for each in residual(scene, number).free_symbols}
     refs = needed(scene, move, (number,), relation, background(scene, names_))

@@ -10,7 +10,6 @@ from typing import Any
 import sympy as sp
 
 from restitution.components import Model
-from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -22,7 +21,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
-from restitution.planning.forms import tree_of
+from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
 from restitution.problem import Arrival, Part, Problem
 from restitution.solve import facts as solve_facts
@@ -140,7 +139,7 @@ class Scene:
             return Vector(x[0], y[0]), together(x[1], y[1])
         own = sp.sympify(value, strict=True)
         changed, refs = self.with_values(own)
-        return (own, ()) if changed is own else (tidy(changed), refs)
+        return (own, ()) if changed is own else (neat(changed), refs)
 
     def with_values(self, value: Any) -> tuple[sp.Expr, tuple[Ref, ...]]:
         """The same of a number, as it comes, without a search for its usual form.

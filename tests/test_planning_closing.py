@@ -1,0 +1,247 @@
+"""Equations that close a working: shapes of one and two unknowns, roots, what excludes them."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+from answers import _differs
+
+from restitution.explaining.derivation import Derivation, Line
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.expression.writing import write_expression
+from restitution.language.reading import parse
+from restitution.oracle import Oracle
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
+
+
+def planned(text: str) -> tuple[Solution, Derivation]:
+    """A statement solved, and its working; the follower and the answers are asked first."""
+    problem = parse(text)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert not follow(derivation, Oracle(roles(problem)))
+    ends = list(dict.fromkeys(each.item for each in derivation.items))
+    for (part, item), name in zip(solution.items(), ends, strict=True):
+        options = [
+            links for end in derivation.items if end.item == name for links in end.answer.options
+        ]
+        told = " ; ".join(write_expression(links[-1].right) for links in options)
+        assert _differs(item, told, dict(part.roles)) is None, told
+    return solution, derivation
+
+
+def moves(derivation: Derivation) -> list[str]:
+    """The moves of a working, with the names of identities."""
+    return [
+        f"identity {each.move.record}" if each.move.id == "identity" else each.move.id
+        for each in derivation.lines
+    ]
+
+
+def lines(derivation: Derivation, move: str) -> list[Line]:
+    """The lines of a move."""
+    return [each for each in derivation.lines if each.move.id == move]
+
+
+def said(derivation: Derivation) -> list[str]:
+    """What the lines of a working say, but for those that introduce a letter."""
+    return [write_relation(e.relation) for e in derivation.lines if e.move.id != "let"]  # type: ignore[arg-type]
+
+
+WALL = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W"
+PAIR = "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\nA hits B: along i"
+
+
+# --- one unknown ----------------------------------------------------------------------------------
+
+
+def test_squares_of_sine_and_cosine_leave_one_of_them() -> None:
+    _, derivation = planned(f"{WALL}: e = 1/5\ngiven energy(P) = 1/2 energy(P, 0)\nfind sin(alpha)")
+    assert moves(derivation)[-4:] == ["identity pythagoras", "rearrange", "roots", "reject"]
+    assert said(derivation)[-1] == "sin(alpha) = 5sqrt(3)/12"
+    assert lines(derivation, "reject")[0].premises[1:] == ("acute: alpha",)
+
+
+def test_a_tangent_that_is_asked_is_found_from_squares() -> None:
+    _, derivation = planned(f"{WALL}: e = 1/5\ngiven speed(P) = 1/2 u\nfind tan(alpha)")
+    assert "identity pythagoras" in moves(derivation)
+    assert "tan^2(alpha)" in said(derivation)[-3]
+
+
+def test_both_squares_of_one_degree_are_divided() -> None:
+    _, derivation = planned(
+        f"{PAIR}\ngiven velocity(A) perpendicular to velocity(A, 0), e = 3/4\n"
+        "find tan(alpha), alpha"
+    )
+    assert "identity pythagoras" not in moves(derivation)
+    assert any("tan^2(alpha) =" in each for each in said(derivation))
+
+
+@pytest.mark.parametrize("e", ["1/4", "1/5", "1/3"])
+def test_an_angle_is_halved(e: str) -> None:
+    _, derivation = planned(f"{WALL}: e = {e}\ngiven angle(velocity(P), W) = alpha/2\nfind alpha")
+    found = moves(derivation)
+    assert found[found.index("identity half-angle") :] == [
+        "identity half-angle",
+        "cancel",
+        "roots",
+        "reject",
+        "inverse",
+    ]
+
+
+def test_a_difference_of_angles_is_written_in_tangents() -> None:
+    _, derivation = planned(
+        f"{WALL}: e = 1/4\nlet beta = angle(velocity(P), W)\n"
+        "given alpha - beta = arctan(3/5)\nfind tan(alpha)"
+    )
+    assert "identity sum-of-angles" in moves(derivation)
+    assert said(derivation)[-1] in (
+        "tan(alpha) = 4 or tan(alpha) = 1",
+        "tan(alpha) = 1 or tan(alpha) = 4",
+    )
+
+
+def test_angles_that_make_a_right_angle() -> None:
+    _, derivation = planned(
+        f"{WALL}: e = 1/3\nlet beta = angle(velocity(P), W)\ngiven beta = 90° - alpha\nfind alpha"
+    )
+    assert "identity complement" in moves(derivation)
+    assert said(derivation)[-1] == "alpha = 60°"
+
+
+def test_the_tangent_of_an_inverse_tangent_is_its_number() -> None:
+    _, derivation = planned(
+        f"{WALL}\ngiven tan(alpha) = 2, angle(velocity(P), W) = arctan(3/2)\nfind e"
+    )
+    assert not any("arctan" in each for each in said(derivation))
+
+
+# --- what excludes a root -------------------------------------------------------------------------
+
+
+def test_a_sense_that_is_given_excludes_a_root() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2m, velocity 3u i\nsphere B: mass 3m, velocity -2u i\nA hits B: along i\n"
+        "given velocity(A) opposite to i, speed(A) = 2u\nfind e"
+    )
+    assert "sense 1" in lines(derivation, "reject")[0].premises
+
+
+def test_the_laws_exclude_that_a_sphere_at_rest_moves_towards_the_other() -> None:
+    _, derivation = planned(f"{PAIR}\ngiven tan(alpha) = 3/4, speed(B) = 2/5 u\nfind e")
+    (reject,) = lines(derivation, "reject")
+    cited = [derivation.lines[n - 1].move.record for n in reject.premises if isinstance(n, int)]
+    assert {"momentum", "restitution"} <= set(cited)
+    assert "e >= 0" in reject.premises
+
+
+def test_a_coefficient_above_one_is_excluded() -> None:
+    _, derivation = planned(
+        "sphere A, B: mass m\nsphere A: velocity u at 45°\nsphere B: at rest\nA hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = arctan(3)\nfind e"
+    )
+    assert "e <= 1" in lines(derivation, "reject")[0].premises
+    assert lines(derivation, "define")[0].move.record == "tan-squared"
+
+
+def test_premises_of_a_law_are_put_in_and_not_said_again() -> None:
+    _, derivation = planned(f"{PAIR}\ngiven tan(alpha) = 3/4, speed(B) = 2/5 u\nfind e, speed(A)")
+    assert [each.move.record for each in lines(derivation, "law")].count("momentum") == 1
+
+
+# --- two unknowns ---------------------------------------------------------------------------------
+
+
+def test_velocities_before_from_those_after() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2, velocity p i + j\nsphere B: mass 3, velocity -q i\n"
+        "A hits B: along i, e = 1/3\n"
+        "given velocity(A) = -i + j, velocity(B) = i\nfind p, q"
+    )
+    assert lines(derivation, "combine")[0].move.eliminated in ("p", "q")
+
+
+def test_a_size_and_its_angle_are_divided_and_squared() -> None:
+    _, derivation = planned(f"{WALL}\ngiven velocity(P) = 4i + j, impulse = 3m\nfind u, alpha, e")
+    assert {"divide", "square-add"} <= set(moves(derivation))
+
+
+def test_neither_the_angle_nor_the_speed_is_wanted() -> None:
+    _, derivation = planned(
+        f"{WALL}\nunknown alpha, u\ngiven deflection(P) = 90°, energy_lost = 2/5 energy(0)\nfind e"
+    )
+    assert said(derivation)[-1] == "e = 3/5"
+    assert "sin^2(alpha) = 1/(1 + e)" in said(derivation)
+
+
+def test_speeds_that_are_equal_are_squared() -> None:
+    _, derivation = planned(
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\nA hits B: along i\n"
+        "given speed(B) = speed(A)\nfind tan(alpha) in terms of e"
+    )
+    assert not any("sqrt((" in each for each in said(derivation))
+
+
+# --- several solutions ----------------------------------------------------------------------------
+
+
+def test_a_side_that_is_open_parts_the_solutions() -> None:
+    _, derivation = planned(
+        "sphere A: mass m, velocity u at 45°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = arctan(5)\nfind e, velocity(A)"
+    )
+    assert len(derivation.cases) == 2
+    assert len({each.line for each in derivation.cases}) == 1
+
+
+def test_two_tangents_are_one_answer() -> None:
+    _, derivation = planned(
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i, e = 1/2\ngiven deflection(A) = arctan(3/5)\nfind tan(alpha)"
+    )
+    assert not derivation.cases
+    assert len(derivation.items) == 1
+
+
+def test_solutions_part_more_than_once() -> None:
+    _, derivation = planned(
+        "wall W: along i\nwall X: along j\nsphere P: velocity p i - q j\n"
+        "P hits W: e = 1/2\ngiven p^2 = 9, q^2 - 6q + 8 = 0\nfind p, q, speed(P)"
+    )
+    assert len({each.line for each in derivation.cases}) == 2
+    assert len([e for e in derivation.items if e.item == "3"]) == 4
+
+
+# --- laws -----------------------------------------------------------------------------------------
+
+
+def test_speeds_after_a_wall_give_angles() -> None:
+    numbers = random.Random(7)
+    for _ in range(4):
+        e = Fraction(numbers.randint(1, 4), 5)
+        share = Fraction(numbers.randint(1, 9), 10)
+        square = e * e + (1 - e * e) * share
+        text = f"{WALL}: e = {e}\ngiven energy(P) = {square} energy(P, 0)\nfind cos(alpha)"
+        solution, _ = planned(text)
+        (answer,) = next(iter(solution.items()))[1].answers
+        assert sp.simplify(answer.value**2 - sp.Rational(share.numerator, share.denominator)) == 0
+
+
+def test_what_has_no_shape_has_no_plan() -> None:
+    with pytest.raises(NotPlannedError):
+        plan(
+            solve(
+                parse(
+                    "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+                    "given deflection(P) = 3 alpha/2\nfind alpha"
+                )
+            )
+        )
