@@ -629,6 +629,9 @@ class Claims:
             line = self._compared(base, relation)
             if line is not None:
                 return line
+            line = self._by_tangents(base, lines, relation)
+            if line is not None:
+                return line
             line = self._by_stages(lines, relation)
             if line is not None:
                 return line
@@ -661,6 +664,47 @@ class Claims:
             lines.append(line)
             left = [each for each in left if each not in inside]
         return [*dict.fromkeys(lines), *(self.quantity(each) for each in left)]
+
+    def _by_tangents(
+        self, base: Sequence[Ref], lines: Sequence[int], relation: Relation
+    ) -> int | None:
+        """Angles compared by their tangents, which grow with them."""
+        if len(lines) != 1:
+            return None
+        match self.scene.desk.last_link(lines[0]).left:
+            case Apply("tan", angle) as tangent:
+                pass
+            case _:
+                return None
+        links: list[Link] = []
+        for link in relation.only:
+            sides = [
+                tangent if side == angle else self._tangent_of(side)
+                for side in (link.left, link.right)
+            ]
+            if None not in sides:
+                links.append(Link(sides[0], link.sign, sides[1]))  # type: ignore[arg-type]
+        if not links or len(links) < len(relation.only) - 1:
+            return None
+        mark = self.mark()
+        own = Relation((tuple(links),))
+        line = self.monotone(lines[0], own) or self._compared(lines, own)
+        if line is not None:
+            rest = [each for each in base if isinstance(each, str)]
+            # On which side of 90° an angle of the motion is, the sign of its tangent tells.
+            for refs in ([line, *rest], [line, *rest, lines[0]]):
+                found = self._compared(refs, relation)
+                if found is not None:
+                    return found
+        self.back(mark)
+        return None
+
+    def _tangent_of(self, tree: Expression) -> Expression | None:
+        value = sp.sympify(self.scene.scalar(tree), strict=True)
+        if value.free_symbols:
+            return Apply("tan", tree)
+        there = tidy(sp.tan(value))
+        return None if there.has(sp.zoo) else tree_of(there)
 
     def _by_stages(self, lines: Sequence[int], relation: Relation) -> int | None:
         """One end at a time, and one letter at a time: at its end first, then the others."""
