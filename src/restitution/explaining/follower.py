@@ -522,6 +522,8 @@ class _Reader:
         for each in self.derivation.lines:
             if each.number == end.line:
                 break
+            if line.move.id == "answer" and each.number in line.premises:
+                continue  # the bound of a greatest or least value
             if isinstance(each.relation, Relation) and _told(each.relation) == told:
                 yield Complaint("shown-by-itself", each.number, end.item)
 

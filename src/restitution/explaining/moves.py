@@ -1073,11 +1073,24 @@ def _is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool
         return False
     (place, value), (end,) = case, bound.only
     least = step.move.record == "least"
-    if end.sign != (">=" if least else "<=") or value != Link(end.left, "=", end.right):
+    if end.sign != (">=" if least else "<="):
+        return False
+    if value != Link(end.left, "=", end.right) and not _is_tangent_of(step, value, end):
         return False
     free = step.under(cited=(), known=())
     there = free.formula(Relation(((place,),)))
     return Oracle(step.setting.roles, (there,)).possible.answer == "proved"
+
+
+def _is_tangent_of(step: Step, value: Link, end: Link) -> bool:
+    """Whether a tangent tells that an angle of up to 180° has a value: the only one with it."""
+    role = step.setting.of_angle(end.left)
+    if value.left != Apply("tan", end.left) or role is None or role.low != 0:
+        return False
+    angle, ratio_ = _in_radians(step, end.right), _in_radians(step, value.right)
+    oracle = Oracle(step.setting.roles)
+    inside = (compared(angle, ">", sp.Integer(0)), compared(angle, "<", sp.pi))
+    return _equal(step, sp.tan(angle), ratio_) and all(map(oracle.proves, inside))
 
 
 _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {

@@ -11,8 +11,8 @@ import sympy as sp
 
 from restitution.components import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation, Sign
+from restitution.explaining.trees import of_relation, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    Unit,
     children,
     has_quantity,
     letters,
@@ -35,10 +36,18 @@ from restitution.planning.judging import Judge
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.tangents import tangent_of_deflection
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
 FLIPPED: dict[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_ANGLES = {
+    "deflection": ("delta", "phi", "psi", "theta"),
+    "angle": ("beta", "theta", "phi", "psi"),
+    "direction": ("theta", "phi", "beta", "psi"),
+}
+# The moves by which a letter takes the place of what it stands for.
+_NAMED = (Move("put"), Move("rearrange"))
 _BOUNDED = ("<", "<=", ">", ">=")
 
 
@@ -112,6 +121,36 @@ class Claims:
                 return own.of(fact.relation.only[0].right), (fact.id,)
         return own.left, ()
 
+    def lettered(self, line: int, angle: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
+        """The tangent of an angle by a letter for it: the line, the letter, and its range."""
+        desk = self.scene.desk
+        if not isinstance(angle, Quantity):
+            return line, angle, ()
+        own = next(
+            (
+                each
+                for each in desk.lines
+                if isinstance(each.relation, Meaning) and each.relation.quantity == angle
+            ),
+            None,
+        )
+        if own is None:
+            taken = set(roles(self.scene.problem)) | {
+                e.relation.letter for e in desk.lines if isinstance(e.relation, Meaning)
+            }
+            name = next(each for each in _ANGLES[angle.kind] if each not in taken)
+            let = desk.write(Move("let"), (), Meaning(name, angle))
+        else:
+            assert isinstance(own.relation, Meaning)
+            name, let = own.relation.letter, own.number
+        high = 90 if angle.kind == "angle" and not isinstance(angle.arguments[1], Unit) else 180
+        tangent = Apply("tan", Letter(name))
+        relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
+        number = self.judge.write(_NAMED, [line, let], relation)
+        if number is None:
+            raise NotPlannedError("a letter for an angle")
+        return number, Letter(name), (f"0° <= {name} <= {high}°", let)
+
     def axes(self, tree: Expression) -> tuple[Ref, ...]:
         """The lines of centres of the impacts in which a quantity is known."""
         refs: list[Ref] = []
@@ -147,14 +186,24 @@ class Claims:
         assert isinstance(body, Name)
         return self.scene.initial(body.name).refs
 
+    def formula(self, quantity: Quantity) -> Formula:
+        """The definition of a quantity, with the components in it known."""
+        if quantity.kind == "deflection" and isinstance(quantity.stage, int):
+            (body,) = quantity.arguments
+            stages = (quantity.stage - 1, quantity.stage)
+            for stage in stages:
+                self.determine(Quantity("velocity", (body,), stage))
+            return tangent_of_deflection(self.scene, quantity)
+        self.determine(quantity)
+        return formula(self.scene, quantity)
+
     def quantity(self, quantity: Quantity) -> int:
         """Writes what a quantity is worth, and returns the number of the line."""
         scene = self.scene
         known = scene.desk.known(quantity)
         if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
             return known.refs[0]
-        self.determine(quantity)
-        own = formula(scene, quantity)
+        own = self.formula(quantity)
         left, extra = self.named(own, quantity)
         pool = together(own.refs, extra, self.axes(quantity))
         right, final = swept(own.right), tree_of(own.value)
@@ -672,10 +721,17 @@ class Claims:
         if len(lines) != 1:
             return None
         match self.scene.desk.last_link(lines[0]).left:
-            case Apply("tan", angle) as tangent:
+            case Apply("tan", angle):
                 pass
             case _:
                 return None
+        mark = self.mark()
+        quantity, number = angle, lines[0]
+        number, angle, extent = self.lettered(number, angle)
+        tangent = Apply("tan", angle)
+        asked = relation
+        relation = of_relation(relation, lambda each: angle if each == quantity else each)
+        lines = [number]
         links: list[Link] = []
         for link in relation.only:
             sides = [
@@ -685,19 +741,39 @@ class Claims:
             if None not in sides:
                 links.append(Link(sides[0], link.sign, sides[1]))  # type: ignore[arg-type]
         if not links or len(links) < len(relation.only) - 1:
+            self.back(mark)
             return None
-        mark = self.mark()
         own = Relation((tuple(links),))
         line = self.monotone(lines[0], own) or self._compared(lines, own)
         if line is not None:
-            rest = [each for each in base if isinstance(each, str)]
-            # On which side of 90° an angle of the motion is, the sign of its tangent tells.
-            for refs in ([line, *rest], [line, *rest, lines[0]]):
-                found = self._compared(refs, relation)
-                if found is not None:
-                    return found
+            found = self.angle_of(line, number, extent, relation, base)
+            if found is not None and asked != relation:
+                found = self.judge.write(_NAMED, [found, extent[-1]], asked)
+            if found is not None:
+                return found
         self.back(mark)
         return None
+
+    def angle_of(
+        self,
+        line: int,
+        tangent: int,
+        extent: Sequence[Ref],
+        relation: Relation,
+        base: Sequence[Ref] = (),
+    ) -> int | None:
+        """An angle compared by bounds of its tangent, of which another line tells the sign."""
+        rest = [each for each in base if isinstance(each, str)]
+        ranges = [each for each in extent if isinstance(each, str)]
+        found = self._compared([line, *rest, *ranges], relation)
+        if found is not None:
+            return found
+        own = self.scene.desk.last_link(tangent)
+        bounded = Link(own.left, ">", ZERO)
+        positive = self._compared([tangent], Relation(((bounded,),)))
+        if positive is None:
+            return None
+        return self._compared([line, positive, *rest, *ranges], relation)
 
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)

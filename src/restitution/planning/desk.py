@@ -27,7 +27,7 @@ from restitution.expression.tree import Expression
 _FROM_A_LINE = frozenset(
     (
         *("put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"),
-        *("roots", "reject", "triangle", "inverse", "value"),
+        *("roots", "reject", "triangle", "inverse", "value", "answer"),
     )
 )
 

@@ -71,7 +71,7 @@ class _Extremum:
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
         if _is_angle(self.asked):
-            raise NotPlannedError("the greatest or least angle")
+            return self._of_angle()
         line = self._line()
         for way in (self._monotone, self._quotient, self._square, self._plain):
             mark = self.claims.mark()
@@ -82,6 +82,40 @@ class _Extremum:
                     return last
             self.claims.back(mark)
         raise NotPlannedError("a greatest or least value")
+
+    def _of_angle(self) -> int:
+        """An angle by its tangent."""
+        asked, whole, value = self.asked, self.end, self.value
+        tangent = tidy(sp.tan(value))
+        if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
+            raise NotPlannedError("an angle that is not acute")
+        assert isinstance(asked, Quantity)
+        first = self.claims.quantity(asked)
+        line, letter, extent = self.claims.lettered(first, asked)
+        self.value = tangent
+        self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
+        for way in (self._monotone, self._quotient, self._plain):
+            mark = self.claims.mark()
+            bound = way(line)
+            if bound is not None:
+                angle = Relation(((Link(letter, whole.sign, whole.right),),))
+                last = self.claims.angle_of(bound, line, extent, angle)
+                own = Relation(((whole,),))
+                if last is not None and letter != asked:
+                    last = self.judge.write(
+                        (Move("put"), Move("rearrange")), [last, extent[-1]], own
+                    )
+                there = None if last is None else self._place(first, Apply("tan", asked))
+                move = Move("answer", "least" if self.least else "greatest")
+                if (
+                    last is not None
+                    and there is not None
+                    and self.judge.follows(move, [last, there], own)
+                ):
+                    self.end = whole
+                    return self.scene.desk.write(move, [last, there], own)
+            self.claims.back(mark)
+        raise NotPlannedError("the greatest or least angle")
 
     def _line(self) -> int:
         match self.asked:
@@ -110,17 +144,22 @@ class _Extremum:
 
     def _reached(self, line: int, bound: int) -> int | None:
         """The value at the place where it is greatest or least, and the answer."""
+        there = self._place(line, self.end.left)
+        move = Move("answer", "least" if self.least else "greatest")
+        if there is None or not self.judge.follows(move, [bound, there], self._relation):
+            return None
+        return self.scene.desk.write(move, [bound, there], self._relation)
+
+    def _place(self, line: int, subject: Expression) -> int | None:
+        """The line that says what the value is at the place where it is greatest or least."""
         for place in self._places(line):
-            value = Link(self.end.left, "=", self.end.right)
+            value = Link(subject, "=", tree_of(self.value))
             unless = Link(place.left, "!=", place.right)
             relation = Relation(((unless,), (value,)))
             known = self._known(*self._names(self._value(line)))
             there = self.judge.write((Move("put"),), [line, *known], relation)
-            if there is None:
-                continue
-            move = Move("answer", "least" if self.least else "greatest")
-            if self.judge.follows(move, [bound, there], self._relation):
-                return self.scene.desk.write(move, [bound, there], self._relation)
+            if there is not None:
+                return there
         return None
 
     def _places(self, line: int) -> Iterator[Link]:
@@ -183,13 +222,13 @@ class _Extremum:
             a, b, c, d = (tidy(-each) for each in (a, b, c, d))
         letter: Expression = Letter(self.symbol.name)
         own: Expression = Apply("tan", letter) if self.angle else letter
-        name = self._free_letter()
         terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
         if d != 0:
             terms.append(tree_of(d))
         known = self._known(*self._names(self._value(line)), self.symbol.name)
         desk = self.scene.desk
         whole = total(terms)
+        name = self._letter_for(whole)
         let = desk.write(Move("let"), (), Meaning(name, whole))
         by_name = Relation(((Link(self.end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
         quotient = self.judge.write((Move("put"),), [line, let, *known], by_name)
@@ -210,7 +249,11 @@ class _Extremum:
             return None
         return self.judge.write((Move("compare"),), [quotient, bound, *known], self._relation)
 
-    def _free_letter(self) -> str:
+    def _letter_for(self, tree: Expression) -> str:
+        """The letter that stands for a tree already, or a free one."""
+        for each in self.scene.desk.lines:
+            if isinstance(each.relation, Meaning) and each.relation.quantity == tree:
+                return each.relation.letter
         taken = set(roles(self.scene.problem)) | {
             each.relation.letter
             for each in self.scene.desk.lines
@@ -234,20 +277,20 @@ class _Extremum:
                 continue
             if poly.degree() != 2 or poly.nth(1) == 0:
                 continue
-            content, primitive = poly.primitive()
-            del content
+            primitive = poly.primitive()[1]
             a, b, c = (primitive.nth(n) for n in (2, 1, 0))
-            letter = Letter(self.symbol.name)
-            middle = tree_of(tidy(self.symbol + b / (2 * a)))
-            squared = product(tree_of(tidy(a)), square(middle))
-            rest = tree_of(tidy(c - b**2 / (4 * a)))
-            del letter
-            told = Relation(((Link(tree_of(primitive.as_expr()), "=", total((squared, rest))),),))
-            complete = self.judge.write((Move("complete"),), [], told)
-            if complete is None:
+            squared = product(tree_of(tidy(a)), square(tree_of(tidy(self.symbol + b / (2 * a)))))
+            own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
+            outer = tidy(sp.cancel(each / primitive.as_expr()))
+            if each != x:
+                own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
+            known = self._known(*self._names(x))
+            told = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
+            moves = (Move("rearrange"),)
+            completed = self.judge.write(moves, [line, *known], Relation(((told,),)))
+            if completed is None:
                 continue
-            pool = [line, complete, *self._known(*self._names(x))]
-            bound = self.judge.write((Move("compare"),), pool, self._relation)
+            bound = self.judge.write((Move("sign"),), [completed, *known], self._relation)
             if bound is not None:
                 return bound
         return None

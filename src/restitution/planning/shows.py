@@ -31,7 +31,7 @@ from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
 from restitution.planning.order import Solver
-from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
@@ -222,9 +222,8 @@ class _Equation:
     # --- one quantity ---------------------------------------------------------------------------
 
     def _of_one(self, quantity: Quantity) -> int | None:
-        scene, claims = self.scene, self.claims
-        claims.determine(quantity)
-        own = formula(scene, quantity)
+        claims = self.claims
+        own = claims.formula(quantity)
         left, extra = claims.named(own, quantity)
         pool = together(own.refs, extra, claims.axes(quantity))
         right = swept(own.right)
