@@ -97,6 +97,15 @@ def test_an_angle_is_halved(e: str) -> None:
     ]
 
 
+def test_an_angle_is_doubled() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: velocity u at 2theta to W\nP hits W: e = 1/3\n"
+        "given angle(velocity(P), W) = theta, theta < 45°\nfind theta"
+    )
+    assert "tan(theta) = 1/3 (2tan(theta)/(1 - tan^2(theta)))" in said(derivation)
+    assert said(derivation)[-1] == "theta = 30°"
+
+
 def test_a_difference_of_angles_is_written_in_tangents() -> None:
     _, derivation = planned(
         f"{WALL}: e = 1/4\nlet beta = angle(velocity(P), W)\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -348,12 +349,15 @@ def residual(scene: Scene, number: int) -> sp.Expr:
     return scene_value(scene, own.left) - scene_value(scene, own.right)
 
 
-def scene_value(scene: Scene, tree: Expression) -> sp.Expr:
-    """The value of a tree of a line, with the letters of components as letters."""
+def scene_value(
+    scene: Scene, tree: Expression, others: Mapping[str, sp.Symbol] | None = None
+) -> sp.Expr:
+    """The value of a tree of a line, with the letters of components, and others, as letters."""
     letters = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    letters |= others or {}
     evaluator = type(scene.model.story.evaluator(scene.events))(
         scene.model.story.field,
-        lambda name: letters.get(name, scene.model.unknowns.letter(name)),
+        lambda name: letters[name] if name in letters else scene.model.unknowns.letter(name),
     )
     return sp.sympify(evaluator.scalar(tree), strict=True)
 

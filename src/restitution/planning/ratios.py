@@ -8,6 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.angles import range_of
 from restitution.planning.desk import Source, chain
@@ -21,7 +22,7 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
-from restitution.planning.impacts import residual
+from restitution.planning.impacts import residual, scene_value
 from restitution.planning.premises import background, needed
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
@@ -223,7 +224,7 @@ def _identity(scene: Scene, line: int, record: str, relation: Relation, *others:
 
 def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """The tangent of an angle by that of its double: an equation in the tangent of the smaller."""
-    own = residual(scene, line)
+    own = _by_angles(scene, line, symbol)
     functions = _functions(scene, own, symbol)
     if functions is None:
         return None
@@ -247,6 +248,28 @@ def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     if k.has(symbol):
         return None
     return _by_double(scene, line, symbol, small, tidy(k), angle)
+
+
+def _by_angles(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
+    """A line as an expression that is zero, in which the sine of 2θ is not that of θ."""
+    multiples: dict[sp.Symbol, sp.Expr] = {}
+    names: dict[str, sp.Symbol] = {}
+
+    def change(tree: Expression) -> Expression:
+        match tree:
+            case Apply("sin" | "cos" | "tan" as kind, argument) if not isinstance(argument, Letter):
+                angle = scene_value(scene, argument)
+                if angle.free_symbols == {symbol}:
+                    own = sp.Dummy(real=True)
+                    name = f"_{len(names)}"
+                    names[name] = own
+                    multiples[own] = getattr(sp, kind)(angle, evaluate=False)
+                    return Letter(name)
+        return tree
+
+    link = scene.desk.last_link(line)
+    left, right = (scene_value(scene, rebuilt(e, change), names) for e in (link.left, link.right))
+    return (left - right).xreplace(multiples)
 
 
 def _by_double(

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Polar,
     Quantity,
     walk,
 )
@@ -60,6 +61,7 @@ class Scene:
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None
+    _initial: dict[str, Source] = field(default_factory=dict)
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -270,6 +272,11 @@ class Scene:
 
     def initial(self, body: str) -> Source:
         """The velocity of a sphere at the start."""
+        if body not in self._initial:
+            self._initial[body] = self._initial_of(body)
+        return self._initial[body]
+
+    def _initial_of(self, body: str) -> Source:
         name = f"velocity {body}"
         fact = self.facts.get(name)
         if fact is None:
@@ -280,7 +287,26 @@ class Scene:
             for each in walk(link.right)
             if isinstance(each, Name) and f"wall {each.name}" in self.facts
         ]
-        return Source(self.velocity(body, 0), (name, *walls))
+        velocity = self.velocity(body, 0)
+        if isinstance(link.right, Polar):
+            velocity = self._by_multiple(link.right, velocity)
+        return Source(velocity, (name, *walls))
+
+    def _by_multiple(self, polar: Polar, velocity: Vector) -> Vector:
+        """Components of a velocity at 2θ by the sine and cosine of that, as it is given."""
+        angle, size = (self.scalar(each) for each in (polar.angle, polar.size))
+        letters = angle.free_symbols
+        if len(letters) != 1 or angle in letters or not (angle / next(iter(letters))).is_Rational:
+            return velocity
+        forms = [sign * size * f(angle) for f in (sp.cos, sp.sin) for sign in (1, -1)]
+
+        def of(component: sp.Expr) -> sp.Expr:
+            for each in forms:
+                if self.model.identically_zero(sp.expand_trig(each) - component):
+                    return each
+            return component
+
+        return Vector(*(of(sp.sympify(each, strict=True)) for each in velocity))
 
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
