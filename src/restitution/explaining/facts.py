@@ -311,6 +311,14 @@ class _Facts:
                 break
             if body not in self.events[event - 1].bodies:
                 continue
+            if isinstance(step, Kick):
+                push = world.value(step.impulse)
+                mass = next(each.mass for each in self.problem.spheres if each.name == body)
+                if not isinstance(push, Plane) or not isinstance(mass, Expression):
+                    return None
+                share = world.scalar(mass)
+                value = Plane(value.x + push.x / share, value.y + push.y / share)
+                continue
             normal = self._into_the_wall(step, event) if self.events[event - 1].wall else None
             axis = None if normal is None else world.direction(normal)
             if axis is None:

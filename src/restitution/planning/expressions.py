@@ -9,7 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.quantities import formula, write_formula
@@ -45,6 +45,9 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         if right != final:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
         return line, final
+    if is_angle_sum(asked):
+        line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
+        return line, right
     if len(set(refs)) == 1:
         # Of one line there is nothing to put in.
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
@@ -53,6 +56,16 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         Move("put"), together(refs), chain(asked, (right, None), (final, "rearrange"))
     )
     return line, final
+
+
+def is_angle_sum(tree: Expression) -> bool:
+    """Whether angles of the motion are added, or taken from each other."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return is_angle_sum(left) and is_angle_sum(right)
+        case Quantity(kind):
+            return kind in _ANGLES
+    return False
 
 
 def _outermost(tree: Expression) -> list[Expression]:

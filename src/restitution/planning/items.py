@@ -7,16 +7,16 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
+from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, has_quantity
 from restitution.planning import journeys
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.expressions import write_expression
+from restitution.planning.expressions import is_angle_sum, write_expression
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import is_angle, write_angle, write_ratio
+from restitution.planning.turning import is_angle, write_angle, write_decimal, write_ratio
 from restitution.vector import Vector
 
 
@@ -25,7 +25,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
-    solver.determine(_goals(scene, asked))
+    _determine(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked):
@@ -70,7 +70,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
     line, value = write_expression(scene, asked)
-    scene.desk.end(name, line, chain(asked, (value, None)))
+    if is_angle_sum(asked):
+        scene.desk.end(name, *write_decimal(scene, line))
+    else:
+        scene.desk.end(name, line, chain(asked, (value, None)))
 
 
 def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:
@@ -162,6 +165,19 @@ def _letter(scene: Scene, letter: sp.Symbol, name: str) -> None:
 
 def _right(scene: Scene, line: int) -> Expression:
     return scene.desk.last_link(line).right
+
+
+def _determine(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """Everything that is asked; of a direction both components, if they can be found."""
+    match asked:
+        case Quantity("direction", (Name(body),), int(stage)):
+            try:
+                solver.determine(list(scene.velocity(body, stage)))
+            except NotPlannedError:
+                pass
+            else:
+                return
+    solver.determine(_goals(scene, asked))
 
 
 def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:

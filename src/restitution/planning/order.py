@@ -259,6 +259,10 @@ class Solver:
                 case Quantity("velocity", _, int(event)) if (
                     event and event not in self.scene.model.frames and self._open(own)
                 ):
+                    (body,) = given.link.left.arguments
+                    before = self.scene.velocity(body.name, event - 1)  # type: ignore[union-attr]
+                    if any(self.scene.unknown(each) for each in before):
+                        continue
                     take_blow(self.scene, given)
                     return (own,)
                 case Quantity("velocity"):

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
@@ -206,7 +207,12 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
     used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
     right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
     value = tidy(sum(a.value * b for a, b in used))
-    refs = together(*(a.refs for a, _ in used), frame.unit_free)
+    walls = (
+        f"wall {each.name}"
+        for each in walk(direction)
+        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+    )
+    refs = together(*(a.refs for a, _ in used), frame.unit_free, walls)
     return Formula(
         Move("define", "component", stage or None, (body,)), _itself, quantity, right, value, refs
     )
@@ -447,7 +453,8 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         change = difference(*squared)
         terms.append(product(Binary("/", *_HALF), tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
-        refs += [*mass.refs, *early.whole, *late.whole]
+        own = () if values[-1] == 0 else mass.refs
+        refs += [*own, *early.whole, *late.whole]
     return Formula(
         Move("define", "energy-lost", event, scene.spheres(event)),
         _itself,
@@ -555,6 +562,8 @@ def write_formula(scene: Scene, own: Formula) -> int:
             refs = together(
                 refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
             )
+            if _is_nested(own.value):
+                raise NotPlannedError("a root of a sum of roots")
         if _trivial(own.right, final):
             right = final
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
@@ -599,3 +608,12 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
         put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
     gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
     return sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0
+
+
+def _is_nested(value: sp.Expr) -> bool:
+    """Whether the square of a size has a root in it, or the size a root below a root."""
+    square_ = sp.expand(sp.sympify(value, strict=True) ** 2)
+    return any(
+        each.exp.is_Rational and each.exp.q == 2 and not each.base.free_symbols
+        for each in square_.atoms(sp.Pow)
+    )
