@@ -1,0 +1,210 @@
+"""Workings of what is to be shown, of ranges, and of greatest and least values."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.expression.tree import rational
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+OBLIQUE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+"""
+EQUAL = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i{e}
+"""
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+"""
+LINE = """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+sphere C: mass {c}m, at rest
+A hits B: along i
+B hits C: along i
+"""
+
+# Statement, and the last line of each item.
+WORKINGS = {
+    "a tangent": (
+        OBLIQUE + "let beta = angle(velocity(A), i)\n"
+        "show tan(beta) = (1 + k)tan(alpha)/(1 - k e)\ngiven k e < 1",
+        ["tan(beta) = (1 + k) tan(alpha)/(1 - k e)"],
+    ),
+    "the square of a speed": (
+        WALL + "show speed(P)^2 = u^2 (cos^2(alpha) + e^2 sin^2(alpha))",
+        ["speed(P, 1)^2 = u^2 (cos^2(alpha) + e^2 sin^2(alpha))"],
+    ),
+    "a ratio of energies": (
+        EQUAL.format(e="") + "show energy_lost/energy(0) = 1/2 (1 - e^2)cos^2(alpha)",
+        ["energy_lost(1)/energy(0) = 1/2 (1 - e^2) cos^2(alpha)"],
+    ),
+    "a relation of letters": (
+        OBLIQUE + "given velocity(A) perpendicular to velocity(A, 0)\n"
+        "show tan^2(alpha) = (k e - 1)/(k + 1)\nshow k e > 1\nshow k > 1",
+        ["tan^2(alpha) = (k e - 1)/(k + 1)", "k e > 1", "k > 1"],
+    ),
+    "a right angle": (
+        EQUAL.format(e=", e = 1") + "show velocity(A) perpendicular to velocity(B)",
+        ["velocity(A, 1) perpendicular to velocity(B, 1)"],
+    ),
+    "at rest": (
+        (
+            "sphere A: mass m, velocity 3u i\nsphere B: mass 2m, at rest\n"
+            "A hits B: along i, e = 1/2\nshow A at rest"
+        ),
+        ["velocity(A, 1) = 0"],
+    ),
+    "one direction": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity 4i + j\nsphere B: velocity -2i + 3j\n"
+            "A hits B: along i, e = 1/6\nshow velocity(A) in the direction of velocity(B)"
+        ),
+        ["velocity(A, 1) = 1/3 velocity(B, 1)"],
+    ),
+    "they meet again": (
+        (
+            "sphere A, B, C: mass m\nsphere A: velocity u i\nsphere B, C: at rest\n"
+            "A hits B: along i\nB hits C: along i\ngiven e < 1\nshow A and B collide again"
+        ),
+        ["v > x"],
+    ),
+    "an angle less than another": (
+        WALL + "show angle(velocity(P), W) <= alpha",
+        ["angle(velocity(P, 1), W) <= alpha"],
+    ),
+    "reversed": (
+        OBLIQUE + "given along(velocity(A), i) < 0\npart a\ngiven k = 4\nfind range of e\n"
+        "part b\nunknown e\nfind range of k",
+        ["1/4 < e <= 1", "k > 1"],
+    ),
+    "turned through a right angle": (
+        OBLIQUE + "given velocity(A) perpendicular to velocity(A, 0), k = 5\n"
+        "find range of e, range of alpha",
+        ["1/5 < e <= 1", "0° < alpha <= arctan(sqrt(6)/3)"],
+    ),
+    "ends by a coefficient": (
+        WALL + "given alpha = 60°\nfind range of speed(P), range of impulse",
+        ["u/2 <= speed(P, 1) <= u", "sqrt(3) m u/2 <= impulse(1) <= sqrt(3) m u"],
+    ),
+    "no further impact": (
+        LINE.format(c="1/2 ") + "given A and B do not collide again\nfind range of e",
+        ["(13 - sqrt(165))/2 <= e <= 1"],
+    ),
+    "two conditions": (
+        (
+            "sphere A: mass m, velocity 3u i\nsphere B: mass k m, velocity -u i\n"
+            "A hits B: along i, e = 1/2\n"
+            "given along(velocity(A), i) < 0, along(velocity(B), i) > 0\nfind range of k"
+        ),
+        ["1 < k < 5"],
+    ),
+    "the greatest deflection": (
+        EQUAL.format(e=", e = 1/2") + "find maximum of deflection(A) over alpha",
+        ["deflection(A, 1) <= arctan(3/4)"],
+    ),
+    "the best mass between": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+            "sphere C: mass 9m, at rest\nA hits B: along i\nB hits C: along i\n"
+            "find maximum of speed(C) over k"
+        ),
+        ["speed(C, 2) <= (1 + e)^2 u/16"],
+    ),
+    "an end of e": (
+        WALL + "find minimum of speed(P) over e, maximum of impulse over e",
+        ["speed(P, 1) >= u cos(alpha)", "impulse(1) <= 2m u sin(alpha)"],
+    ),
+    "a square completed": (
+        (
+            "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+            "find minimum of speed(A) over e"
+        ),
+        ["speed(A, 1) >= sqrt(3) u/2"],
+    ),
+}
+
+
+def planned(text: str) -> tuple[Problem, Derivation]:
+    problem = parse(text)
+    return problem, plan(solve(problem))
+
+
+def complaints(problem: Problem, derivation: Derivation) -> list[str]:
+    return [str(each) for each in follow(derivation, Oracle(roles(problem)))]
+
+
+@pytest.mark.parametrize("name", WORKINGS)
+def test_follower_accepts_and_last_lines_say_what_is_asked(name: str) -> None:
+    text, ends = WORKINGS[name]
+    problem, derivation = planned(text)
+    assert complaints(problem, derivation) == []
+    assert [write_relation(each.answer) for each in derivation.items] == ends
+
+
+@pytest.mark.parametrize("k", [Fraction(3, 2), Fraction(2), Fraction(7, 3), Fraction(5)])
+def test_ends_of_a_range_are_those_of_the_solution(k: Fraction) -> None:
+    text = OBLIQUE + f"given along(velocity(A), i) < 0, k = {k}\nfind range of e"
+    problem = parse(text)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert complaints(problem, derivation) == []
+    (end,) = derivation.items
+    low, high = end.answer.only
+    interval = solution.parts[None].items[0].exact
+    assert (low.sign, high.sign) == ("<", "<=")
+    assert interval == sp.Interval.Lopen(sp.Rational(k.denominator, k.numerator), 1)
+    assert low.left == rational(1 / k)
+
+
+def test_what_is_false_is_not_planned() -> None:
+    text = OBLIQUE + "show speed(B) < u/2"
+    with pytest.raises(NotPlannedError):
+        planned(text)
+
+
+def test_a_bound_that_is_only_approached_is_no_greatest_value() -> None:
+    text = WALL + "given e < 1\nfind maximum of energy_lost/energy(0) over alpha"
+    with pytest.raises(NotPlannedError):
+        planned(text)
+
+
+def test_a_greatest_value_says_where_it_is_reached() -> None:
+    problem, derivation = planned(WORKINGS["the best mass between"][0])
+    last = derivation.line(derivation.items[0].line)
+    assert last is not None
+    bound, place = (derivation.line(ref) for ref in last.premises)  # type: ignore[arg-type]
+    assert last.move.record == "greatest"
+    assert bound is not None
+    assert bound.relation == last.relation
+    assert place is not None
+    assert write_relation(place.relation).startswith("k != 3 or ")  # type: ignore[arg-type]
+    assert complaints(problem, derivation) == []
+
+
+def test_every_line_is_on_the_way() -> None:
+    problem, derivation = planned(WORKINGS["a relation of letters"][0])
+    cited = {ref for line in derivation.lines for ref in line.premises}
+    ends = {each.line for each in derivation.items}
+    assert all(line.number in cited | ends for line in derivation.lines)
+    assert [line.number for line in derivation.lines] == list(range(1, len(derivation.lines) + 1))
+    assert complaints(problem, derivation) == []
