@@ -16,6 +16,7 @@ from restitution.explaining.trees import of_relation, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -47,7 +48,7 @@ _ANGLES = {
     "direction": ("theta", "phi", "beta", "psi"),
 }
 # The moves by which a letter takes the place of what it stands for.
-_NAMED = (Move("put"), Move("rearrange"))
+_NAMED = (Move("put"), Move("rearrange"), Move("compare"))
 _BOUNDED = ("<", "<=", ">", ">=")
 
 
@@ -205,7 +206,6 @@ class Claims:
             return known.refs[0]
         own = self.formula(quantity)
         left, extra = self.named(own, quantity)
-        pool = together(own.refs, extra, self.axes(quantity))
         right, final = swept(own.right), tree_of(own.value)
         match right:
             case Apply("sqrt", Binary("^", base, _)) if base == final:
@@ -215,13 +215,15 @@ class Claims:
         if right != final:
             for by in ("rearrange", "identity"):
                 chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))  # type: ignore[arg-type]
-        wider = (*pool, *self.judge.known(letters(right)))
-        for relation in chains:
-            number_ = self.judge.write((own.move,), wider, relation)
-            if number_ is not None:
-                if own.left == quantity:
-                    scene.desk.know(quantity, own.value, (number_,))
-                return number_
+        known_ = self.judge.known(letters(right))
+        for axes in ((), self.axes(quantity)):
+            pool = (*together(own.refs, extra, axes), *known_)
+            for relation in chains:
+                number_ = self.judge.write((own.move,), pool, relation)
+                if number_ is not None:
+                    if own.left == quantity:
+                        scene.desk.know(quantity, own.value, (number_,))
+                    return number_
         raise NotPlannedError(f"a line for {quantity.kind}")
 
     def worth(self, tree: Expression) -> int | None:
@@ -269,7 +271,7 @@ class Claims:
         if not isinstance(right, Apply):
             return None
         left = square(own.left)
-        pool = together(own.refs, self.axes(speed))
+        pool = own.refs
         final = tree_of(tidy(own.value**2))
         first = Link(left, "=", right.argument)
         known = self.judge.known(letters(right))
@@ -337,7 +339,7 @@ class Claims:
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
             return None
-        line = self._neat(write_given(scene, each))
+        line = self._neat(write_given(scene, _as_right_angle(each)))
         scene.ties[each.fact.id] = scene.desk.relation(line)
         return line
 
@@ -761,6 +763,7 @@ class Claims:
         extent: Sequence[Ref],
         relation: Relation,
         base: Sequence[Ref] = (),
+        support: Sequence[Ref] = (),
     ) -> int | None:
         """An angle compared by bounds of its tangent, of which another line tells the sign."""
         rest = [each for each in base if isinstance(each, str)]
@@ -769,8 +772,10 @@ class Claims:
         if found is not None:
             return found
         own = self.scene.desk.last_link(tangent)
-        bounded = Link(own.left, ">", ZERO)
-        positive = self._compared([tangent], Relation(((bounded,),)))
+        bounded = Relation(((Link(own.left, ">", ZERO),),))
+        positive = self._compared([tangent], bounded)
+        if positive is None and support:
+            positive = self._compared(support, bounded)
         if positive is None:
             return None
         return self._compared([line, positive, *rest, *ranges], relation)
@@ -1075,6 +1080,16 @@ class Claims:
         relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
         line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
         return source.refs if line is None else (line,)
+
+
+def _as_right_angle(each: GivenEquation) -> GivenEquation:
+    """A deflection of 90° as a right angle between the velocities before and after."""
+    match each.link:
+        case Link(Quantity("deflection", (Name(),) as body, int(stage)), "=", Degrees(value)):
+            if value == 90:
+                later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
+                return replace(each, link=Link(later, "perpendicular to", early))
+    return each
 
 
 def has_quantity_in(relation: Relation) -> bool:

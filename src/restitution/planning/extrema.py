@@ -64,6 +64,7 @@ class _Extremum:
         self.least = kind == "minimum"
         self.asked = claims.opened(asked)
         self.value = value
+        self.support: tuple[Ref, ...] = ()
         sign: Sign = ">=" if self.least else "<="
         angle = _is_angle(self.asked)
         self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
@@ -99,11 +100,11 @@ class _Extremum:
             bound = way(line)
             if bound is not None:
                 angle = Relation(((Link(letter, whole.sign, whole.right),),))
-                last = self.claims.angle_of(bound, line, extent, angle)
+                last = self.claims.angle_of(bound, line, extent, angle, (), self.support)
                 own = Relation(((whole,),))
                 if last is not None and letter != asked:
                     last = self.judge.write(
-                        (Move("put"), Move("rearrange")), [last, extent[-1]], own
+                        (Move("put"), Move("rearrange"), Move("compare")), [last, extent[-1]], own
                     )
                 there = None if last is None else self._place(first, Apply("tan", asked))
                 move = Move("answer", "least" if self.least else "greatest")
@@ -236,17 +237,20 @@ class _Extremum:
             return None
         roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
         gap = square(Binary("-", roots[0], product(roots[1], own)))
-        rest = tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d)
-        squared = Relation(
-            ((Link(Letter(name), "=", total((Binary("/", gap, own), tree_of(rest)))),),)
-        )
-        complete = self.judge.write((Move("complete"),), [let, *known], squared)
+        rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
+        if a.free_symbols | b.free_symbols:
+            # A root of a product is not that of its factors: both are as in the square.
+            rest = total((product(tree_of(2), *roots), tree_of(d)))
+        squared = Relation(((Link(Letter(name), "=", total((Binary("/", gap, own), rest))),),))
+        texts = [each for each in known if each not in self.scene.facts]
+        complete = self.judge.write((Move("complete"),), [let, *texts], squared)
         if complete is None:
             return None
-        least = Relation(((Link(Letter(name), ">=", tree_of(rest)),),))
+        least = Relation(((Link(Letter(name), ">=", rest),),))
         bound = self.judge.write((Move("sign"),), [complete, *known], least)
         if bound is None:
             return None
+        self.support = (quotient, bound)
         return self.judge.write((Move("compare"),), [quotient, bound, *known], self._relation)
 
     def _letter_for(self, tree: Expression) -> str:

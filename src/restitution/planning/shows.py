@@ -225,7 +225,15 @@ class _Equation:
         claims = self.claims
         own = claims.formula(quantity)
         left, extra = claims.named(own, quantity)
-        pool = together(own.refs, extra, claims.axes(quantity))
+        for axes in ((), claims.axes(quantity)):
+            line = self._by_definition(own, left, extra, together(own.refs, extra, axes))
+            if line is not None:
+                return line
+        return None
+
+    def _by_definition(
+        self, own: Formula, left: Expression, extra: tuple[Ref, ...], pool: Sequence[Ref]
+    ) -> int | None:
         right = swept(own.right)
         squared = own.move.record == "speed" and isinstance(right, Apply)
         for subject, start in (
