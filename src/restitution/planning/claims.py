@@ -214,7 +214,7 @@ class Claims:
         chains = [Relation((tuple(links),))]
         if right != final:
             for by in ("rearrange", "identity"):
-                chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))  # type: ignore[arg-type]
+                chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))
         known_ = self.judge.known(letters(right))
         for axes in ((), self.axes(quantity)):
             pool = (*together(own.refs, extra, axes), *known_)
@@ -276,7 +276,7 @@ class Claims:
         first = Link(left, "=", right.argument)
         known = self.judge.known(letters(right))
         for by in ("rearrange", "identity"):
-            relation = Relation(((first, Link(right.argument, "=", final, by)),))  # type: ignore[arg-type]
+            relation = Relation(((first, Link(right.argument, "=", final, by)),))
             line = self.judge.write((own.move,), [*pool, *known], relation)
             if line is not None:
                 return line
@@ -638,7 +638,7 @@ class Claims:
         if len(x.free_symbols) != 1:
             return False
         (symbol,) = x.free_symbols
-        role = roles(self.scene.problem).get(symbol.name)  # type: ignore[attr-defined]
+        role = roles(self.scene.problem).get(symbol.name)
         form = linear_in(x, symbol, role is not None and role.kind == "angle")
         return form is not None and abs(form[2]) == 1
 
@@ -854,7 +854,9 @@ class Claims:
         self.back(mark)
         return None
 
-    def _attempts(self, target: set[str], relation: Relation) -> Iterator[Any]:
+    def _attempts(
+        self, target: set[str], relation: Relation
+    ) -> Iterator[Callable[[list[Ref], Relation], int | None]]:
         wanted = subject_of(relation)
 
         def by_conditions(base: list[Ref], relation: Relation) -> int | None:
@@ -938,8 +940,8 @@ class Claims:
         """A line by what is cited, and the ranges of letters."""
         for each in refs:
             if isinstance(each, int) and each not in known_only:
-                own = self.scene.desk.line(each).relation
-                if isinstance(own, Relation) and same(own, relation):
+                said = self.scene.desk.line(each).relation
+                if isinstance(said, Relation) and same(said, relation):
                     return each
         names: set[str] = set()
         for ref in refs:
@@ -1059,10 +1061,9 @@ class Claims:
                 if tidy(wanted.cross(frame.n)) != 0:
                     raise NotPlannedError("components along different lines")
                 value = sense * source.value
-                own = None if known is None else known.value
-                symbol = own if own is None or own.is_Symbol else -own
-                letters_ = {each.symbol for each in scene.model.components.values()}
-                if symbol not in letters_:
+                own = sp.sympify(0 if known is None else known.value, strict=True)
+                symbol = own if own.is_Symbol else -own
+                if symbol not in {each.symbol for each in scene.model.components.values()}:
                     tree = quantity if sense == 1 else side
                     return tree, (*source.whole, *frame.refs), value
                 return tree_of(sense * own), self._explicit(symbol, source), value

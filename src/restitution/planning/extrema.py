@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -65,6 +66,7 @@ class _Extremum:
         self.asked = claims.opened(asked)
         self.value = value
         self.support: tuple[Ref, ...] = ()
+        self.place: Link | None = None
         sign: Sign = ">=" if self.least else "<="
         angle = _is_angle(self.asked)
         self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
@@ -73,15 +75,17 @@ class _Extremum:
         """Writes the lines, and returns the number of the last."""
         if _is_angle(self.asked):
             return self._of_angle()
-        line = self._line()
+        line, end = self._line(), self.end
         for way in (self._monotone, self._quotient, self._square, self._plain):
             mark = self.claims.mark()
+            self.support, self.place = (), None
             bound = way(line)
             if bound is not None:
                 last = self._reached(line, bound)
                 if last is not None:
                     return last
             self.claims.back(mark)
+            self.end = end
         raise NotPlannedError("a greatest or least value")
 
     def _of_angle(self) -> int:
@@ -97,6 +101,7 @@ class _Extremum:
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
         for way in (self._monotone, self._quotient, self._plain):
             mark = self.claims.mark()
+            self.support, self.place = (), None
             bound = way(line)
             if bound is not None:
                 angle = Relation(((Link(letter, whole.sign, whole.right),),))
@@ -154,7 +159,8 @@ class _Extremum:
     def _place(self, line: int, subject: Expression) -> int | None:
         """The line that says what the value is at the place where it is greatest or least."""
         for place in self._places(line):
-            value = Link(subject, "=", tree_of(self.value))
+            form = self.end.right if self.end.left == subject else tree_of(self.value)
+            value = Link(subject, "=", form)
             unless = Link(place.left, "!=", place.right)
             relation = Relation(((unless,), (value,)))
             known = self._known(*self._names(self._value(line)))
@@ -165,6 +171,8 @@ class _Extremum:
 
     def _places(self, line: int) -> Iterator[Link]:
         """The value of the letter, or of its tangent, at which the bound is reached."""
+        if self.place is not None:
+            yield self.place
         gap = sp.fraction(sp.together(self._value(line) - self.value))[0]
         letter = Letter(self.symbol.name)
         if not self.angle:
@@ -251,6 +259,10 @@ class _Extremum:
         if bound is None:
             return None
         self.support = (quotient, bound)
+        if a.free_symbols | b.free_symbols:
+            self.place = Link(own, "=", Binary("/", *roots))
+        if a.free_symbols and b.free_symbols:
+            self.end = replace(self.end, right=Binary("/", tree_of(c), rest))
         return self.judge.write((Move("compare"),), [quotient, bound, *known], self._relation)
 
     def _letter_for(self, tree: Expression) -> str:
@@ -263,7 +275,8 @@ class _Extremum:
             for each in self.scene.desk.lines
             if isinstance(each.relation, Meaning)
         }
-        names = {each.name for each in (*self.scene.problem.spheres, *self.scene.problem.walls)}
+        problem = self.scene.problem
+        names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
         return next(each for each in "SQNKHFG" if each not in taken | names)
 
     def _square(self, line: int) -> int | None:

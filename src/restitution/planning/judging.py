@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from restitution.explaining.algebra import NotComparableError
-from restitution.explaining.derivation import Derivation, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Ref, Relation
 from restitution.explaining.follower import known_of_letters, setting_of
 from restitution.explaining.moves import MOST_COMPARED, follows
 from restitution.explaining.step import Cited, Known, Setting, Step
@@ -23,17 +23,16 @@ class Judge:
     """Reads lines of a scene as the follower does."""
 
     scene: Scene
-    _settings: dict[int, Setting] = field(default_factory=dict)
+    _last: tuple[Line | None, Setting] | None = None
     _known: dict[str, Known | None] = field(default_factory=dict)
 
     def _setting(self) -> Setting:
         desk = self.scene.desk
-        count = len(desk.lines)
-        if count not in self._settings:
-            self._settings.clear()
+        last = desk.lines[-1] if desk.lines else None
+        if self._last is None or self._last[0] is not last:
             start = Derivation(desk.facts, tuple(desk.lines), (), desk.events)
-            self._settings[count] = setting_of(start, Oracle(roles(self.scene.problem)))
-        return self._settings[count]
+            self._last = last, setting_of(start, Oracle(roles(self.scene.problem)))
+        return self._last[1]
 
     def _step(self, move: Move, refs: Sequence[Ref]) -> Step:
         setting = self._setting()
