@@ -1023,8 +1023,11 @@ def _value(step: Step, relation: Relation) -> bool:
     exact = _ends(base.only)
     if link.sign != "≈" or exact is None or link.left != exact.left:
         return False
-    printed = _decimal(link.right)
+    decimal, letters_ = _parted(link.right)
+    printed = _decimal(decimal)
     value = _in_radians(step, exact.right)
+    if letters_ is not None:
+        value = sp.expand(value / _in_radians(step, letters_))
     if printed is None or value.free_symbols:
         return False
     number, unit = printed
@@ -1037,6 +1040,18 @@ def _value(step: Step, relation: Relation) -> bool:
 
 def _unsigned(tree: Expression) -> Expression:
     return tree.operand if isinstance(tree, Negate) else tree
+
+
+def _parted(tree: Expression) -> tuple[Expression, Expression | None]:
+    """A decimal, and the letters that it is multiplied by, as in 0.634 u."""
+    match tree:
+        case Binary("*", left, right) if not any(isinstance(e, Number) for e in walk(right)):
+            decimal, others = _parted(left)
+            return decimal, right if others is None else Binary("*", others, right)
+        case Binary("*", left, Binary("^", Letter(), _) as power):
+            decimal, others = _parted(left)
+            return decimal, power if others is None else Binary("*", others, power)
+    return tree, None
 
 
 def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:

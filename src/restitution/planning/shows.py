@@ -80,8 +80,8 @@ def _of_subject(scene: Scene, solver: Solver, item: Show, now: int, name: str) -
 def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
     scene = claims.scene
     match item.relation:
-        case Compare(figures=int()):
-            raise NotPlannedError("a show to some figures")
+        case Compare(operators=("=",), figures=int()):
+            return _to_figures(claims, links_of(scene.problem, item.relation, now)[0])
         case Compare(operators=("=",)):
             (link,) = links_of(scene.problem, item.relation, now)
             return _Equation(claims, link).write(), Relation(((link,),))
@@ -101,6 +101,19 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
         case Aligned():
             return _aligned(claims, item.relation, now)
     raise NotPlannedError("a show of several equations")
+
+
+def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
+    """A value that is printed to some figures: exact first, then its decimal."""
+    exact = claims.worth(claims.opened(link.left))
+    if exact is None:
+        raise NotPlannedError("an expression of several quantities to some figures")
+    own = claims.scene.desk.last_link(exact)
+    relation = Relation(((Link(own.left, "≈", link.right),),))
+    line = claims.judge.write((Move("value"),), [exact], relation)
+    if line is None:
+        raise NotPlannedError("a decimal")
+    return line, relation
 
 
 def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Relation]:
