@@ -43,18 +43,15 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
             case Quantity("position", _, AtTime()):
                 yield Link(tree, "=", _place_of(tree, event))
             case Quantity("distance", (a, b), stage):
-                places = [
-                    _place_of(
-                        Quantity("position", (each,), _stage_of(step, each, stage))
-                        if isinstance(each, Name)
-                        else each,
-                        event,
-                    )
+                there = [
+                    Quantity("position", (each,), _stage_of(step, each, stage))
+                    if isinstance(each, Name)
+                    else each
                     for each in (a, b)
                 ]
+                places = [_place_of(each, event) for each in there]
                 yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
-                if isinstance(stage, AtTime):
-                    there = [Quantity("position", (each,), stage) for each in (a, b)]
+                if places != there:
                     yield Link(tree, "=", Apply("abs", Binary("-", there[0], there[1])))
 
 

@@ -188,6 +188,10 @@ class _Facts:
         if placed or apart:
             time = Quantity("time", (), 0 if placed and not self._is_struck() else 1)
             yield self._fact("start", time, Number(Fraction(0)), None)
+        if apart and not placed:
+            zero = Number(Fraction(0))
+            place = Quantity("position", (Name(self.events[0].bodies[0]),), 1)
+            yield self._fact("origin", place, Pair(zero, zero), None, "=", "geometry")
 
     def _is_struck(self) -> bool:
         """Whether the first event is a blow to a body at rest."""

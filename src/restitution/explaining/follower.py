@@ -98,15 +98,26 @@ def follow(
 
 
 def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
-    """The same working, in which no line cites of letters what it does not need.
+    """The same working, in which no line cites of letters and angles what it does not need.
 
     Lines that do not follow are left as they are.
     """
+    ratios = {
+        line.number
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and isinstance(line.relation.only[0].left, Apply)
+    }
     facts = {each.id for each in derivation.facts}
     read = _Reader(settled_derivation(derivation), oracle, frozenset())
     lines = []
     for line in derivation.lines:
-        known = [ref for ref in line.premises if isinstance(ref, str) and ref not in facts]
+        known = [
+            ref
+            for ref in line.premises
+            if ref in ratios or (isinstance(ref, str) and ref not in facts)
+        ]
         if known and isinstance(line.relation, Relation):
             line = replace(line, premises=read.needed(line.number, known))
         lines.append(line)

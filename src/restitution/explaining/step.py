@@ -17,7 +17,7 @@ from restitution.explaining.algebra import (
     Value,
     World,
 )
-from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation
+from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation, whole_of
 from restitution.explaining.notation import read_tree
 from restitution.explaining.rules import Rules
 from restitution.explaining.signs import Signs, ratio
@@ -141,6 +141,16 @@ class Setting:
 _COMPONENTS = ("along", "across")
 
 
+def _factors(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product or a quotient."""
+    match tree:
+        case Binary("*" | "/", left, right):
+            yield from _factors(left)
+            yield from _factors(right)
+        case _:
+            yield tree
+
+
 def _is_angle(meaning: Meaning) -> bool:
     return meaning.angle is not None or (
         isinstance(meaning.quantity, Quantity)
@@ -207,6 +217,25 @@ class Step:
                             yield name
                         case Link(Number(0), "<" | "<=", Letter(name)):
                             yield name
+        for each in self.cited:
+            if isinstance(each.relation, Relation) and len(each.relation.options) == 1:
+                yield from self._by_a_time(whole_of(each.relation.only))
+
+    def _by_a_time(self, link: Link | None) -> Iterator[str]:
+        """The one letter of a time that may be of either sign: no time is before the clock starts.
+
+        All else in the time has to be positive.
+        """
+        match link:
+            case Link(Quantity("time", (), int(number)), "=", right) if number > 0:
+                factors = list(_factors(right))
+                open_ = [
+                    each.name
+                    for each in factors
+                    if isinstance(each, Letter) and self.setting.role(each.name).kind != "positive"
+                ]
+                if len(open_) == 1 and all(isinstance(e, Letter | Number) for e in factors):
+                    yield open_[0]
 
     def _directions(self) -> Iterator[tuple[Expression, Expression]]:
         for meaning in self.lets:

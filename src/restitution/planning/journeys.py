@@ -46,6 +46,7 @@ from restitution.planning.resolving import along_axis
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.problem import Arrival, Impact
+from restitution.solve.quantities import quantity as quantity_of
 from restitution.vector import Vector
 
 Axis = Literal["i", "j"]
@@ -89,9 +90,11 @@ def is_duration(tree: Expression) -> bool:
     return False
 
 
-def speaks_of(tree: Expression) -> bool:
-    """Whether a time, a place or a distance stands in an expression."""
-    return any(serves(each) for each in walk(tree))
+def is_about_times(own: Link) -> bool:
+    """Whether an equation is one between times, and perhaps letters."""
+    nodes = [each for side in (own.left, own.right) for each in walk(side)]
+    kinds = {each.kind for each in nodes if isinstance(each, Quantity)}
+    return kinds == {"time"}
 
 
 # --- what is known ------------------------------------------------------------------------------
@@ -187,6 +190,11 @@ def _coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source
         return known
     if body not in scene.bodies(stage):
         return None
+    if "origin" in scene.facts and stage == start(scene)[0]:
+        refs: tuple[Ref, ...] = ("origin",)
+        if body != scene.bodies(stage)[0]:
+            refs = (f"contact {stage}", "origin")
+        return Source(sp.Integer(0), refs)
     given = _of_contact(scene, body, stage, axis)
     if given is not None:
         return given
@@ -203,8 +211,8 @@ def _coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source
 
 def _rests(scene: Scene, body: str, stage: int) -> bool:
     """Whether a body is at rest until an event."""
-    since = _last_move(scene, body, stage)
-    return all(velocity(scene, body, since, axis).value == 0 for axis in AXES)
+    own, _ = scene.put(scene.velocity(body, _last_move(scene, body, stage)))
+    return all(scene.model.in_data(each) == 0 for each in own)
 
 
 def _moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
@@ -720,7 +728,7 @@ def _write_distance(
     value = _sized(scene, tidy(value))
     number = scene.desk.write(
         Move("define", "distance", event),
-        together(refs, *(ranges(scene, gap) for _, gap in gaps)),
+        together(refs, *(_signs(scene, gap) for _, gap in gaps)),
         chain(asked, (swept(tree), None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(asked, value, (number,))
@@ -731,6 +739,21 @@ def _sized(scene: Scene, value: sp.Expr) -> sp.Expr:
     return tidy(
         value.replace(sp.Abs, lambda inside: inside if scene.model.sign(inside) >= 0 else -inside)
     )
+
+
+def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
+    """What tells the signs of the letters of a distance: ranges, and times that are positive."""
+    refs = list(ranges(scene, gap))
+    for letter in gap.free_symbols:
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is None or role.kind != "real":
+            continue
+        for number in range(1, scene.events + 1):
+            time = scene.desk.known(time_tree(number))
+            if time is not None and not time.value.is_Add and time.value.has(letter):
+                refs += time.refs
+                break
+    return tuple(refs)
 
 
 def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
@@ -805,7 +828,7 @@ def _separation_tree(scene: Scene, frame: Frame) -> Expression:
 
 
 def separation_known(scene: Scene, frame: Frame) -> Source | None:
-    """How fast two spheres separate along their line of centres, where that is all that is known."""
+    """How fast two spheres separate along their line of centres, where that is known alone."""
     return _known(scene, _separation_tree(scene, frame))
 
 
@@ -875,6 +898,39 @@ def _difference_of_times(scene: Scene, asked: Expression, late: int, early: int)
 
 
 # --- paths --------------------------------------------------------------------------------------
+
+
+def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
+    """An equation between times and places, each time by one direction as lines have it."""
+    story = scene.model.story
+
+    def value(tree: Quantity) -> Any:
+        match tree:
+            case Quantity("time", (), int(number)):
+                return _time_value(scene, number)
+        return quantity_of(story, tree, scene.events)
+
+    read = type(story.evaluator(scene.events))(
+        story.field, scene.model.unknowns.letter, value, story._named, story.wall_direction
+    )
+    gap = [read.scalar(each) for each in (own.left, own.right)]
+    return (tidy(gap[0] - gap[1]),)
+
+
+def _time_value(scene: Scene, number: int) -> sp.Expr:
+    """A time as lines come to it: at a point, by the direction that is the simplest."""
+    own = scene.value(time_tree(number))
+    if number == 0 or not isinstance(scene.model.happening(number).step, Arrival):
+        return own
+    body = scene.bodies(number)[0]
+    axis = _axis_for(scene, body, number)
+    since = _last_move(scene, body, number)
+    if axis is None:
+        return own
+    first, last = (_value_of_coordinate(scene, body, each, axis) for each in (since, number))
+    pace = _value_of_velocity(scene, body, since, axis)
+    early = _time_value(scene, since) if since else sp.Integer(0)
+    return early + (last - first) / pace
 
 
 @dataclass(frozen=True)

@@ -127,6 +127,10 @@ class Solver:
             write_blows(scene)
         rest = {symbol for each in goals for symbol in scene.unknown(each)}
         rest -= self._separating()
+        if rest & self._letters.keys() and list(rest) != list(goals):
+            # Where a goal is greatest or least in what is open, no gradient tells of that.
+            self.determine(sorted(rest & self._letters.keys(), key=str))
+            return
         if rest & {each.symbol for each in scene.model.components.values()}:
             raise NotPlannedError(f"{rest} are open")
 
@@ -197,6 +201,8 @@ class Solver:
     def _of_given(self, each: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""
         own = candidate(each)
+        if each.link.sign == "=" and journeys.is_about_times(each.link):
+            return replace(own, residuals=journeys.residuals(self.scene, each.link))
         match each.link:
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
