@@ -25,7 +25,11 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
-    _determine(scene, solver, asked)
+    placed = journeys.serves(asked) or journeys.is_duration(asked)
+    if placed:
+        solver.determine(journeys.goals(scene, asked))
+    else:
+        _determine(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked):
@@ -43,7 +47,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             if len(relation.options) == 1:
                 relation = chain(asked, (_right(scene, line), None))
             scene.desk.end(name, line, relation)
-        case _ if journeys.serves(asked) or journeys.is_duration(asked):
+        case _ if placed:
             line, value = journeys.write(scene, asked)
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         case Quantity("line_of_centres", (), int(number)):

@@ -33,6 +33,7 @@ from restitution.planning.forms import (
     ZERO,
     difference,
     is_zero,
+    negative,
     product,
     square,
     swept,
@@ -215,12 +216,19 @@ def _rests(scene: Scene, body: str, stage: int) -> bool:
     return all(scene.model.in_data(each) == 0 for each in own)
 
 
+def _keeps(scene: Scene, body: str, since: int, axis: Axis) -> bool:
+    """Whether a body does not move along an axis after an event."""
+    return scene.model.in_data(_part(scene.velocity(body, since), axis)) == 0
+
+
 def _moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     """A coordinate by the time since the last event of a body."""
     if _rests(scene, body, stage) or _open_line(scene, body, stage) is not None:
         place = _place_moved(scene, body, stage)
         return Source(_part(place.value, axis), place.refs)
     since = _last_move(scene, body, stage)
+    if not _keeps(scene, body, since, axis):
+        time_of(scene, stage)
     first = coordinate(scene, body, since, axis)
     pace = velocity(scene, body, since, axis)
     refs = [*first.refs, *pace.refs]
@@ -399,8 +407,9 @@ def _value_of_coordinate(scene: Scene, body: str, stage: int, axis: Axis) -> sp.
 def _time_along(scene: Scene, body: str, number: int, axis: Axis) -> Source:
     """A time by a distance and a speed in one direction."""
     since = _last_move(scene, body, number)
+    early = time_of(scene, since)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
-    pace, early = velocity(scene, body, since, axis), time_of(scene, since)
+    pace = velocity(scene, body, since, axis)
     return _flight(scene, number, body, (first, last), pace, early)
 
 
@@ -433,6 +442,17 @@ def _flight(
         ),
     )
     return scene.desk.know(quantity, value, (line,))
+
+
+def _swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
+    """A way times a component, each written as a positive number as far as values tell."""
+    minus = False
+    if scene.model.sign(scene.model.in_data(last - first)) < 0:
+        last, first, minus = first, last, not minus
+    if scene.model.sign(scene.model.in_data(pace)) < 0:
+        pace, minus = -pace, not minus
+    tree = swept(product(difference(tree_of(last), tree_of(first)), tree_of(pace)))
+    return negative(tree) if minus else tree
 
 
 def _divisor(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
@@ -897,6 +917,28 @@ def _difference_of_times(scene: Scene, asked: Expression, late: int, early: int)
     return scene.desk.know(asked, value, (line,))
 
 
+def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
+    """What has to be known for a time or a place.
+
+    What a wall does to a component follows from the component before it, and is written when the
+    working comes to that wall.
+    """
+    value = scene.value(asked)
+    parts = list(value) if isinstance(value, Vector) else [value]
+    return [without_walls(scene, sp.sympify(each, strict=True)) for each in parts]
+
+
+def without_walls(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value with the components after walls put in by those before them."""
+    changes: dict[sp.Basic, sp.Expr] = {}
+    for law in scene.model.laws:
+        if scene.model.frames[law.number].wall is not None:
+            body = scene.bodies(law.number)[0]
+            symbol = scene.model.components[law.number, body].symbol
+            changes[symbol] = (symbol - law.residual).xreplace(changes)
+    return value.xreplace(changes)
+
+
 # --- paths --------------------------------------------------------------------------------------
 
 
@@ -914,7 +956,7 @@ def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
         story.field, scene.model.unknowns.letter, value, story._named, story.wall_direction
     )
     gap = [read.scalar(each) for each in (own.left, own.right)]
-    return (tidy(gap[0] - gap[1]),)
+    return (tidy(without_walls(scene, gap[0] - gap[1])),)
 
 
 def _time_value(scene: Scene, number: int) -> sp.Expr:
@@ -956,7 +998,7 @@ def paths(scene: Scene) -> Iterator[Path]:
             continue
         place, end = (scene.value(place_tree(body, each)) for each in (since, number))
         gap = Vector(end.x - place.x, end.y - place.y)
-        residual = tidy(gap.cross(scene.velocity(body, since)))
+        residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
         if scene.unknown(residual):
             yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)))
 
@@ -980,7 +1022,8 @@ def write_path(scene: Scene, path: Path) -> int:
         first = _value_of_coordinate(scene, body, since, axis)
         last = _value_of_coordinate(scene, body, number, axis)
         when = scene.model.happening(since).time if since else sp.Integer(0)
-        if pace == 0 or any(scene.unknown(each) for each in (pace, first, last, when)):
+        values = [without_walls(scene, each) for each in (pace, first, last, when)]
+        if pace == 0 or any(scene.unknown(each) for each in values):
             continue
         known = _known(scene, time_tree(number)) or _time_along(scene, body, number, axis)
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
@@ -994,13 +1037,15 @@ def write_path(scene: Scene, path: Path) -> int:
                 (swept(product(tree_of(speed.value), flight)), None),
             ),
         )
-    sides, refs = [], []
+    sides: list[Expression] = []
+    refs: list[Ref] = []
+    for axis in AXES:
+        coordinate(scene, body, since, axis)
     paces = [velocity(scene, body, since, axis) for axis in AXES]
     for axis, pace in zip(AXES, reversed(paces), strict=True):
         ends = [coordinate(scene, body, each, axis) for each in (since, number)]
         refs += [ref for each in (*ends, pace) for ref in each.refs]
-        way = difference(tree_of(ends[1].value), tree_of(ends[0].value))
-        sides.append(swept(product(way, tree_of(pace.value))))
+        sides.append(_swept_product(scene, ends[1].value, ends[0].value, pace.value))
     return scene.desk.write(
         Move("define", "straight-line", number, (body,)),
         refs,
