@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    rational,
     walk,
 )
 from restitution.problem import (
@@ -478,6 +479,10 @@ def _is_range(links: tuple[Link, ...]) -> bool:
 
 
 def _difference(a: Expression, b: Expression) -> Expression:
+    if a == b:
+        return Number(Fraction(0))
+    if isinstance(a, Number) and isinstance(b, Number):
+        return rational(a.value - b.value)
     return a if _is_nothing(b) else Negate(b) if _is_nothing(a) else Binary("-", a, b)
 
 

@@ -484,8 +484,7 @@ def _quotient(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Exp
 
 def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:
     """The time to a wall that is not along an axis: the coordinates by the time, on its line."""
-    (own,) = _contact(scene, number)
-    match own:
+    match next(_contact(scene, number), None):
         case Link(Quantity("dot", (Binary("-", _, through), normal)), "=", _):
             place, axis = _tidied(scene, scene.value(through)), _tidied(scene, scene.value(normal))
         case _:

@@ -1,0 +1,245 @@
+"""Workings of places, times and distances: the follower accepts them, and answers are the solver's."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+import pytest
+
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+
+def working(statement: str) -> Derivation:
+    """The planned working of a statement, which the follower accepts."""
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    complaints = follow(derivation, Oracle(roles(problem)))
+    assert not complaints, [str(each) for each in complaints]
+    return derivation
+
+
+def answers(derivation: Derivation) -> list[str]:
+    """The answers as lines say them."""
+    return [write_relation(each.answer) for each in derivation.items]
+
+
+def said(derivation: Derivation) -> list[str]:
+    """What the lines say, but for those that introduce letters."""
+    return [
+        write_relation(each.relation)
+        for each in derivation.lines
+        if isinstance(each.relation, Relation)
+    ]
+
+
+CORRIDOR = """
+wall L: along i, through (0, 0)
+wall M: along i, through (0, 4)
+sphere P: at (0, 2), velocity 6i - 4j
+P hits L: e = 1/2
+P hits M: e = 1/2
+"""
+
+
+def test_times_and_places_between_walls() -> None:
+    derivation = working(CORRIDOR + "find time(1), time(2), position(P, 2), position(P, at 2)\n")
+    assert answers(derivation) == [
+        "time(1) = 1/2",
+        "time(2) = 5/2",
+        "position(P, 2) = 15i + 4j",
+        "position(P, at 2) = 12i + 3j",
+    ]
+    assert "time(2) = 1/2 + 4/2 = 5/2 [rearrange]" in said(derivation)
+
+
+def test_what_is_asked_of_one_direction_needs_no_other() -> None:
+    derivation = working(CORRIDOR + "find time(2)\n")
+    assert not any("velocity(P, 1), i" in each for each in said(derivation))
+
+
+def test_a_duration_needs_no_time_before() -> None:
+    derivation = working(CORRIDOR + "find time(2) - time(1)\n")
+    assert said(derivation)[-1] == "time(2) - time(1) = 4/2 = 2 [rearrange]"
+    assert not any(each.startswith("time(1) =") for each in said(derivation))
+
+
+def test_places_at_one_wall_are_apart_by_their_coordinates() -> None:
+    derivation = working(
+        CORRIDOR + "P hits L: e = 1\nfind distance(position(P, 1), position(P, 3))\n"
+    )
+    assert answers(derivation) == ["distance(position(P, 1), position(P, 3)) = 36"]
+
+
+def test_letters_of_length_and_speed() -> None:
+    derivation = working(
+        """
+        wall L: along i, through (0, 0)
+        wall M: along i, through (0, d)
+        sphere P: at (0, 0), velocity u at alpha to M
+        P hits M
+        P hits L
+        find time(2), position(P, 2)
+        """
+    )
+    first, second = answers(derivation)
+    assert first == "time(2) = (1 + e) d/(e u sin(alpha))"
+    assert second == "position(P, 2) = (1 + e) d/(e tan(alpha)) i"
+
+
+def test_a_path_to_a_point_gives_an_angle_without_a_time_there() -> None:
+    derivation = working(
+        """
+        wall W: along i, through (0, 0)
+        point N: (7, 3)
+        sphere P: at (0, 4), velocity u at alpha to W
+        P hits W: e = 3/4
+        P reaches N
+        find alpha
+        """
+    )
+    assert answers(derivation) == ["alpha = arctan(8/7)"]
+    assert not any("time(2)" in each for each in said(derivation))
+
+
+def test_where_one_direction_tells_the_time_the_other_gives_the_coefficient() -> None:
+    derivation = working(
+        """
+        wall W: along i, through (0, 0)
+        point N: (9, 4)
+        sphere P: at (0, 2), velocity 3i - 2j
+        P hits W
+        P reaches N
+        find e, time(2)
+        """
+    )
+    assert answers(derivation) == ["e = 1", "time(2) = 3"]
+    assert "time(2) = 1 + (9 - 3)/3 = 3 [rearrange]" in said(derivation)
+
+
+def test_two_that_move_meet_at_one_place() -> None:
+    derivation = working(
+        """
+        wall W: along j, through (9, 0)
+        sphere A: mass 2, at (0, 0), velocity 6i
+        sphere B: mass 1, at (3, 0), at rest
+        A hits B: along i, e = 1/2
+        B hits W: e = 1/2
+        A hits B: along i, e = 1/2
+        find time(3), position(B, 3)
+        """
+    )
+    assert answers(derivation) == ["time(3) = 2", "position(B, 3) = 15/2 i"]
+
+
+def test_distance_after_an_impact_by_restitution_alone() -> None:
+    derivation = working(
+        """
+        sphere A: mass 3, velocity 5i + 2j
+        sphere B: mass 2, velocity -i + 6j
+        A hits B: along i, e = 1/2
+        find distance(A, B, at 3)
+        """
+    )
+    assert answers(derivation) == ["distance(A, B, at 3) = 15"]
+    assert not any(each.move.record == "momentum" for each in derivation.lines)
+
+
+def test_a_length_is_positive_because_a_time_is() -> None:
+    derivation = working(
+        """
+        sphere A: mass m, at (0, 0), velocity u i
+        sphere B: mass m, at (d, 0), at rest
+        sphere C: mass m, at (3d, 0), at rest
+        A hits B: along i, e = 1/3
+        B hits C: along i, e = 1/3
+        find distance(A, B)
+        """
+    )
+    assert answers(derivation) == ["distance(A, B, 2) = d"]
+
+
+def test_a_slanted_wall() -> None:
+    derivation = working(
+        """
+        wall W: from (0, 0) to (4, 3)
+        sphere P: at (0, 4), velocity i - j
+        P hits W: e = 1/2
+        find time(1), position(P, 1)
+        """
+    )
+    assert answers(derivation) == ["time(1) = 16/7", "position(P, 1) = 16/7 i + 12/7 j"]
+
+
+def test_a_blow_to_a_ball_at_rest_starts_the_clock() -> None:
+    derivation = working(
+        """
+        wall W: along i, through (0, 0)
+        sphere P: mass 2, at (0, 6), at rest
+        P receives 4i - 6j
+        P hits W: e = 1/3
+        find velocity(P, 1), time(2), position(P, 2), velocity(P, 2)
+        """
+    )
+    assert answers(derivation) == [
+        "velocity(P, 1) = 2i - 3j",
+        "time(2) = 2",
+        "position(P, 2) = 4i",
+        "velocity(P, 2) = 2i + j",
+    ]
+
+
+def test_a_given_time_finds_a_coefficient() -> None:
+    derivation = working(
+        """
+        wall W: along j, through (0, 0)
+        wall X: along j, through (d, 0)
+        sphere P: at (d/2, 0), velocity -u i
+        P hits W
+        P hits X
+        given time(2) = 5d/(2u)
+        find e
+        """
+    )
+    assert answers(derivation) == ["e = 1/2"]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_corridors_of_any_numbers(seed: int) -> None:
+    draw = random.Random(seed)
+    width, start = draw.randint(3, 9), draw.randint(1, 2)
+    x, y = draw.randint(1, 6), draw.randint(1, 6)
+    e, f = Fraction(draw.randint(1, 4), 4), Fraction(draw.randint(1, 3), 3)
+    derivation = working(
+        f"""
+        wall L: along j, through (0, 0)
+        wall M: along j, through ({width}, 0)
+        sphere P: at ({start}, 0), velocity -{x}i + {y}j
+        P hits L: e = {e}
+        P hits M: e = {f}
+        find time(2), position(P, 2)
+        """
+    )
+    time = Fraction(start, x) + width / (e * x)
+    assert answers(derivation)[0] == f"time(2) = {time}"
+
+
+def test_places_that_are_not_told_are_no_crash() -> None:
+    problem = parse(
+        """
+        wall C: circle centre (0, 0) radius 5
+        sphere P: at (0, 3), velocity 4i
+        P hits C: e = 1/2
+        find time(1)
+        """
+    )
+    with pytest.raises(NotPlannedError):
+        plan(solve(problem))
