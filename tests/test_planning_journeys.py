@@ -84,7 +84,7 @@ def test_letters_of_length_and_speed() -> None:
         """
         wall L: along i, through (0, 0)
         wall M: along i, through (0, d)
-        sphere P: at (0, 0), velocity u at alpha to M
+        sphere P: at (0, 0), velocity u at alpha
         P hits M
         P hits L
         find time(2), position(P, 2)
