@@ -27,7 +27,7 @@ from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Rela
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
-from restitution.explaining.step import Cited, Step
+from restitution.explaining.step import Cited, Step, alike
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -343,7 +343,7 @@ def _is_resolved(step: Step, line: Link) -> bool:
         if not (isinstance(each.relation, Meaning) and each.relation.quantity == quantity)
     )
     rules = step.rules(others)
-    value, right = step.world.value(quantity), step.world.value(line.right)
+    value, right = alike(step.world.value(quantity), step.world.value(line.right))
     resolved = rules.put_into(value)
     if resolved == value:
         return False

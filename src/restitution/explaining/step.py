@@ -466,7 +466,7 @@ class Step:
         world = self.world
         if link.sign in ("parallel to", "perpendicular to", "≈"):
             return []
-        left, right = world.value(link.left), world.value(link.right)
+        left, right = alike(world.value(link.left), world.value(link.right))
         if isinstance(left, Plane) and isinstance(right, Plane):
             pairs = [(left.x, right.x), (left.y, right.y)]
         elif isinstance(left, Plane) or isinstance(right, Plane):
@@ -516,13 +516,9 @@ class Step:
 
     def residual(self, link: Link, rules: Rules | None = None) -> Value:
         """Left minus right, with values put in."""
-        left, right = self.world.value(link.left), self.world.value(link.right)
+        left, right = alike(self.world.value(link.left), self.world.value(link.right))
         if isinstance(left, Plane) != isinstance(right, Plane):
-            plane, other = (left, right) if isinstance(left, Plane) else (right, left)
-            if not (isinstance(other, Quotient) and other.vanishes):
-                raise NotComparableError("a vector beside a number")
-            zero = Plane(CONSTANT(0), CONSTANT(0))
-            left, right = (plane, zero) if plane is left else (zero, plane)
+            raise NotComparableError("a vector beside a number")
         if isinstance(left, Plane) and isinstance(right, Plane):
             value: Value = Plane(left.x - right.x, left.y - right.y)
         else:
@@ -564,6 +560,16 @@ class Step:
     def under(self, **changes: Any) -> Step:
         """The same line in another world."""
         return replace(self, **changes)
+
+
+def alike(left: Value, right: Value) -> tuple[Value, Value]:
+    """Two values, of which a 0 beside a vector is the vector of no length."""
+    nothing = Plane(CONSTANT(0), CONSTANT(0))
+    if isinstance(left, Plane) and isinstance(right, Quotient) and right.vanishes:
+        return left, nothing
+    if isinstance(right, Plane) and isinstance(left, Quotient) and left.vanishes:
+        return nothing, right
+    return left, right
 
 
 def _values(links: Sequence[Link]) -> Iterator[tuple[Expression, Expression]]:

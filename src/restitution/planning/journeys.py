@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles import range_of
+from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
     ZERO,
@@ -42,8 +43,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import before, in_direction
-from restitution.planning.premises import nonzero
-from restitution.planning.resolving import along_axis
+from restitution.planning.resolving import along_axis, unit_of
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.problem import Arrival, Impact
@@ -298,8 +298,6 @@ def _write_place(
     value: Vector,
 ) -> int:
     own = tree_of(value)
-    if is_zero(tree):
-        tree = own = Binary("+", *(Binary("*", ZERO, Unit(axis)) for axis in AXES))
     number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
     if own != tree:
         number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
@@ -828,11 +826,16 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     else:
         along = [Source(sp.Integer(0)), apart]
     a, b = ([x, y] for x, y in zip(along, across, strict=True))
+    named = [frame.component("across", names[0], met).arguments[-1]]
+    if apart is None:
+        named.append(frame.component("along", names[0], met).arguments[-1])
+    else:
+        named.append(_separation_direction(frame))
     used = together(
         early.refs,
         more,
         (f"contact {met}",),
-        frame.refs,
+        () if all(isinstance(each, Unit) for each in named) else frame.refs,
         *(each.whole for each in (*a, *b)),
     )
     flight = difference(tree_of(when), tree_of(early.value)), tidy(when - early.value)
@@ -840,9 +843,21 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     return _write_distance(scene, asked, met, used, values[0], values[1], flight)
 
 
+def _separation_direction(frame: Frame) -> Expression:
+    """The direction in which a separation is counted: of an axis, where that is the line."""
+    for axis in AXES:
+        if frame.n == unit_of(axis):
+            return Unit(axis)
+    return frame.along
+
+
 def _separation_tree(scene: Scene, frame: Frame) -> Expression:
     first, second = scene.bodies(frame.number)
-    own, other = (frame.component("along", each, frame.number) for each in (second, first))
+    direction = _separation_direction(frame)
+    own, other = (
+        Quantity("along", (Quantity("velocity", (Name(each),), frame.number), direction))
+        for each in (second, first)
+    )
     return Binary("-", own, other)
 
 
@@ -856,6 +871,8 @@ def write_separation(scene: Scene, frame: Frame) -> None:
     first, second = scene.bodies(frame.number)
     e = scene.coefficient(frame.number)
     u, x = (before(scene, "along", each, frame) for each in (first, second))
+    if e.value == 0:
+        u, x = Source(sp.Integer(0), frame.refs), Source(sp.Integer(0))
     value = tidy(e.value * (u.value - x.value))
     quantity = _separation_tree(scene, frame)
     approach = difference(tree_of(u.value), tree_of(x.value))

@@ -14,10 +14,15 @@ from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
 
+def unit_of(axis: Literal["i", "j"]) -> Vector:
+    """The unit vector of an axis."""
+    return Vector(1, 0) if axis == "i" else Vector(0, 1)
+
+
 def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> Source:
     """The component of a velocity along **i** or **j**, after so many events."""
     last = scene.last_event(body, stage)
-    unit = Vector(1, 0) if axis == "i" else Vector(0, 1)
+    unit = unit_of(axis)
     if last == 0:
         initial = scene.initial(body)
         return Source(tidy(initial.value.dot(unit)), initial.refs)
