@@ -392,12 +392,11 @@ class Solver:
 
     def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
         """Whether laws are linear in some letters, with what is known put in."""
-        return all(
-            sp.diff(self.scene.put(each)[0], a, b) == 0
-            for own in laws
-            for each in own.residuals
-            for a in symbols
-            for b in symbols
+        rows = [self.scene.put(each)[0] for own in laws for each in own.residuals]
+        slopes = [sp.diff(row, each) for row in rows for each in symbols]
+        # A cosine that is divided by would have to be cited as not zero.
+        return not any(
+            slope.has(sp.sin, sp.cos) or slope.free_symbols & set(symbols) for slope in slopes
         )
 
     def _after(self, number: int) -> dict[sp.Symbol, str]:

@@ -38,6 +38,7 @@ from restitution.planning.frames import Frame
 from restitution.planning.impacts import blown, in_direction, whole_direction
 from restitution.planning.premises import not_negative, sign_known
 from restitution.planning.scene import Scene
+from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
 
 
@@ -323,8 +324,19 @@ def _direction(scene: Scene, quantity: Quantity) -> Formula:
         quantity,
         Binary("/", tree_of(y.value), tree_of(x.value)),
         tidy(y.value / x.value),
-        together(x.whole, y.whole),
+        _along_the_line(scene, body, stage) or together(x.whole, y.whole),
     )
+
+
+def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
+    """Why a sphere moves along the line of centres: it has no component across; () if it has."""
+    if stage not in scene.model.frames:
+        return ()
+    frame = scene.frame(stage)
+    if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
+        return ()
+    across = in_direction(scene, "across", body, stage, frame)
+    return together(across.refs, frame.refs) if across.value == 0 else ()
 
 
 # --- impulses and energies ---------------------------------------------------------------------
@@ -395,9 +407,9 @@ def velocity_source(scene: Scene, body: str, stage: int) -> Source:
         source = scene.initial(body)
         value, refs = scene.put(source.value)
         return Source(value, together(source.refs, refs))
-    for each in scene.given:
-        if each.link.left == quantity and each.link.sign == "=":
-            return Source(scene.value(each.link.right), (each.fact.id,))
+    given = velocity_given(scene, body, last)
+    if given is not None:
+        return Source(given[1], given[2])
     if last not in scene.model.frames:
         return blown(scene, body, last)
     own = _velocity(scene, quantity)
