@@ -27,6 +27,7 @@ from restitution.planning.ratios import (
     inside_functions,
     ratio,
     sum_of_angles,
+    without_sums,
 )
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
@@ -50,13 +51,15 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
 
 def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
     """The line with everything put in that is known, as a line; the same line without that."""
+    number = _with_angles(scene, number, symbol)
     link = scene.desk.last_link(number)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     for tree in _open_trees(link):
         source = _known_tree(scene, tree, symbol)
         if source is not None:
-            values[tree] = tree_of(source.value)
+            angle = isinstance(tree, Letter) and _is_angle(scene, tree.name)
+            values[tree] = tree_of(source.value, angle=angle)
             refs += source.refs
     if not values or number in refs:
         return number
@@ -64,6 +67,17 @@ def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> in
     own = scene.desk.line(number)
     start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
     return scene.desk.write(Move("put"), (*start, *together(refs)), chain(left, (right, None)))
+
+
+def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
+    """The line with sums of angles by the formulae, where an angle is known."""
+    for each in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
+        known = scene.desk.known(Letter(each.name))
+        if each != symbol and known is not None and _is_angle(scene, each.name):
+            written = without_sums(scene, number, each)
+            if written is not None:
+                number = written
+    return number
 
 
 def _open_trees(link: Link) -> Iterable[Expression]:
@@ -82,6 +96,11 @@ def _open_trees(link: Link) -> Iterable[Expression]:
 def _parts(tree: Expression) -> list[Expression]:
     values = (getattr(tree, each.name) for each in fields(tree) if each.name != "place")
     return [each for each in values if isinstance(each, Expression)]
+
+
+def _is_angle(scene: Scene, name: str) -> bool:
+    role = scene.model.unknowns.roles.get(name)
+    return role is not None and role.kind == "angle"
 
 
 def _is_ratio(tree: Expression) -> bool:
@@ -254,10 +273,10 @@ def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 SHAPES: tuple[Shape, ...] = (
     _already,
     _squared,
+    sum_of_angles,
     ratio,
     even,
     divided_angle,
-    sum_of_angles,
     _linear,
     _quadratic,
 )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.expression.tree import Binary, Name, Quantity
+from restitution.expression.tree import Apply, Binary, Name, Polar, Quantity
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.impacts import in_direction
@@ -75,3 +76,61 @@ def _written(
     if own is None:
         raise NotPlannedError("a deflection to either side")
     return scene.desk.write(move, own, relation)
+
+
+def turned_at_a_wall(
+    scene: Scene, turned: GivenEquation, fast: GivenEquation
+) -> tuple[int, int] | None:
+    """Both laws at a wall, of a speed after it and the angle that a deflection leaves to the wall.
+
+    None where what is given is not that: the angle at which the body comes, a deflection that is
+    no right angle, and a speed.
+    """
+    quantity, speed = turned.link.left, fast.link.left
+    match quantity, speed:
+        case (
+            Quantity("deflection", (Name(body),), int(event)),
+            Quantity("speed", (Name(other),), int(stage)),
+        ) if body == other and stage == event and event in scene.model.frames:
+            pass
+        case _:
+            return None
+    frame = scene.frame(event)
+    fact = scene.facts.get(f"velocity {body}")
+    if frame.wall is None or fact is None or scene.last_event(body, event - 1):
+        return None
+    match fact.relation.only[0].right:
+        case Polar(size, angle, wall=Name(name)) if name == frame.wall:
+            pass
+        case _:
+            return None
+    wall = Name(frame.wall)
+    later = Quantity("angle", (Quantity("velocity", (Name(body),), event), wall))
+    rest = Binary("-", turned.link.right, angle)
+    line = scene.desk.write(
+        Move("define", "sum", event, (body,)),
+        together((turned.fact.id, fact.id)),
+        chain(later, (rest, None)),
+    )
+    refs = together((turned.fact.id, fact.id, f"wall {wall.name}", fast.fact.id), frame.refs)
+    size_after = fast.link.right
+    law = Move("law", "unchanged", event, (body,))
+    along = chain(
+        product(size_after, Apply("cos", rest)), (product(size, Apply("cos", angle)), None)
+    )
+    away = chain(
+        product(size_after, Apply("sin", rest)),
+        (product(tree_of(scene.coefficient(event).value), size, Apply("sin", angle)), None),
+    )
+    e = scene.coefficient(event)
+    lines = []
+    for move, relation, more in (
+        (law, along, ()),
+        (replace(law, record="restitution-wall"), away, e.refs),
+    ):
+        pool = [each for each in together(refs, more, (line,)) if each != turned.fact.id]
+        own = needed(scene, move, [line, fast.fact.id, fact.id, *more], relation, pool)
+        if own is None:
+            return None
+        lines.append(scene.desk.write(move, own, relation))
+    return lines[0], lines[1]

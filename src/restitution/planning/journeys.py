@@ -33,7 +33,6 @@ from restitution.planning.desk import NotPlannedError, Source, chain, link, toge
 from restitution.planning.forms import (
     ZERO,
     difference,
-    is_zero,
     negative,
     product,
     square,

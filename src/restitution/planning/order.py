@@ -20,6 +20,7 @@ from restitution.planning import journeys
 from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
 from restitution.planning.closing import close, with_known
+from restitution.planning.deflections import turned_at_a_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
@@ -503,6 +504,8 @@ class Solver:
             unknowns = self._open(first) | self._open(second)
             if len(unknowns) != 2:
                 continue
+            if self._turned(first, second) or self._turned(second, first):
+                return first, second
             lines = [self._line(each) for each in (first, second)]
             if None in lines:
                 continue
@@ -514,6 +517,23 @@ class Solver:
                 continue
             return first, second
         return None
+
+    def _turned(self, turned: Candidate, fast: Candidate) -> bool:
+        """A deflection at a wall with the speed after it: by the angle that is left to the wall."""
+        pair = self.givens.get(turned.id), self.givens.get(fast.id)
+        if pair[0] is None or pair[1] is None:
+            return False
+        lines = turned_at_a_wall(self.scene, pair[0], pair[1])
+        if lines is None:
+            return False
+        for number, line in enumerate(lines):
+            own = self.scene.unknown(residual(self.scene, with_known(self.scene, line)))
+            if len(own) != 1:
+                return False
+            (symbol,) = own
+            if not self._closes(line, symbol):
+                return number > 0
+        return True
 
     def _wanted_later(self, symbol: sp.Symbol) -> tuple[bool, str]:
         """What is not asked comes first: it is left out, or put in."""

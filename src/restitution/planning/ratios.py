@@ -9,7 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Relation
 from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.angles import range_of
 from restitution.planning.desk import Source, chain
 from restitution.planning.forms import (
@@ -295,32 +295,22 @@ def _by_double(
     if first is None:
         return None
     cancelled = chain(below, (tree_of(2 * k), None))
-    known = (range_of(scene, symbol.name), f"acute: {_text(small, symbol)}")
-    refs = needed(scene, Move("cancel"), (first, *meaning), cancelled, known)
-    if refs is None:
-        refs = needed(scene, Move("cancel"), (first,), cancelled, known)
-    if refs is None:
-        return None
-    second = scene.desk.write(Move("cancel"), refs, cancelled)
+    known = range_of(scene, symbol.name)
+    second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
     value = tidy(sp.tan(small * scene.final(symbol)))
     others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
     alternatives = Relation(tuple((each,) for each in others))
     third = scene.desk.write(Move("roots"), (second,), alternatives)
     only = Relation(((others[0],),))
-    refs = needed(scene, Move("reject"), (third, *meaning), only, known)
-    if refs is None:
-        return None
-    last = scene.desk.write(Move("reject"), refs, only)
+    last = scene.desk.write(Move("reject"), (third, *meaning, known), only)
     if small == 1:
         scene.desk.know(subject, value, (last,))
         return inverse(scene, last, symbol)
     _write_double(scene, line, last, meaning, Apply("tan", letter), tidy(value / k))
     final = scene.final(symbol)
     relation = chain(letter, (tree_of(final, angle=True, as_it_is=True), None))
-    refs = needed(scene, Move("inverse"), (last, *meaning), relation, known)
-    if refs is None:
-        return None
-    return known_as(scene, symbol, final, scene.desk.write(Move("inverse"), refs, relation))
+    written = scene.desk.write(Move("inverse"), (last, *meaning, known), relation)
+    return known_as(scene, symbol, final, written)
 
 
 def _write_double(
@@ -333,13 +323,8 @@ def _write_double(
 ) -> None:
     """The tangent of the whole angle, by that of its half."""
     relation = chain(subject, (tree_of(value), None))
-    refs = needed(scene, Move("put"), (line, last), relation, meaning)
-    if refs is not None:
-        scene.desk.know(subject, value, (scene.desk.write(Move("put"), refs, relation),))
-
-
-def _text(small: sp.Rational, symbol: sp.Symbol) -> str:
-    return f"{symbol.name}/{small.q}" if small.p == 1 else f"{small.p}{symbol.name}/{small.q}"
+    number = scene.desk.write(Move("put"), (line, last, *meaning), relation)
+    scene.desk.know(subject, value, (number,))
 
 
 def _free_letter(scene: Scene) -> str:
@@ -358,24 +343,43 @@ def _free_letter(scene: Scene) -> str:
 
 def sum_of_angles(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """Sines and cosines of an angle and a number: by the formulae for sums."""
-    own = residual(scene, line)
-    functions = _functions(scene, own, symbol)
-    if functions is None or all(each.args == (symbol,) for each in functions):
+    written = without_sums(scene, line, symbol)
+    if written is None:
         return None
-    if any(abs(sp.diff(each.args[0], symbol)) != 1 for each in functions):
+    return ratio(scene, written, symbol) or even(scene, written, symbol)
+
+
+def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
+    """The line with ratios of a sum of angles by those of an angle; None where it has none."""
+    link = scene.desk.last_link(line)
+    sums = [
+        each
+        for side in (link.left, link.right)
+        for each in walk(side)
+        if isinstance(each, Apply)
+        and each.function in ("sin", "cos", "tan")
+        and isinstance(each.argument, Binary)
+        and each.argument.op in ("+", "-")
+        and symbol.name in letters(each.argument)
+    ]
+    if not sums:
         return None
-    expanded = numerator(_in_sines(sp.expand_trig(own), symbol))
-    mixed = sp.Poly(expanded, sp.sin(symbol), sp.cos(symbol))
-    terms = list(mixed.terms())
+    mixed = sp.Poly(
+        numerator(_in_sines(sp.expand_trig(residual(scene, line)), symbol)),
+        sp.sin(symbol),
+        sp.cos(symbol),
+    )
+    whole = sp.factor(mixed.as_expr())
+    common = sp.Mul(
+        *(x for x in sp.Mul.make_args(whole) if x.is_number or (x.is_Symbol and x.is_positive))
+    )
+    terms = [(m, sp.cancel(k / common)) for m, k in mixed.terms()]
     left = [(m, tidy(k)) for m, k in terms if scene.model.sign(k) > 0]
     right = [(m, tidy(-k)) for m, k in terms if scene.model.sign(k) < 0]
     relation = Relation(
         ((Link(_form(left, symbol) if left else ZERO, "=", _form(right, symbol)),),)
     )
-    written = _identity(scene, line, "sum-of-angles", relation)
-    if written is None:
-        return None
-    return ratio(scene, written, symbol) or even(scene, written, symbol)
+    return _identity(scene, line, "sum-of-angles", relation)
 
 
 def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
