@@ -17,6 +17,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import residual, scene_value
@@ -131,6 +132,9 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
             if symbol is not None and name == symbol.name:
                 return None
             letter = scene.model.unknowns.letter(name)
+            known = scene.desk.known(tree)
+            if known is None and scene.desk.known(Letter(name)) is not None:
+                write_other_ratio(scene, letter, kind)
             value, refs = scene.put(getattr(sp, kind)(letter))
             return Source(value, refs) if refs else None
     return None
