@@ -40,6 +40,8 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
     number = with_known(scene, number, symbol)
     symbol = _unknown_of(scene, number, symbol)
+    if symbol not in residual(scene, number).free_symbols:
+        raise NotPlannedError(f"{symbol} is not in line {number}")
     for shape in SHAPES:
         try:
             source = shape(scene, number, symbol)

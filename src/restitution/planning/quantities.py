@@ -355,6 +355,9 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     for each in spheres[1:]:
         if in_direction(scene, "along", each, event - 1, frame).value == 0:
             body = each
+    if scene.unknown(scene.mass(body).value):
+        # A mass that is known leaves one unknown less.
+        body = next((own for own in spheres if not scene.unknown(scene.mass(own).value)), body)
     early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
     change = late.value - early.value
     mass = scene.mass(body)

@@ -150,15 +150,19 @@ class Scene:
         """
         own = sp.sympify(value, strict=True)
         refs: list[Ref] = []
+        put: set[sp.Basic] = set()
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
             bare = own.xreplace({each: sp.Integer(1) for each in own.atoms(*_RATIOS)})
+            if put & bare.free_symbols:
+                raise NotPlannedError("letters that are known by each other")
             for symbol in bare.free_symbols:
                 source = self.desk.known(Letter(symbol.name))
                 if source is not None:
                     changes[symbol] = source.value
                     refs += source.refs
             if changes:
+                put |= changes.keys()
                 own = own.xreplace(changes)
                 continue
             for each in own.atoms(*_RATIOS):
