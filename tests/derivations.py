@@ -31,7 +31,7 @@ from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.marks import Mark
 from restitution.explaining.notation import read_meaning, read_relation
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, has_quantity
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
@@ -119,7 +119,9 @@ def disagreement(item: ItemResult, ends: list[ItemEnd], roles: Mapping[str, Any]
 
 def _interval(links: tuple[Link, ...], subject: Expression) -> str:
     sides = [links[0].left, *(each.right for each in links)]
-    texts = ["X" if each == subject else write_expression(each) for each in sides]
+    texts = [
+        "X" if each == subject or has_quantity(each) else write_expression(each) for each in sides
+    ]
     return texts[0] + "".join(
         f" {link.sign} {text}" for link, text in zip(links, texts[1:], strict=True)
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 
 from derivations import disagreement, oracle_of
 from numbers_of_workings import BeyondError, Judge
@@ -63,12 +63,19 @@ def storing(solution: Solution, derivation: Derivation) -> list[str]:
     return [] if from_json(to_json(derivation)) == derivation else ["another is read back"]
 
 
-def false_lines(derivation: Derivation, stories: Iterable[World]) -> list[str]:
-    """Lines that do not hold in a story told in numbers, where they stand for it."""
+def false_lines(
+    derivation: Derivation, stories: Iterable[World], items: Container[str | None] | None = None
+) -> list[str]:
+    """Lines that do not hold in a story told in numbers, where they stand for it.
+
+    With ``items`` only those on the way to them are looked at.
+    """
     found = []
     for story in stories:
         judge = Judge(story, derivation)
         for line in derivation.lines:
+            if items is not None and line.item not in items:
+                continue
             if isinstance(line.relation, Relation) and _is_false(judge, line):
                 found.append(f"line {line.number} is false: {write_relation(line.relation)}")
     return found
@@ -309,14 +316,10 @@ def units(solution: Solution, derivation: Derivation) -> list[str]:
     problem = solution.problem
     measures = Measures(problem, derivation.meanings)
     text = to_text(explanation_of(derivation, problem)).replace("\u00a0", " ")
-    found = []
-    for _part, item in solution.items():
-        if isinstance(item.item, Value) and not item.item.percentage:
-            events = sum(1 for _ in derivation.events)
-            unit = measures.unit(staged(problem, item.item.expression, events))
-            if unit and unit.replace("\u00a0", " ") not in text:
-                found.append(f"no {unit} in the working of {item.text}")
-    return found
+    asked = [item.item for part in solution.parts.values() for item in part.items]
+    plain = [each.expression for each in asked if isinstance(each, Value) and not each.percentage]
+    wanted = {measures.unit(staged(problem, each, len(derivation.events))) for each in plain}
+    return [f"no {unit}" for unit in wanted if unit.replace("\u00a0", " ") not in text]
 
 
 LAWS: dict[str, Law] = {

@@ -1,0 +1,106 @@
+"""Planned workings of all examples and questions: what has a plan, and laws of what is planned."""
+
+from __future__ import annotations
+
+import random
+from functools import cache
+
+import pytest
+from laws_of_workings import LAWS, Law, answers, complaints, false_lines, storing
+from numbers_of_workings import BeyondError, worlds
+from planned import LIST, listed, planned, statements
+
+from restitution.explaining.derivation import Derivation
+from restitution.planning import routes
+from restitution.solve import Solution
+
+STATEMENTS = statements()
+LISTED = listed()
+ACCEPTED = sorted(name for name, good in LISTED.items() if good)
+SAMPLE = sorted(random.Random(5).sample(ACCEPTED, min(24, len(ACCEPTED))))
+"""What the normal run looks at; all the others are for ``nightly``."""
+
+
+@cache
+def working(name: str) -> tuple[Solution, Derivation]:
+    """The solution of a statement that has a plan, and its working."""
+    made = planned(STATEMENTS[name])
+    assert made is not None, f"{name} has lost its plan"
+    return made
+
+
+def some(names: list[str]) -> list[object]:
+    """All of these, those that are not in the sample under ``nightly``."""
+    return [
+        pytest.param(each, marks=() if each in SAMPLE else pytest.mark.nightly) for each in names
+    ]
+
+
+def test_the_list_names_statements() -> None:
+    assert LISTED.keys() <= STATEMENTS.keys()
+    assert len(ACCEPTED) >= 50
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+def test_a_planned_working_is_followed(name: str) -> None:
+    assert complaints(*working(name)) == []
+
+
+@pytest.mark.parametrize("name", some(sorted(LISTED)))
+def test_a_plan_is_kept(name: str) -> None:
+    working(name)
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(3600)
+def test_the_list_is_whole() -> None:
+    gained = [name for name, path in STATEMENTS.items() if name not in LISTED and planned(path)]
+    if gained:
+        pytest.fail(
+            f"{len(gained)} statements have a plan and are not in {LIST.name}:"
+            f" {', '.join(gained)}; write it anew with scripts/planned.py --write"
+        )
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+def test_a_planned_working_reaches_the_answers_of_the_solver(name: str) -> None:
+    assert answers(*working(name)) == []
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+def test_a_planned_working_is_read_back(name: str) -> None:
+    assert storing(*working(name)) == []
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+def test_planned_lines_are_true_in_numbers(name: str) -> None:
+    solution, derivation = working(name)
+    for part in dict.fromkeys(end.part for end in derivation.items):
+        try:
+            stories = list(worlds(solution.problem, part, 7, 1))
+        except BeyondError:
+            continue
+        own = {end.item for end in derivation.items if end.part in (None, part)}
+        assert false_lines(derivation, stories, own) == []
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS.keys())
+def test_a_law_of_planned_workings(law: Law, name: str) -> None:
+    assert law(*working(name)) == []
+
+
+@pytest.mark.parametrize("name", some(ACCEPTED))
+def test_the_cheapest_way_is_taken(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The next best ways cost no less."""
+    cheapest = routes.Routes.cheapest
+    costs: list[list[float]] = []
+
+    def watched(self: routes.Routes, *args: object, **kwargs: object) -> object:
+        found = cheapest(self, *args, **kwargs)  # type: ignore[arg-type]
+        costs.append([sum(each.cost for each in way) for way in found])
+        return found
+
+    monkeypatch.setattr(routes.Routes, "cheapest", watched)
+    assert planned(STATEMENTS[name]) is not None
+    assert all(each == sorted(each) for each in costs), costs
