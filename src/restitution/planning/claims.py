@@ -34,7 +34,7 @@ from restitution.planning.frames import Frame
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import in_direction, residual, scene_value
 from restitution.planning.judging import Judge
-from restitution.planning.order import Solver
+from restitution.planning.order import Progress, Solver
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.tangents import tangent_of_deflection
@@ -86,16 +86,15 @@ class Claims:
 
     # --- trials ---------------------------------------------------------------------------------
 
-    def mark(self) -> tuple[Mark, frozenset[str]]:
+    def mark(self) -> tuple[Mark, Progress]:
         """What stands, and which equations are used."""
-        return self.scene.desk.mark(), frozenset(self.solver.used)
+        return self.scene.desk.mark(), self.solver.progress()
 
-    def back(self, mark: tuple[Mark, frozenset[str]]) -> None:
+    def back(self, mark: tuple[Mark, Progress]) -> None:
         """Takes away what was written since a mark."""
-        desk, used = mark
+        desk, progress = mark
         self.scene.desk.back(desk)
-        self.solver.used.clear()
-        self.solver.used |= used
+        self.solver.back(progress)
 
     # --- trees ----------------------------------------------------------------------------------
 

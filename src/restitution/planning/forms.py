@@ -71,6 +71,8 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     if isinstance(value, Vector | tuple):
         return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
     own = sp.sympify(value, strict=True)
+    if own.has(sp.zoo, sp.nan):
+        raise UnwrittenError(own)
     own = own if as_it_is else neat(own)
     names = {_parted(each.name): each.name for each in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)

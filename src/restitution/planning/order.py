@@ -54,6 +54,13 @@ class Law:
     body: str | None = None
 
 
+Waiting = tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]
+"""The impact of a component, the lines of its laws, and the components in these."""
+
+Progress = tuple[frozenset[str], dict[sp.Symbol, Waiting]]
+"""Equations that are used, and components of which the laws are written."""
+
+
 class Solver:
     """Writes what a goal needs: the equations of its route, in the order of a teacher."""
 
@@ -64,10 +71,19 @@ class Solver:
         self.paths = {each.candidate.id: each for each in journeys.paths(scene)}
         self.used: set[str] = set()
         # Components of which the laws are written, and which nothing has asked for yet.
-        self.waiting: dict[sp.Symbol, tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]] = {}
+        self.waiting: dict[sp.Symbol, Waiting] = {}
         self.goals: Sequence[sp.Expr] = ()
         # Why a line could not be solved for its unknown.
         self.reasons: list[NotPlannedError] = []
+
+    def progress(self) -> Progress:
+        """How far the solver is, to which ``back`` returns."""
+        return frozenset(self.used), dict(self.waiting)
+
+    def back(self, progress: Progress) -> None:
+        """Takes back what was used since."""
+        used, waiting = progress
+        self.used, self.waiting = set(used), dict(waiting)
 
     def _laws(self) -> Iterable[Law]:
         model = self.scene.model

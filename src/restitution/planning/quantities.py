@@ -502,6 +502,8 @@ def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
 
 def _momentum(scene: Scene, quantity: Quantity) -> Formula:
     """The momentum of a sphere, by its velocity as a vector."""
+    if not quantity.arguments:
+        raise NotPlannedError("the momentum of all spheres")
     (name,) = quantity.arguments
     assert isinstance(name, Name)
     assert isinstance(quantity.stage, int)
