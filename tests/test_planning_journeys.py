@@ -1,4 +1,4 @@
-"""Workings of places, times and distances: the follower accepts them, and answers are the solver's."""
+"""Workings of places, times and distances: accepted by the follower, with the right answers."""
 
 from __future__ import annotations
 

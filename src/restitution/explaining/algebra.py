@@ -191,7 +191,8 @@ class World:
     generator, whatever is known of it. While ``printed`` is set, what stands below a line is kept
     among the ``denominators``, which are not zero; what stands below the ``tangents`` of a
     line counts only where it stays. Letters that are cited as ``nonnegative``, and the
-    sines and cosines of such angles up to 90°, are their own size.
+    sines and cosines of such angles up to 90°, are their own size, as are the differences that are
+    ``ordered``: what is cited as greater without what is less.
     """
 
     roles: Mapping[str, Role]
@@ -202,6 +203,7 @@ class World:
     identities: frozenset[Identity] = frozenset()
     opaque: frozenset[Expression] = frozenset()
     nonnegative: frozenset[str] = frozenset()
+    ordered: set[PolyElement] = field(default_factory=set)
     printed: bool = True
     squares: dict[int, PolyElement] = field(default_factory=dict)
     denominators: list[PolyElement] = field(default_factory=list)
@@ -492,6 +494,15 @@ class World:
             total = total * odd * Quotient(factor, _ring().one) ** (times - times % 2)
         return total
 
+    def put_in_order(self, less: Value, greater: Value) -> None:
+        """Take up that one number is not less than another."""
+        if isinstance(less, Plane) or isinstance(greater, Plane):
+            return
+        gap = greater - less
+        number, factors = factors_of(gap.above) if gap.above else (0, [])
+        if len(factors) == 1 and factors[0][1] == 1 and gap.below.is_ground:
+            self.ordered.add(factors[0][0] if number > 0 else -factors[0][0])
+
     def _root(self, inside: PolyElement) -> Quotient:
         number, factors = factors_of(inside)
         outside, rest = CONSTANT(1), _ring().one
@@ -527,6 +538,9 @@ class World:
             self._is_positive(key) for key in self.keys(factor).values()
         ):
             return Quotient(factor, _ring().one)
+        for each in (factor, -factor):
+            if each in self.ordered:
+                return Quotient(each, _ring().one)
         own = self.generator(("size", factor))
         self.squares[self._keys["size", factor]] = factor**2
         return own

@@ -150,10 +150,9 @@ class _Facts:
     def _contact(self, step: Impact | Arrival, number: int) -> Iterator[tuple[Expression, Any]]:
         """Where the bodies of an event are: on the line of the wall, or in one place.
 
-        Of spheres with a radius nothing is said.
+        The centre of a sphere with a radius is that far from a wall, and two radii from another
+        centre. That is said where it is plain on which side it is.
         """
-        if any(each.radius is not None for each in self.problem.spheres):
-            return
         first, second = (
             (step.first, step.second)
             if isinstance(step, Impact)
@@ -163,7 +162,9 @@ class _Facts:
         wall = self.walls.get(second)
         if wall is None:
             if isinstance(step, Impact):
-                yield own, Quantity("position", (Name(second),), number)
+                theirs = self._beside_it(step, number)
+                if theirs is not None:
+                    yield own, theirs
             elif isinstance(place := self._place(step.target), Expression):
                 yield own, place
             return
@@ -173,11 +174,69 @@ class _Facts:
             return
         axis = _turned(along)
         if along == Unit("i") or (isinstance(along, Pair) and _is_nothing(along.y)):
-            yield Quantity("along", (own, Unit("j"))), place.y
+            centre = self._off_the_wall(first, "y", place.y)
+            if centre is not None:
+                yield Quantity("along", (own, Unit("j"))), centre
         elif along == Unit("j") or (isinstance(along, Pair) and _is_nothing(along.x)):
-            yield Quantity("along", (own, Unit("i"))), place.x
-        elif axis is not None:
+            centre = self._off_the_wall(first, "x", place.x)
+            if centre is not None:
+                yield Quantity("along", (own, Unit("i"))), centre
+        elif axis is not None and self._sphere(first).radius is None:
             yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
+
+    def _sphere(self, name: str) -> Any:
+        return next(each for each in self.problem.spheres if each.name == name)
+
+    def _off_the_wall(self, body: str, part: str, wall: Expression) -> Expression | None:
+        """The coordinate of a centre at a wall: its radius away on the side where it begins."""
+        sphere = self._sphere(body)
+        if sphere.radius is None:
+            return wall
+        if not isinstance(sphere.position, Pair) or not isinstance(sphere.radius, Expression):
+            return None
+        side = self._sign(Binary("-", getattr(sphere.position, part), wall))
+        if side is None:
+            return None
+        if _is_nothing(wall):
+            return sphere.radius if side > 0 else Negate(sphere.radius)
+        return Binary("+" if side > 0 else "-", wall, sphere.radius)
+
+    def _beside_it(self, step: Impact, number: int) -> Expression | None:
+        """Where the first centre is, by that of the second: in one place, or two radii away."""
+        theirs = Quantity("position", (Name(step.second),), number)
+        first, second = (self._sphere(each) for each in (step.first, step.second))
+        if first.radius is None:
+            return theirs
+        met = {body for each in self.events[: number - 1] for body in each.bodies}
+        places = [each.position for each in (first, second)]
+        if met & {first.name, second.name} or not isinstance(first.radius, Expression):
+            return None
+        if step.along not in (Unit("i"), Unit("j")):
+            return None
+        if not all(isinstance(each, Pair) for each in places):
+            return None
+        part = "x" if step.along == Unit("i") else "y"
+        side = self._sign(Binary("-", *(getattr(each, part) for each in reversed(places))))
+        if side is None:
+            return None
+        apart = Binary("*", Binary("*", Number(Fraction(2)), first.radius), step.along)
+        return Binary("-" if side > 0 else "+", theirs, apart)
+
+    def _sign(self, tree: Expression) -> int | None:
+        """The sign of an expression in letters, where it is plain."""
+        from restitution.explaining.algebra import NotComparableError
+        from restitution.oracle import Oracle, compared
+
+        world = _world_of(self.problem)
+        try:
+            value = world.expression(world.scalar(tree), world.roles)
+        except NotComparableError:
+            return None
+        oracle = Oracle(world.roles)
+        for sign in (1, -1):
+            if oracle.proves(compared(sign * value, ">", 0)):
+                return sign
+        return None
 
     def _start(self) -> Iterator[Fact]:
         """When the clock starts: with places at time 0, without them with the first impact.

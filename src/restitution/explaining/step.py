@@ -201,7 +201,20 @@ class Step:
             frozenset(self._nonnegative()),
         )
         world.turns = _without_circles(self._turns(world))
+        for link in self._inequalities():
+            less, greater = (world.value(each) for each in (link.left, link.right))
+            world.put_in_order(*((less, greater) if link.sign[0] == "<" else (greater, less)))
         return world
+
+    def _inequalities(self) -> Iterator[Link]:
+        """The inequalities between expressions of letters that are cited."""
+        known = (each.relation for each in self.known if len(each.relation.options) == 1)
+        for link in (*self.links, *(link for each in known for link in each.only)):
+            plain = not any(
+                isinstance(e, Quantity) for s in (link.left, link.right) for e in walk(s)
+            )
+            if link.sign in ("<", "<=", ">", ">=") and plain:
+                yield link
 
     def _nonnegative(self) -> Iterator[str]:
         """The letters that are cited as not negative, and the angles up to 90° that are cited."""
@@ -217,9 +230,9 @@ class Step:
                             yield name
                         case Link(Number(0), "<" | "<=", Letter(name)):
                             yield name
-        for each in self.cited:
-            if isinstance(each.relation, Relation) and len(each.relation.options) == 1:
-                yield from self._by_a_time(whole_of(each.relation.only))
+        for own in self.cited:
+            if isinstance(own.relation, Relation) and len(own.relation.options) == 1:
+                yield from self._by_a_time(whole_of(own.relation.only))
 
     def _by_a_time(self, link: Link | None) -> Iterator[str]:
         """The one letter of a time that may be of either sign: no time is before the clock starts.

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     Unit,
+    has_quantity,
     letters,
     walk,
 )
@@ -149,7 +150,7 @@ def _of_contact(scene: Scene, body: str, number: int, axis: Axis) -> Source | No
     for own in _contact(scene, number):
         if own.left == coordinate_tree(body, number, axis):
             return _put(scene, scene.scalar(own.right), refs)
-        if own.left == place_tree(body, number) and not isinstance(own.right, Quantity):
+        if own.left == place_tree(body, number) and not has_quantity(own.right):
             place = scene.value(own.right)
             return _put(scene, _part(place, axis), refs)
     return None
@@ -206,7 +207,18 @@ def _coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source
         theirs = _moved(scene, other, stage, axis)
     if theirs is None:
         return None
-    return Source(theirs.value, together((f"contact {stage}",), theirs.refs))
+    gap, refs = scene.put(_apart(scene, body, stage, axis))
+    return Source(tidy(theirs.value + gap), together((f"contact {stage}",), theirs.refs, refs))
+
+
+def _apart(scene: Scene, body: str, stage: int, axis: Axis) -> sp.Expr:
+    """How far, along an axis, a centre is ahead of the one that it touches."""
+    own = next(_contact(scene, stage))
+    match own.right:
+        case Binary("+" | "-" as sign, Quantity("position"), offset):
+            length = _part(scene.value(offset), axis)
+            return length if (sign == "+") == (own.left == place_tree(body, stage)) else -length
+    return sp.Integer(0)
 
 
 def _rests(scene: Scene, body: str, stage: int) -> bool:
@@ -217,7 +229,8 @@ def _rests(scene: Scene, body: str, stage: int) -> bool:
 
 def _keeps(scene: Scene, body: str, since: int, axis: Axis) -> bool:
     """Whether a body does not move along an axis after an event."""
-    return scene.model.in_data(_part(scene.velocity(body, since), axis)) == 0
+    pace = scene.model.in_data(_part(scene.velocity(body, since), axis))
+    return bool(pace == 0)
 
 
 def _moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
@@ -525,6 +538,8 @@ def _time_of_meeting(scene: Scene, number: int, step: Impact) -> Source:
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if _rests(scene, other, number):
             return _time_to_resting(scene, number, body, other)
+    if any(_apart(scene, step.first, number, axis) != 0 for axis in AXES):
+        raise NotPlannedError("where two spheres with radii touch that both move")
     return _time_of_two(scene, number, step.first, step.second)
 
 
@@ -684,18 +699,29 @@ def _place_then(scene: Scene, asked: Quantity, body: str) -> Source:
         _velocity_then(scene, body, since),
         time_of(scene, since),
     )
-    when, refs = scene.put(scene.scalar(asked.stage.time))
-    flight = difference(tree_of(when), tree_of(early.value))
+    flight, length, refs = _since(scene, asked.stage.time, since, early)
     tree = _added(first.value, flight, pace.value)
-    length = when - early.value
     value = Vector(*(tidy(a + b * length) for a, b in zip(first.value, pace.value, strict=True)))
     used = together(first.refs, pace.refs)
     if tuple(pace.value) != (0, 0):
-        used = together(used, early.refs, refs)
+        used = together(used, refs)
     number = _write_place(
         scene, Move("define", "straight-line", since or None, (body,)), asked, used, tree, value
     )
     return scene.desk.know(asked, value, (number,))
+
+
+def _since(
+    scene: Scene, time: Expression, event: int, early: Source
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """How long after an event a time is, as a tree, in value, and what that rests on."""
+    match time:
+        case Binary("+", own, later) if own == time_tree(event):
+            value, refs = scene.put(scene.scalar(later))
+            return tree_of(value), value, refs
+    when, refs = scene.put(scene.scalar(time))
+    tree = difference(tree_of(when), tree_of(early.value))
+    return tree, tidy(when - early.value), together(early.refs, refs)
 
 
 def _distance(scene: Scene, asked: Quantity) -> Source:
@@ -759,8 +785,9 @@ def _sized(scene: Scene, value: sp.Expr) -> sp.Expr:
 
 def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
     """What tells the signs of the letters of a distance: ranges, and times that are positive."""
-    refs = list(ranges(scene, gap))
-    for letter in gap.free_symbols:
+    refs = [*ranges(scene, gap), *_orders(scene, gap)]
+    factors = sp.Mul.make_args(sp.factor(gap))
+    for letter in gap.free_symbols.intersection(factors):
         role = scene.model.unknowns.roles.get(letter.name)
         if role is None or role.kind != "real":
             continue
@@ -770,6 +797,18 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
                 refs += time.refs
                 break
     return tuple(refs)
+
+
+def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
+    """The facts that tell of a difference in a value which of the two is the greater."""
+    factors = [each for each in sp.Mul.make_args(sp.factor(gap)) if each.is_Add]
+    for fact in scene.desk.facts:
+        if fact.kind != "range" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
+            continue
+        for own in fact.relation.only:
+            difference_ = sp.expand(scene.scalar(own.left) - scene.scalar(own.right))
+            if any(sp.expand(each**2 - difference_**2) == 0 for each in factors):
+                yield fact.id
 
 
 def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
@@ -816,7 +855,7 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
         return None
     frame = scene.frame(met)
     early = time_of(scene, met)
-    when, more = scene.put(scene.scalar(asked.stage.time))
+    flight, length, more = _since(scene, asked.stage.time, met, early)
     names = list(scene.bodies(met))
     apart = separation_known(scene, frame)
     across = [in_direction(scene, "across", each, met, frame) for each in names]
@@ -831,15 +870,13 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     else:
         named.append(_separation_direction(frame))
     used = together(
-        early.refs,
         more,
         (f"contact {met}",),
         () if all(isinstance(each, Unit) for each in named) else frame.refs,
         *(each.whole for each in (*a, *b)),
     )
-    flight = difference(tree_of(when), tree_of(early.value)), tidy(when - early.value)
     values = [[each.value for each in own] for own in (a, b)]
-    return _write_distance(scene, asked, met, used, values[0], values[1], flight)
+    return _write_distance(scene, asked, met, used, values[0], values[1], (flight, length))
 
 
 def _separation_direction(frame: Frame) -> Expression:
