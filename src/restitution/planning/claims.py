@@ -294,7 +294,7 @@ class Claims:
         known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
         lines = [ref for own in known if own for ref in own.refs if isinstance(ref, int)]
         if lines:
-            yield from dict.fromkeys(lines)
+            yield from dict.fromkeys(self._without_roots(each) for each in lines)
             return
         none = True
         for each in scene.given:
@@ -307,6 +307,27 @@ class Claims:
                 line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
                 if line is not None:
                     yield line
+
+    def _without_roots(self, line: int) -> int:
+        """An equation, or the one above it of which it gives a root."""
+        desk = self.scene.desk
+        number = line
+        while _has_root(desk.relation(number)):
+            above = [
+                ref
+                for ref in desk.line(number).premises
+                if isinstance(ref, int) and isinstance(desk.line(ref).relation, Relation)
+            ]
+            if not above:
+                return line
+            number = above[0]
+        own = desk.relation(number)
+        said = {n for e in own.options[0] for side in (e.left, e.right) for n in letters(side)}
+        known = set(roles(self.scene.problem))
+        plain = len(own.options) == 1 and said <= known and not has_quantity_in(own)
+        if not plain or number == line:
+            return line
+        return self._neat(number)
 
     def _linked(self) -> list[sp.Symbol]:
         return sorted(self.scene.free, key=lambda each: each.name)
@@ -400,6 +421,20 @@ class Claims:
             return None
         tree, _, a, b = form
         return tree, tidy(sp.factor(-b / a))
+
+    def subject(self, line: int, letter: str) -> int | None:
+        """An equation with a letter as its subject; None where it is not linear in it."""
+        link = self.scene.desk.last_link(line)
+        if link.left == Letter(letter):
+            return line
+        x = sp.fraction(sp.together(self._value(link.left) - self._value(link.right)))[0]
+        symbol = roles(self.scene.problem)[letter].symbol(letter)
+        form = self.isolated(sp.expand(x), symbol)
+        if form is None or form[0] != Letter(letter):
+            return None
+        relation = Relation(((Link(form[0], "=", tree_of(form[1])),),))
+        pool = [line, *self._known_in(x)]
+        return self.judge.write((Move("rearrange"), Move("cancel")), pool, relation)
 
     def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr, Sign]]:
         """What the range of one letter says of the others in an equation: ``P sign 0``."""
@@ -1090,6 +1125,16 @@ def _as_right_angle(each: GivenEquation) -> GivenEquation:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
                 return replace(each, link=Link(later, "perpendicular to", early))
     return each
+
+
+def _has_root(relation: Relation) -> bool:
+    return any(
+        isinstance(each, Apply) and each.function == "sqrt"
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for each in walk(side)
+    )
 
 
 def has_quantity_in(relation: Relation) -> bool:

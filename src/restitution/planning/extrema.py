@@ -127,8 +127,9 @@ class _Extremum:
         match self.asked:
             case Letter(letter):
                 for each in self.claims.ties():
-                    if self.scene.desk.last_link(each).left == self.asked:
-                        return each
+                    line = self.claims.subject(each, letter)
+                    if line is not None:
+                        return line
                 raise NotPlannedError(f"{letter} by other letters")
         line = self.claims.worth(self.asked)
         if line is None:
