@@ -887,17 +887,17 @@ def _inverse(step: Step, relation: Relation) -> bool:
     """The angle of a ratio: the only one in the range that is cited."""
     if len(relation.options) != 1:
         return False
-    cited = (
+    cited = [
         link
         for each in step.cited
         if isinstance(each.relation, Relation) and len(each.relation.options) == 1
         for link in _flat(each.relation.only)
-    )
-    known = next(filter(None, (_ratio_of(step, each) for each in cited)), None)
-    if known is None or len(relation.only) != 1:
+    ]
+    ratios = list(filter(None, (_ratio_of(step, each) for each in cited)))
+    if not ratios or len(relation.only) != 1:
         return False
     (link,) = relation.only
-    (ratio_, value) = known
+    ratio_, value = ratios[0]
     if link.sign != "=" or not _is_multiple_of(step, link, ratio_.argument):
         return False
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
@@ -911,6 +911,11 @@ def _inverse(step: Step, relation: Relation) -> bool:
         or _in_its_quadrant(step, ratio_, angle)
     ):
         return False
+    if link.left == ratio_.argument and _only_there(ratio_.function, low, high):
+        # Of what stands on paper as the ratio nothing else has to be known.
+        values = [each for other, each in ratios if other == ratio_]
+        if any(link.right == Apply(f"arc{ratio_.function}", each) for each in values):
+            return True
     sign = "<=" if closed else "<"
     oracle = Oracle(step.roles)
     return _equal(step, found, _in_radians(step, value)) and all(
