@@ -428,6 +428,9 @@ class _Reader:
             if isinstance(each.relation, Meaning) or _told(each.relation) != own:
                 continue
             other = {c.number for c in self.derivation.cases if each.number in c.lines}
+            part = self.parts.get(line.item or "")
+            if line.item is not None and not self._parts_under(each.number) <= {part}:
+                continue  # it rests on what holds in another part
             if not case or not other or case & other:
                 yield Complaint("said-before", line.number, each.number)
                 return
