@@ -135,7 +135,7 @@ class Reasons:
                 key=float,
             )
             low, high = places if len(places) == 2 else (places[0] / 2, places[0])
-            change = sp.sympify(value(tree, high) - value(tree, low))
+            change = sp.sympify(value(tree, high) - value(tree, low), strict=True)
             return int(sp.sign(change)) if change.is_finite else 0
         except (RestitutionError, TypeError, ValueError, IndexError):
             return 0

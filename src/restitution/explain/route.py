@@ -121,7 +121,7 @@ def _planned(solution: Solution, route: int) -> Derivation | None:
     """The working as a derivation; None where there is no plan for some item."""
     try:
         return plan(solution, route)
-    except NotPlannedError:
+    except (NotPlannedError, *_FAILURES):
         return None
 
 

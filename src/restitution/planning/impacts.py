@@ -104,7 +104,7 @@ def _body(component: Quantity) -> tuple[str, ...]:
 def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
     """A unit vector as a vector of whole numbers, where there is one, and its length."""
     x, y = direction
-    if x == 0 or y == 0 or not sp.sympify(y / x).is_Rational:
+    if x == 0 or y == 0 or not sp.sympify(y / x, strict=True).is_Rational:
         return direction, sp.Integer(1)
     ratio = sp.Rational(y / x)
     size = sp.sqrt(ratio.p**2 + ratio.q**2)
