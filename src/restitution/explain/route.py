@@ -121,6 +121,8 @@ def _planned(solution: Solution, route: int) -> Derivation | None:
     """The working as a derivation; None where there is no plan for some item."""
     try:
         return plan(solution, route)
+    except TimeLimitError:
+        raise
     except (NotPlannedError, *_FAILURES):
         return None
 
