@@ -448,7 +448,7 @@ class _Writer:
         if record == "assemble":
             match line.relation:
                 case Relation(options=((Link(left=Quantity("position", _, _)), *_), *_)):
-                    return say("derived-assembled.place")
+                    return say("derived-place.title")
         if record == "impulse" and event is not None:
             return say("impulse-spheres.title", body=body or event.bodies[0])
         if record == "perpendicular":
@@ -840,7 +840,7 @@ _TITLES = {
     "tan": "derived-direction.title",
     "tan-squared": "derived-direction.title",
     "tan-direction": "derived-direction.title",
-    "scalar-angle": "derived-direction.product",
+    "scalar-angle": "derived-between.title",
     "tan-deflection": "turned.title",
     "sum": "turned.title",
     "difference": "turned.title",

@@ -629,14 +629,88 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",
     "derived-energy.title": "Kinetic energy",
+    "derived-energy.why": (
+        "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
+        "of the squares of the components. It has no direction: the energies of several bodies "
+        "are added."
+    ),
+    "derived-energy.mistakes": (
+        "Usual mistakes: squaring one component alone; leaving out the half; the square of a sum "
+        "in place of the sum of squares."
+    ),
     "derived-direction.title": "Direction of motion",
+    "derived-direction.why": (
+        "The components are the two shorter sides of a right-angled triangle, of which the "
+        "velocity is the longest. So the tangent of the angle that it makes with a line is the "
+        "component across the line divided by the component along it."
+    ),
+    "derived-direction.mistakes": (
+        "Usual mistakes: the quotient upside down, and an angle measured from the wrong line."
+    ),
     "derived-speed.title": "Speed, from its components",
+    "derived-speed.why": (
+        "The components are the two shorter sides of a right-angled triangle, of which the "
+        "velocity is the longest. So the square of the speed is the sum of the squares of the "
+        "components, by Pythagoras."
+    ),
+    "derived-speed.mistakes": (
+        "Usual mistakes: adding the components themselves, and leaving out the one that does not "
+        "change."
+    ),
     "derived-perpendicular.title": "At right angles, the scalar product is zero",
+    "derived-perpendicular.why": (
+        "Two directions are at right angles exactly if their scalar product is zero: the product "
+        "of the components along one line, added to the product of those across it. Neither "
+        "angles nor sizes are needed."
+    ),
+    "derived-perpendicular.mistakes": (
+        "Usual mistakes: a sign lost of a component that is reversed, and the product of a "
+        "component along with one across."
+    ),
     "derived-parallel.title": "In one direction, the components are in the same ratio",
-    "derived-direction.product": "Angle between two directions, by the scalar product",
-    "derived-assembled.place": "The place, from its coordinates",
+    "derived-parallel.why": (
+        "Two vectors are parallel if one is a number times the other. Then that number is the "
+        "ratio of their components in every direction, and the products crosswise are equal."
+    ),
+    "derived-parallel.mistakes": (
+        "Usual mistake: setting the components equal, which holds only if the sizes are equal too."
+    ),
+    "derived-between.title": "Angle between two directions, by the scalar product",
+    "derived-between.why": (
+        "The scalar product of two vectors is the product of their sizes and of the cosine of the "
+        "angle between them. So the cosine is the scalar product divided by both sizes."
+    ),
+    "derived-between.mistakes": (
+        "Usual mistakes: one size left out, and an acute angle where the scalar product is "
+        "negative."
+    ),
+    "derived-place.title": "The place, from its coordinates",
+    "derived-place.why": (
+        "A place on the table is fixed by its two coordinates. Each is found by itself, as the "
+        "motion in one direction does not depend on that in the other."
+    ),
+    "derived-place.mistakes": (
+        "Usual mistake: giving how far the body has moved in place of where it is."
+    ),
     "derived-assembled.title": "The velocity, from its components",
+    "derived-assembled.why": (
+        "A velocity is the sum of its components, each times the unit vector in its direction. "
+        "The impact changes one of them and leaves the other; both belong to the velocity."
+    ),
+    "derived-assembled.mistakes": (
+        "Usual mistakes: leaving out the component that stays, and a sign lost of one that is "
+        "reversed."
+    ),
     "derived-opposite.title": "The impulses on the two spheres are equal and opposite",
+    "derived-opposite.why": (
+        "While they touch, each sphere pushes the other with the same force, in opposite "
+        "directions and for the same time. So the impulses are equal and opposite, whatever the "
+        "masses are."
+    ),
+    "derived-opposite.mistakes": (
+        "Usual mistake: giving both impulses the same sign, or making them unequal because the "
+        "masses are."
+    ),
     # --- what is amiss ----------------------------------------------------------------------------
     "amiss.line": "a line of the working was left out: {line}",
     "amiss.complaint": "the working does not follow: {complaint}",
