@@ -64,6 +64,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         case Quantity():
             own = formula(scene, asked)
+            if scene.unknown(own.value):
+                # Of an impulse any of the bodies tells the size.
+                solver.determine(sorted(scene.unknown(own.value), key=str))
+                own = formula(scene, asked)
             line = write_formula(scene, own)
             scene.desk.end(name, line, chain(asked, (tree_of(own.value), None)))
         case _ if not has_quantity(asked):

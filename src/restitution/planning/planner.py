@@ -9,6 +9,7 @@ from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
+from restitution.expression.tree import letters
 from restitution.oracle import Oracle
 from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
@@ -16,6 +17,7 @@ from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError
+from restitution.planning.gathering import gathered
 from restitution.planning.items import write_item
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
@@ -60,7 +62,17 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             tuple(dict.fromkeys(desk.others)),
         )
     )
-    return without_spare(without_idle(whole), Oracle(roles(problem)))
+    _require_closed(whole)
+    return gathered(without_spare(without_idle(whole), Oracle(roles(problem))))
+
+
+def _require_closed(derivation: Derivation) -> None:
+    """Refuses a working in which an answer holds a letter that only the working knows."""
+    own = derivation.meanings.keys()
+    for each in derivation.items:
+        for links in each.answer.options:
+            if any(own & letters(link.right) for link in links):
+                raise NotPlannedError(f"{each.item} is open")
 
 
 def pruned(derivation: Derivation) -> Derivation:

@@ -358,6 +358,9 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     if scene.unknown(scene.mass(body).value):
         # A mass that is known leaves one unknown less.
         body = next((own for own in spheres if not scene.unknown(scene.mass(own).value)), body)
+    closed = [each for each in spheres if not _is_open(scene, each, event)]
+    if closed and body not in closed:
+        body = closed[0]
     early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
     change = late.value - early.value
     mass = scene.mass(body)
@@ -378,6 +381,12 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
         tidy(mass.value * change),
         together(mass.refs, early.whole, late.whole, frame.names_axis("along")),
     )
+
+
+def _is_open(scene: Scene, body: str, event: int) -> bool:
+    """Whether the component along the line of centres after an impact is not known yet."""
+    component = scene.model.components.get((event, body))
+    return component is not None and bool(scene.unknown(component.symbol))
 
 
 def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
