@@ -147,7 +147,7 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
     by_case = isinstance(item, Range) and len(mine) > 1  # each stands with its condition
     if answer_ is not None and answer_.condition_layout is not None and not by_case:
         condition = answer_.condition_layout
-        reasons = _coefficients_that_bind(work)
+        reasons = coefficients_that_bind(work.model, work.known)
         sentence = (
             say("answer.only-as", reasons=reasons, condition=condition)
             if reasons and condition not in reasons
@@ -156,12 +156,11 @@ def explain_item(work: Working, result: ItemResult, now: int, number: int) -> No
         work.write("note", sentences=(sentence,))
 
 
-def _coefficients_that_bind(work: Working) -> list[Layout]:
+def coefficients_that_bind(model: Model, found: Collection[sp.Symbol]) -> list[Layout]:
     """``e ≤ 1``: the bounds of coefficients that were found, if a solution's condition is theirs.
 
     Empty where it rests on anything else, or on a coefficient that is not yet known.
     """
-    model = work.model
     if model.branch.oracle is None:
         return []
     bounds: dict[tuple[sp.Symbol, bool], Formula] = {}
@@ -177,7 +176,7 @@ def _coefficients_that_bind(work: Working) -> list[Layout]:
         fewer = {key: claim for key, claim in bounds.items() if key != each}
         if all(_follows(model.ground.with_facts(fewer.values()), x) for x in model.oracle.facts):
             bounds = fewer
-    known = all(symbol in work.known for symbol, _ in bounds)
+    known = all(symbol in found for symbol, _ in bounds)
     enough = model.ground.with_facts(bounds.values())
     if not bounds or not known or not all(_follows(enough, each) for each in model.oracle.facts):
         return []

@@ -7,7 +7,7 @@ root is rejected, on what an inequality rests. An equation has a number only whe
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ from restitution.explain.measured import (
     is_plain,
     percentage,
     rounded,
+    to_three_figures,
     with_unit,
 )
 from restitution.explain.naming import Naming
@@ -35,7 +36,15 @@ from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
-from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, Unit
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Unit,
+)
 from restitution.problem import Find, Item, Meets, Problem, Show, Value
 from restitution.render import layout as lay
 
@@ -55,13 +64,17 @@ _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicu
 
 
 def explanation_of(
-    derivation: Derivation, problem: Problem, solution: Solution | None = None
+    derivation: Derivation,
+    problem: Problem,
+    solution: Solution | None = None,
+    conditions: Mapping[int, Sentence] | None = None,
 ) -> Explanation:
     """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of.
 
-    With the ``solution`` it can be illustrated.
+    With the ``solution`` it can be illustrated. ``conditions`` are said below the lines with
+    these numbers.
     """
-    writer = _Writer(derivation, problem)
+    writer = _Writer(derivation, problem, conditions or {})
     parts: list[PartExplanation] = []
     by_part = groupby(derivation.lines, writer.part_of)
     for label, lines in by_part:
@@ -79,13 +92,27 @@ def _joined(steps: Iterator[Step]) -> Iterator[Step]:
     for step in steps:
         wordless = step.rows and not step.title and not step.sentences
         if last is not None and last.rows and wordless and step.item == last.item:
-            last = replace(last, rows=(*last.rows, *step.rows))
+            rows = step.rows
+            if _says_again(last.rows[-1], rows[0]):
+                points = (*last.rows[-1].points, *rows[0].points)
+                rows = (replace(last.rows[-1], points=points), *rows[1:])
+                last = replace(last, rows=last.rows[:-1])
+            last = replace(last, rows=(*last.rows, *rows))
             continue
         if last is not None:
             yield last
         last = step
     if last is not None:
         yield last
+
+
+def _says_again(row: Row, other: Row) -> bool:
+    """Whether a row says in print what the one above it says."""
+    return (
+        other.operands[0] in (None, row.operands[0])
+        and (row.operands[1:], row.signs) == (other.operands[1:], other.signs)
+        and not (other.reasons or other.asides or other.number)
+    )
 
 
 def _plain(layout: lay.Layout) -> str:
@@ -100,6 +127,7 @@ class _Writer:
 
     derivation: Derivation
     problem: Problem
+    conditions: Mapping[int, Sentence] = field(default_factory=dict)
     heading: int | None = None
     title: Sentence | None = None
     left: tuple[Expression, str | None] | None = None
@@ -126,6 +154,7 @@ class _Writer:
         self.given: set[str] = set()
         self.entered: set[int] = set()
         self.stay: list[Line] = []
+        self.recalled: set[tuple[str | None, int]] = set()
 
     def part_of(self, line: Line) -> str | None:
         """The label of the part to which a line belongs."""
@@ -146,6 +175,7 @@ class _Writer:
         """The lines of a part as steps."""
         self.title = self.left = None
         lets: list[Meaning] = []
+        conditions: list[Sentence] = []
         waiting: list[Line] = []
         shown = [each for each in lines if each.shown != "silent"]
         for index, line in enumerate(shown):
@@ -153,6 +183,8 @@ class _Writer:
                 lets.append(line.relation)
                 continue
             yield from self._entered(line)
+            if not waiting:
+                yield from self._recalled(line)
             if lets:
                 yield Step("setting", sentences=tuple(self._setting(lets)))
                 lets, self.left = [], None
@@ -165,6 +197,8 @@ class _Writer:
                 if after is not None and self._stays(after) and self._same_law(line, after):
                     continue
                 together, self.stay = self.stay, []
+                if all(_is_nothing(each.relation.only[-1].right) for each in together):
+                    continue  # of bodies on one line there is nothing to say
                 step = self._unchanged(together)
             else:
                 step = self._step(line, waiting)
@@ -177,6 +211,49 @@ class _Writer:
             claim = self._claim(line)
             if claim is not None:
                 yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
+            condition = self.conditions.get(line.number)
+            if condition is not None and condition not in conditions:
+                conditions.append(condition)
+                yield Step("note", sentences=(condition,), item=step.item)
+
+    def _recalled(self, line: Line) -> Iterator[Step]:
+        """The values of earlier parts on which a line rests, where it does not name them."""
+        source = self.sources.of(line)
+        named = () if source is None else source.numbered
+        values: dict[str | None, list[Row]] = {}
+        for ref in line.premises:
+            own = self.derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or ref in named or (self.part_of(line), ref) in self.recalled:
+                continue
+            label = self.part_of(own)
+            if label == self.part_of(line) or not self._is_recalled(own):
+                continue
+            assert isinstance(own.relation, Relation)
+            self.recalled.add((self.part_of(line), own.number))
+            link = own.relation.only[-1]
+            left = own.relation.only[0].left
+            row = Row((self.naming.laid(left), self.naming.laid(link.right)), ("=",))
+            values.setdefault(label, []).append(row)
+        for label, rows in values.items():
+            where = say("carried.part", label=label) if label else say("carried.above")
+            self.title = self.left = None
+            item = self.items.get(line.item or "")
+            yield Step("result", tuple(rows), sentences=(where,), item=item)
+
+    @staticmethod
+    def _is_recalled(line: Line) -> bool:
+        """Whether a line gives a value that was worked out, and no plain datum."""
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and len(relation.options) == 1
+            and len(chains(relation.only)) == 1
+            and relation.only[-1].sign == "="
+            and isinstance(relation.only[0].left, Letter | Quantity)
+            and line.shown != "silent"
+            and line.move.id not in ("triangle", "fact")
+            and line.move.record != "unchanged"
+        )
 
     def _whole(self, step: Step, line: Line) -> Step:
         """A step whose first row goes on from the row above, with its left side after all."""
@@ -617,7 +694,7 @@ class _Writer:
                 whole = self._with(waiting, links)
             row = self._chain(line, whole, last=index == len(groups) - 1)
             same = left is not None and not fresh and whole[0].left == left
-            goes_on = line.move.id in _GOES_ON and whole[0].sign == "=" and row.signs
+            goes_on = line.move.id in _GOES_ON and whole[0].sign in ("=", "≈") and row.signs
             if same and goes_on:
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
@@ -643,13 +720,19 @@ class _Writer:
         """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
         words = _WORDS.get(links[0].sign)
         if words is not None:
-            sides = (self.naming.laid(links[0].left), self.naming.laid(links[0].right))
-            return Row((operand(say(words, left=sides[0], right=sides[1])),), ())
+            left, right = map(self.naming.side, (links[0].left, links[0].right))
+            return Row((operand(say(words, left=left, right=right)),), ())
         trees = [links[0].left, *(each.right for each in links)]
         if self.measures.decimals and self.measures.unit(links[0].left):
             trees[1:] = map(as_decimal, trees[1:])
         sides_ = [self._laid(line, each, n) for n, each in enumerate(trees)]
+        for n, each in enumerate(links, 1):
+            if each.sign == "≈":
+                sides_[n] = to_three_figures(trees[n]) or sides_[n]
         signs = [_sign(each) for each in links]
+        for n in range(len(sides_) - 1, 1, -1):
+            if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
+                del sides_[n], signs[n - 1]
         if self._towards(line, links, sides_):
             sides_[0] = self._away(links[0].left)
             sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
@@ -850,3 +933,8 @@ _TITLES = {
     "parallel": "derived-parallel.title",
     "straight-line": "flight.title",
 }
+
+
+def _is_nothing(tree: Expression) -> bool:
+    """Whether a side is the number 0."""
+    return isinstance(tree, Number) and not tree.value

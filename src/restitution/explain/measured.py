@@ -145,6 +145,27 @@ def rounded(tree: Expression) -> lay.Layout | None:
     return _rounded(value, _is_angle(tree))
 
 
+def to_three_figures(tree: Expression) -> lay.Layout | None:
+    """A rounded number with the zeros at its end: 76.0°; None for what is no such number."""
+    match tree:
+        case Negate(operand):
+            inside = to_three_figures(operand)
+            return None if inside is None else lay.negative(inside)
+        case Degrees(value):
+            return lay.Degrees(lay.Number(_with_zeros(value)))
+        case Number(value):
+            return lay.Number(_with_zeros(value))
+    return None
+
+
+def _with_zeros(value: Fraction) -> str:
+    digits = str(float(value)) if value.denominator > 1 else str(value)
+    whole, _, part = digits.partition(".")
+    kept = len(f"{whole}{part}".lstrip("0"))
+    missing = _FIGURES - kept
+    return f"{whole}.{part}{'0' * missing}" if value and missing > 0 else digits
+
+
 def percentage(tree: Expression) -> lay.Layout | None:
     """A number as a percentage."""
     if has_quantity(tree):

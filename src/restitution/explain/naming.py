@@ -11,7 +11,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from restitution.explaining.derivation import Derivation, Event, Fact, Meaning, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Event,
+    Fact,
+    Link,
+    Meaning,
+    Relation,
+)
 from restitution.explaining.layouts import Forms, of_relation, of_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
@@ -23,6 +30,8 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
+    Pair,
     Quantity,
     Stage,
     Unit,
@@ -103,7 +112,10 @@ class Naming:
         link = fact.relation.options[0][0]
         if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
             return self.relation(fact.relation)
-        left, right = self._side(link.left), self._side(link.right)
+        match link:
+            case Link(Quantity("velocity", (Name(body),), _), "=", right) if _is_rest(right):
+                return say("claim.rest", body=body)
+        left, right = self.side(link.left), self.side(link.right)
         if link.sign == "parallel to":
             return say("claim.parallel", left=left, right=right)
         if link.sign == "perpendicular to":
@@ -239,7 +251,7 @@ class Naming:
             case Quantity("deflection", (Name(body),), stage):
                 return self._during(say("derived.deflection", of=(body,)), stage)
             case Quantity("angle", arguments, _):
-                return say("derived.angle", of=tuple(self._side(each) for each in arguments))
+                return say("derived.angle", of=tuple(self.side(each) for each in arguments))
             case Quantity("time", (), int(stage)) if stage in self.events:
                 return say("derived.time", event=self._moment(stage, of=True))
             case Quantity("position", (Name(body),), stage):
@@ -259,7 +271,8 @@ class Naming:
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
         return self.quantity(meaning.quantity)
 
-    def _side(self, tree: Expression) -> Sentence | lay.Layout | str:
+    def side(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """A direction or a vector among words."""
         match tree:
             case Name(name):
                 return name
@@ -404,3 +417,13 @@ def _number(stage: Stage) -> int | None:
 def letter_of(tree: Expression) -> str | None:
     """The name of a letter that stands alone."""
     return tree.name if isinstance(tree, Letter) else None
+
+
+def _is_rest(tree: Expression) -> bool:
+    """Whether a velocity is that of a body at rest."""
+    match tree:
+        case Number(value):
+            return not value
+        case Pair(Number(x), Number(y)):
+            return not x and not y
+    return False

@@ -62,8 +62,9 @@ class Reasons:
         """What is known of a letter, as a reader would say it."""
         if isinstance(ref, int):
             own = self._derivation.line(ref)
-            excludes = line.move.id == "reject" and ref != line.premises[0]
-            return own.relation if excludes and own and isinstance(own.relation, Relation) else None
+            if line.move.id != "reject" or own is None or not isinstance(own.relation, Relation):
+                return None
+            return None if self._offers(own.relation, line) else own.relation
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None
@@ -76,6 +77,12 @@ class Reasons:
             angle = self._naming.laid(read_tree(text, self._naming.bodies))
             return say("derived.acute", angle=angle)
         return read_relation(ref, self._naming.bodies)
+
+    @staticmethod
+    def _offers(relation: Relation, line: Line) -> bool:
+        """Whether a relation holds the alternatives of which a line keeps some."""
+        assert isinstance(line.relation, Relation)
+        return set(line.relation.options) < set(relation.options)
 
     def _laid(self, relation: Relation) -> lay.Layout:
         return self._naming.relation(relation)

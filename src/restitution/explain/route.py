@@ -10,7 +10,13 @@ import sympy as sp
 from restitution.components import Model, model, protected_letters, rejected_values
 from restitution.errors import MissingError, RestitutionError, TimeLimitError
 from restitution.exact import tidy
-from restitution.explain.asked import explain_item, speaks_across, stages, trees_of
+from restitution.explain.asked import (
+    coefficients_that_bind,
+    explain_item,
+    speaks_across,
+    stages,
+    trees_of,
+)
 from restitution.explain.backwards import is_told_backwards, steps_backwards
 from restitution.explain.derived import explanation_of
 from restitution.explain.facts import fact_equations
@@ -20,17 +26,17 @@ from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
 from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.derivation import Derivation, Meaning
 from restitution.explaining.follower import follow
 from restitution.explaining.marks import STYLES, Style
 from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Quantity, has_quantity, letters
+from restitution.expression.tree import Letter, Quantity, has_quantity, letters
 from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
-from restitution.problem import Part, Value
+from restitution.problem import Part, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.forms import signed
@@ -131,7 +137,10 @@ def _printed(
     solution: Solution, derivation: Derivation, part: str | None, check: bool
 ) -> Explanation:
     """A derivation in steps and rows."""
-    steps = {each.label: each.steps for each in explanation_of(derivation, solution.problem).parts}
+    whole = explanation_of(
+        derivation, solution.problem, conditions=_conditions(solution, derivation)
+    )
+    steps = {each.label: each.steps for each in whole.parts}
     parts = tuple(
         PartExplanation(
             label,
@@ -150,6 +159,44 @@ def _printed(
         warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
         followed = not complaints
     return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
+
+
+def _conditions(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
+    """Under which conditions the answers hold, by the numbers of their lines."""
+    told: dict[int, Sentence] = {}
+    subjects = {
+        link.left.name
+        for line in derivation.lines
+        if not isinstance(line.relation, Meaning)
+        for links in line.relation.options
+        for link in links
+        if isinstance(link.left, Letter)
+    }
+    for label, part in solution.parts.items():
+        names = list(dict.fromkeys(e.item for e in derivation.items if e.part == label))
+        for name, item in zip(names, part.items, strict=False):
+            ends = [each.line for each in derivation.items if each.item == name]
+            answers = item.distinct
+            by_case = isinstance(item.item, Range) and len(answers) > 1
+            if by_case or all(each.condition_layout is None for each in answers):
+                continue
+            alike = len({each.condition for each in answers}) == 1
+            if not alike and len(answers) != len(ends):
+                continue
+            pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
+            for line, answer in pairs:
+                condition = answer.condition_layout
+                if condition is None:
+                    continue
+                own = next(e for e in _models(solution, part) if e.branch.number == answer.solution)
+                found = {each for each in own.final if each.name in subjects}
+                reasons = coefficients_that_bind(own, found)
+                told[line] = (
+                    say("answer.only-as", reasons=reasons, condition=condition)
+                    if reasons and condition not in reasons
+                    else say("answer.only", condition=condition)
+                )
+    return told
 
 
 def _part(

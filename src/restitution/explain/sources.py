@@ -67,6 +67,7 @@ class Sources:
             if any(_is_vector(tree) for tree in trees_of(each.relation))
         }
         self._lines = {each.number: each for each in shown}
+        self._cases = {n: each.line for each in derivation.cases for n in each.lines}
         self._of = {line.number: self._source(line) for line in shown}
         named = {ref for source in self._of.values() if source for ref in source.numbered}
         order = [each.number for each in shown if each.number in named]
@@ -108,6 +109,8 @@ class Sources:
             return Source(kind, tuple(cited))  # type: ignore[arg-type]
         if move == "reject":
             cited = cited[:1]
+        if cited == [self._cases.get(line.number)]:
+            return None  # the heading of the case says it
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None

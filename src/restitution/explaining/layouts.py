@@ -7,6 +7,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
 from fractions import Fraction as Ratio
 from functools import reduce
+from itertools import pairwise
 from math import isqrt
 from typing import Any
 
@@ -257,6 +258,10 @@ def _grouped(product: lay.Product) -> lay.Layout:
         return lay.Product((*head, own), "×")
     if product.sign:
         return product
+    for index, (one, other) in enumerate(pairwise(product.factors), 1):
+        if isinstance(one, lay.Letter) and one == other:
+            sides = product.factors[:index], product.factors[index:]
+            return lay.Product(tuple(lay.product(*each) for each in sides), "×")  # 4u × u
     if _numeric(rest[0]) and not _numeric(first):
         return _grouped(lay.Product((rest[0], first, *rest[1:])))
     groups: list[list[lay.Layout]] = [[]]

@@ -28,7 +28,7 @@ def gathered(derivation: Derivation) -> Derivation:
         at = order.index(line)
         first = _first(order[:at], line, place(line), {e.number: place(e) for e in order[:at]})
         if first is not None:
-            order.insert(first, replace(order.pop(at), item=order[first].item))
+            order.insert(first, order.pop(at))
     return _numbered(derivation, order)
 
 
