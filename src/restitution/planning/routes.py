@@ -131,12 +131,15 @@ class Routes:
         ]
 
     def row(self, x: sp.Expr, point: Point) -> list[float]:
-        """The gradient of an expression in the unknowns, as a row."""
+        """The gradient of an expression in the unknowns, as a row.
+
+        Each unknown is measured by its own size, so that units do not matter.
+        """
         try:
             slopes = gradient(x, point)
         except (ArithmeticError, KeyError, ValueError, TypeError):
             return [math.nan] * len(self.symbols)
-        return [slopes.get(each, 0.0) for each in self.symbols]
+        return [slopes.get(each, 0.0) * (abs(point.get(each, 0.0)) or 1.0) for each in self.symbols]
 
     def cheapest(self, goals: Sequence[sp.Expr], most: int = 3) -> list[tuple[Candidate, ...]]:
         """The cheapest sets that determine all goals, the cheapest first; none if none does."""
