@@ -28,16 +28,16 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.deflections import cosine_of_deflection, tangent_of_deflection
 from restitution.planning.desk import Mark, NotPlannedError, Source, together
 from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import in_direction, residual, scene_value
 from restitution.planning.judging import Judge
-from restitution.planning.order import Progress, Solver
+from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.planning.tangents import tangent_of_deflection
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -86,15 +86,16 @@ class Claims:
 
     # --- trials ---------------------------------------------------------------------------------
 
-    def mark(self) -> tuple[Mark, Progress]:
+    def mark(self) -> tuple[Mark, frozenset[str]]:
         """What stands, and which equations are used."""
-        return self.scene.desk.mark(), self.solver.progress()
+        return self.scene.desk.mark(), frozenset(self.solver.used)
 
-    def back(self, mark: tuple[Mark, Progress]) -> None:
+    def back(self, mark: tuple[Mark, frozenset[str]]) -> None:
         """Takes away what was written since a mark."""
-        desk, progress = mark
+        desk, used = mark
         self.scene.desk.back(desk)
-        self.solver.back(progress)
+        self.solver.used.clear()
+        self.solver.used |= used
 
     # --- trees ----------------------------------------------------------------------------------
 
@@ -126,23 +127,7 @@ class Claims:
         desk = self.scene.desk
         if not isinstance(angle, Quantity):
             return line, angle, ()
-        own = next(
-            (
-                each
-                for each in desk.lines
-                if isinstance(each.relation, Meaning) and each.relation.quantity == angle
-            ),
-            None,
-        )
-        if own is None:
-            taken = set(roles(self.scene.problem)) | {
-                e.relation.letter for e in desk.lines if isinstance(e.relation, Meaning)
-            }
-            name = next(each for each in _ANGLES[angle.kind] if each not in taken)
-            let = desk.write(Move("let"), (), Meaning(name, angle))
-        else:
-            assert isinstance(own.relation, Meaning)
-            name, let = own.relation.letter, own.number
+        name, let = self._letter_for(angle)
         high = 90 if angle.kind == "angle" and not isinstance(angle.arguments[1], Unit) else 180
         tangent = Apply("tan", Letter(name))
         relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
@@ -218,7 +203,7 @@ class Claims:
         for axes in ((), self.axes(quantity)):
             pool = (*together(own.refs, extra, axes), *known_)
             for relation in chains:
-                number_ = self.judge.write((own.move,), pool, relation)
+                number_ = self.judge.write((own.move,), pool, relation, own.refs)
                 if number_ is not None:
                     if own.left == quantity:
                         scene.desk.know(quantity, own.value, (number_,))
@@ -276,10 +261,10 @@ class Claims:
         known = self.judge.known(letters(right))
         for by in ("rearrange", "identity"):
             relation = Relation(((first, Link(right.argument, "=", final, by)),))
-            line = self.judge.write((own.move,), [*pool, *known], relation)
+            line = self.judge.write((own.move,), [*pool, *known], relation, pool)
             if line is not None:
                 return line
-        return self.judge.write((own.move,), pool, Relation(((first,),)))
+        return self.judge.write((own.move,), pool, Relation(((first,),)), pool)
 
     # --- ties -----------------------------------------------------------------------------------
 
@@ -552,6 +537,9 @@ class Claims:
 
     def _condition(self, fact: Fact, wanted: Expression | None) -> int | None:
         (link,) = fact.relation.only
+        match self.opened(link.left), link.right:
+            case Quantity("deflection", _, int()) as angle, Degrees(value) if value == 90:
+                return self._obtuse(fact, link, angle, wanted)
         gap = self.gap(link)
         own = self.stripped(gap, link.sign)
         if own is None:
@@ -566,6 +554,50 @@ class Claims:
         if line is None:
             return None
         return self.finished(line, sign, x, wanted)
+
+    def _obtuse(
+        self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
+    ) -> int | None:
+        """A deflection of more than 90°, or of less, by the sign of its cosine."""
+        (body,) = angle.arguments
+        assert isinstance(angle.stage, int)
+        for stage in (angle.stage - 1, angle.stage):
+            self.determine(Quantity("velocity", (body,), stage))
+        own = cosine_of_deflection(self.scene, angle)
+        line = self.judge.write(
+            (own.move,), own.refs, Relation(((Link(own.left, "=", swept(own.right)),),)), own.refs
+        )
+        stripped = self.stripped(sp.expand(own.value), FLIPPED[link.sign])
+        if line is None or stripped is None:
+            return None
+        sign, x = stripped
+        name, let = self._letter_for(angle)
+        pool = [fact.id, line, f"0° <= {name} <= 180°", let]
+        assert isinstance(own.right, Binary)
+        known = self._known_in(sp.expand(own.value))
+        first = Relation(((Link(swept(own.right.left), FLIPPED[link.sign], ZERO),),))
+        number = self.judge.write((Move("compare"),), [*pool, *known], first)
+        if number is None:
+            return None
+        solved = self.solved(sign, x, wanted) or self.solved(sign, x)
+        after = self.judge.write(
+            (Move("rearrange"), Move("cancel"), Move("compare")),
+            [number, *known],
+            Relation(((solved or Link(tree_of(x), sign, ZERO),),)),
+        )
+        return number if after is None else after
+
+    def _letter_for(self, angle: Quantity) -> tuple[str, int]:
+        """The letter that stands for an angle of the motion, and the line that introduces it."""
+        desk = self.scene.desk
+        taken = set(roles(self.scene.problem))
+        for each in desk.lines:
+            if isinstance(each.relation, Meaning):
+                if each.relation.quantity == angle:
+                    return each.relation.letter, each.number
+                taken.add(each.relation.letter)
+        name = next(each for each in _ANGLES[angle.kind] if each not in taken)
+        return name, desk.write(Move("let"), (), Meaning(name, angle))
 
     def _known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
         names = {s.name for s in x.free_symbols}

@@ -14,6 +14,7 @@ from restitution.explaining.moves import MOST_COMPARED, follows
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
+from restitution.planning.forms import ZERO
 from restitution.planning.scene import Scene
 from restitution.solve.letters import roles
 
@@ -79,9 +80,16 @@ class Judge:
         )
 
     def needed(
-        self, move: Move, pool: Iterable[Ref], relation: Relation, most: int | None = None
+        self,
+        move: Move,
+        pool: Iterable[Ref],
+        relation: Relation,
+        sure: Iterable[Ref] = (),
     ) -> tuple[Ref, ...] | None:
-        """Premises of which a line needs every one; None where it does not follow from all."""
+        """Premises of which a line needs every one; None where it does not follow from all.
+
+        Those that are ``sure`` are not tried one by one.
+        """
         refs = list(dict.fromkeys(pool))
         by_oracle = move.id in ("sign", "compare")
 
@@ -92,15 +100,27 @@ class Judge:
 
         if not right(refs):
             return None
+        certain = {each for each in sure if not self._is_zero(each)}
         for each in tuple(refs)[::-1]:
+            if each in certain:
+                continue
             fewer = [ref for ref in refs if ref != each]
             if right(fewer):
                 refs = fewer
         if by_oracle and self._compared(refs) > MOST_COMPARED:
             return None
-        if most is not None and len(refs) > most:
-            return None
         return tuple(refs)
+
+    def _is_zero(self, ref: Ref) -> bool:
+        """Whether a line says that something is zero, so that factors of it are not needed."""
+        own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
+        return isinstance(own, Relation) and own.options[0][-1].right == ZERO
+
+    def standing(self, relation: Relation) -> int | None:
+        """The line in force that says a relation, if there is one."""
+        desk = self.scene.desk
+        lines = (each for each in desk.lines if each.relation == relation)
+        return next((each.number for each in lines if desk.holds(each.number)), None)
 
     def _compared(self, refs: Sequence[Ref]) -> int:
         return sum(
@@ -113,12 +133,18 @@ class Judge:
         moves: Iterable[Move],
         pool: Iterable[Ref],
         relation: Relation,
-        most: int | None = None,
+        sure: Iterable[Ref] = (),
     ) -> int | None:
-        """Writes a line by the first move that makes it of what is cited; None without one."""
+        """Writes a line by the first move that makes it of what is cited; None without one.
+
+        One that stands already is not judged again.
+        """
+        standing = self.standing(relation)
+        if standing is not None:
+            return standing
         refs = list(pool)
         for move in moves:
-            own = self.needed(move, refs, relation, most)
+            own = self.needed(move, refs, relation, sure)
             if own is not None:
                 return self.scene.desk.write(move, own, relation)
         return None

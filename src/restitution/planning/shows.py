@@ -269,17 +269,17 @@ class _Equation:
         left, right = self.link.left, self.link.right
         known = self.judge.known(letters(start) | letters(right))
         if start == right:
-            return self.judge.write((own.move,), pool, self.relation)
+            return self.judge.write((own.move,), pool, self.relation, own.refs)
         first = Link(left, "=", start)
         mark = self.scene.desk.mark()
-        number = self.judge.write((own.move,), pool, Relation(((first,),)))
+        number = self.judge.write((own.move,), pool, Relation(((first,),)), own.refs)
         if number is None:
             return None
-        for by, most in (("rearrange", None), ("identity", None)):
+        for by in ("rearrange", "identity"):
             chain = Relation(((first, Link(start, "=", right, by)),))  # type: ignore[arg-type]
             move = replace(own.move)
             if by == "identity" or self.judge.follows(move, pool, chain):
-                refs = self.judge.needed(move, [*pool, *known], chain, most)
+                refs = self.judge.needed(move, [*pool, *known], chain, own.refs)
                 if refs is not None:
                     self.scene.desk.back(mark)
                     return self.scene.desk.write(move, refs, chain)
