@@ -28,7 +28,6 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.deflections import cosine_of_deflection, tangent_of_deflection
 from restitution.planning.desk import Mark, NotPlannedError, Source, together
 from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.frames import Frame
@@ -38,6 +37,7 @@ from restitution.planning.judging import Judge
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.tangents import cosine_of_deflection, tangent_of_deflection
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 

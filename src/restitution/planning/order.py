@@ -102,7 +102,7 @@ class Solver:
                 given = self._given_velocity(body, number)
                 if given is None:
                     continue
-                after_ = self.scene.value(given.link.right).dot(frame.t)
+                after_ = self.scene.vector(given.link.right).dot(frame.t)
                 before_ = self.scene.velocity(body, number - 1).dot(frame.t)
                 residual_ = tidy(after_ - before_)
                 if residual_ != 0:
@@ -224,7 +224,7 @@ class Solver:
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
                     frame = self.scene.model.frames[stage]
-                    gap = self.scene.velocity(body, stage) - self.scene.value(right)
+                    gap = self.scene.velocity(body, stage) - self.scene.vector(right)
                     return replace(own, residuals=(tidy(gap.dot(frame.n)),))
         return own
 

@@ -103,6 +103,10 @@ class Scene:
         """What a tree is worth, in letters: a number, a Vector or an Angle."""
         return self.model.story.evaluator(self.events).value(tree)
 
+    def vector(self, tree: Expression) -> Vector:
+        """What a tree is worth, as a vector; 0 is the one of no length."""
+        return self.model.story.evaluator(self.events).vector(tree)
+
     def scalar(self, tree: Expression) -> sp.Expr:
         """What a tree is worth, as a number; angles in radians."""
         return sp.sympify(self.model.story.evaluator(self.events).scalar(tree), strict=True)
