@@ -154,6 +154,15 @@ def product(*factors: Expression) -> Expression:
     return Negate(total) if minus else total
 
 
+def factors(tree: Expression) -> list[Expression]:
+    """The factors of a product, however they are bracketed; its sign is one."""
+    if isinstance(tree, Negate):
+        return [Negate(ONE), *factors(tree.operand)]
+    if isinstance(tree, Binary) and tree.op == "*":
+        return [*factors(tree.left), *factors(tree.right)]
+    return [tree]
+
+
 def total(terms: Iterable[Expression]) -> Expression:
     """Terms added up: zeros are left out, what is negative is subtracted."""
     own: Expression | None = None

@@ -11,7 +11,16 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move
 from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.forms import difference, neat, negative, product, swept, total, tree_of
+from restitution.planning.forms import (
+    difference,
+    factors,
+    neat,
+    negative,
+    product,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
@@ -258,14 +267,14 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     e = scene.coefficient(frame.number)
     quantity = frame.component("along", body, frame.number)
     value = neat(-e.value * source.value)
+    first = product(tree_of(e.value), negative(tree_of(source.value)))
+    last = tree_of(value)
+    if factors(first) == factors(last):
+        first = last  # nothing is worked out
     number = scene.desk.write(
         Move("law", "restitution-wall", frame.number, (body,)),
         together(source.whole, frame.names_axis("along"), e.refs),
-        chain(
-            quantity,
-            (product(tree_of(e.value), negative(tree_of(source.value))), None),
-            (tree_of(value), "rearrange"),
-        ),
+        chain(quantity, (first, None), (last, "rearrange")),
     )
     own = component_letter(scene, body, frame)
     scene.desk.know(Letter(own.name), frame.letter_sign * value, (number,))

@@ -62,7 +62,6 @@ def by_roots(
     kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
     roots = [*kept, *(each for each in roots if each not in kept)]
     dropped = [each for each in roots if each not in kept]
-    laws = _laws(scene, symbol) if dropped and _is_component(scene, symbol) else ()
     number = _in_standard_form(scene, number, above, generator, subject)
     alternatives = Relation(tuple(_option(subject, each) for each in roots))
     names = {each.name for each in above.free_symbols}
@@ -71,7 +70,7 @@ def by_roots(
         return None
     line = scene.desk.write(Move("roots"), refs, alternatives)
     if dropped:
-        line = _rejected(scene, line, symbol, subject, kept, laws)
+        line = _rejected(scene, line, symbol, subject, kept)
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
         scene.others = tuple(
@@ -170,21 +169,13 @@ def _rejected(
     symbol: sp.Symbol,
     subject: Expression,
     kept: Sequence[sp.Expr],
-    laws: tuple[Ref, ...],
 ) -> int:
     """The line of what remains, with what excludes the rest."""
     relation = Relation(tuple(_option(subject, each) for each in kept))
-    names = {symbol.name}
-    for each in kept:
-        names |= {x.name for x in each.free_symbols}
-    for ref in laws:
-        if isinstance(ref, int):
-            names |= {x.name for x in residual(scene, ref).free_symbols}
-    own = background(scene, {symbol.name})
-    rest = [each for each in background(scene, names) if each not in own]
-    component = _is_component(scene, symbol)
-    bare = () if component else _likely(scene, symbol, kept, own)
     move = Move("reject")
+    own = background(scene, {symbol.name})
+    component = _is_component(scene, symbol)
+    bare = _likely(scene, symbol, own)
     if not component and follows_from(scene, move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
     senses = _senses(scene, symbol)
@@ -192,18 +183,23 @@ def _rejected(
         refs = needed(scene, move, (line,), relation, senses)
         if refs is not None:
             return scene.desk.write(move, refs, relation)
-    for each in _by_laws(laws, rest):
-        if follows_from(scene, move, (line, *each), relation):
-            return scene.desk.write(move, (line, *each), relation)
+    laws = _laws(scene, symbol) if component else ()
+    names = {symbol.name}
+    for each in kept:
+        names |= {x.name for x in each.free_symbols}
+    for ref in laws:
+        names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
+    rest = [each for each in background(scene, names) if each not in own]
+    for premises in _by_laws(laws, rest):
+        if follows_from(scene, move, (line, *premises), relation):
+            return scene.desk.write(move, (line, *premises), relation)
     refs = needed(scene, move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)
 
 
-def _likely(
-    scene: Scene, symbol: sp.Symbol, kept: Sequence[sp.Expr], own: tuple[Ref, ...]
-) -> tuple[Ref, ...]:
+def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """What excludes the other root of two: a coefficient is not negative, an angle in its range."""
     role = scene.model.unknowns.roles.get(symbol.name)
     if role is not None and role.kind == "restitution":
