@@ -199,6 +199,31 @@ def test_speeds_that_are_equal_are_squared() -> None:
     assert not any("sqrt((" in each for each in said(derivation))
 
 
+def test_a_deflection_and_the_speed_after_a_wall_leave_an_angle_to_it() -> None:
+    _, derivation = planned(f"{WALL}\ngiven deflection(P) = 60°, speed(P) = 3/4 u\nfind alpha, e")
+    assert moves(derivation).count("identity sum-of-angles") == 2
+    assert said(derivation)[0] == "angle(velocity(P, 1), W) = 60° - alpha"
+    assert said(derivation)[-1] == "e = 3/10"
+
+
+def test_ratios_of_an_angle_come_from_the_one_that_is_known() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2, velocity 10 at alpha\nsphere B: mass 1, velocity 10 at beta from -i\n"
+        "A hits B: along i, e = 1/2\ngiven velocity(B) = 6i - 6j\nfind alpha, velocity(A)"
+    )
+    ratios = [each for each in said(derivation) if each.startswith(("sin", "cos"))]
+    assert "sin(alpha) = 4/5" in ratios
+    assert len(lines(derivation, "triangle")) == 2
+
+
+def test_the_tangent_is_a_quotient_before_it_is_compared() -> None:
+    _, derivation = planned(f"{WALL}: e = 1/3\ngiven angle(velocity(P), W) = 30°\nfind alpha")
+    (line,) = lines(derivation, "define")
+    assert write_relation(line.relation) == (  # type: ignore[arg-type]
+        "tan(30°) = 1/3 u sin(alpha)/(u cos(alpha)) = 1/3 tan(alpha) [rearrange]"
+    )
+
+
 # --- several solutions ----------------------------------------------------------------------------
 
 

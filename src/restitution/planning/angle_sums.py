@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.forms import ONE, difference, product, swept, tree_of
+from restitution.planning.forms import ONE, difference, in_tangents, product, swept, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.premises import background, needed
 from restitution.planning.quantities import formula
@@ -111,21 +111,11 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
     own = formula(scene, quantity)
     own = replace(own, quantity=letter, refs=together((f"let {letter.name}",), own.refs))
     value: Any = tidy(own.value)
-    final = tree_of(_in_tangents(value))
+    final = tree_of(in_tangents(value))
     number = scene.desk.write(
         own.move, own.refs, chain(own.left, (swept(own.right), None), (final, "rearrange"))
     )
     return final, (number,)
-
-
-def _in_tangents(value: sp.Expr) -> sp.Expr:
-    """A quotient with sine over cosine as the tangent."""
-    for ratio in value.atoms(sp.sin):
-        (argument,) = ratio.args
-        put = sp.cancel(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
-        if not put.has(sp.cos(argument)):
-            value = put.subs(sp.Symbol("_t"), sp.tan(argument))
-    return value
 
 
 __all__ = ["is_sum", "write_sum"]

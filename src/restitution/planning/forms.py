@@ -78,6 +78,16 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     return _from_layout(lay.from_sympy(own, degrees=angle), names)
 
 
+def in_tangents(value: sp.Expr) -> sp.Expr:
+    """A quotient with sine over cosine as the tangent."""
+    for ratio in value.atoms(sp.sin):
+        (argument,) = ratio.args
+        put = sp.cancel(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
+        if not put.has(sp.cos(argument)):
+            value = put.subs(sp.Symbol("_t"), sp.tan(argument))
+    return value
+
+
 def _parted(name: str) -> tuple[str, str]:
     laid = lay.letter(name)
     return laid.name, laid.subscript

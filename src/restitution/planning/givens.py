@@ -24,7 +24,7 @@ from restitution.planning import journeys
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import write_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.forms import ONE, product, square, swept, tree_of
+from restitution.planning.forms import ONE, in_tangents, neat, product, square, swept, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
@@ -133,12 +133,12 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     left = each.link.right if not refs else tree_of(value)
     if own.move.record == "tan" and _of_open_sense(scene, own):
         return _squared_tangent(scene, each, own, value, refs)
-    if (
-        isinstance(left, Apply)
-        and own.left == Apply("tan", own.quantity)
-        and left.function == "arctan"
-    ):
-        relation = chain(left.argument, (swept(own.right), None))
+    if own.move.record == "tan":
+        # First the quotient, then what is left of it.
+        plain = isinstance(left, Apply) and left.function == "arctan"
+        first = left.argument if plain else own.of(left)  # type: ignore[union-attr]
+        last = tree_of(in_tangents(neat(own.value)))
+        relation = chain(first, (swept(own.right), None), (last, "rearrange"))
     elif own.move.record == "speed":
         right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
         relation = chain(square(left), (swept(right), None))
