@@ -908,7 +908,7 @@ def write_separation(scene: Scene, frame: Frame) -> None:
     e = scene.coefficient(frame.number)
     u, x = (before(scene, "along", each, frame) for each in (first, second))
     if e.value == 0:
-        u, x = Source(sp.Integer(0), frame.refs), Source(sp.Integer(0))
+        u = x = Source(sp.Integer(0))
     value = tidy(e.value * (u.value - x.value))
     quantity = _separation_tree(scene, frame)
     approach = difference(tree_of(u.value), tree_of(x.value))

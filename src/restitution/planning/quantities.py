@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
+from restitution.planning import journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
@@ -69,10 +70,20 @@ def _itself(tree: Expression) -> Expression:
 
 def formula(scene: Scene, quantity: Quantity) -> Formula:
     """The definition by which a quantity is worked out. Raises NotPlannedError without one."""
+    if journeys.serves(quantity):
+        return _of_journey(scene, quantity)
     own = _FORMULAS.get(quantity.kind)
     if own is None:
         raise NotPlannedError(f"no definition of {quantity.kind}")
     return own(scene, quantity)
+
+
+def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
+    """A time, a place or a distance, as the line has it that is written for it."""
+    number_, value = journeys.write(scene, quantity)
+    line = scene.desk.line(number_)
+    right = scene.desk.relation(number_).only[0].right
+    return Formula(line.move, _itself, quantity, right, value, line.premises)
 
 
 # --- velocities --------------------------------------------------------------------------------
