@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.explain.measured import (
     Measures,
+    as_answer,
     as_decimal,
     is_plain,
     percentage,
@@ -232,7 +233,10 @@ class _Writer:
             self.recalled.add((self.part_of(line), own.number))
             link = own.relation.only[-1]
             left = own.relation.only[0].left
-            row = Row((self.naming.laid(left), self.naming.laid(link.right)), ("=",))
+            value = self.naming.laid(link.right)
+            if is_plain(value) and value != lay.Number("0"):
+                value = with_unit(value, self.measures.unit(left))
+            row = Row((self.naming.laid(left), value), ("=",))
             values.setdefault(label, []).append(row)
         for label, rows in values.items():
             where = say("carried.part", label=label) if label else say("carried.above")
@@ -800,10 +804,13 @@ class _Writer:
                     sides.append(hundred)
                     signs.append("=")
                 return
-            decimal = rounded(right) if links[-1].sign == "=" else None
-            if decimal is not None:
-                sides.append(decimal)
-                signs.append("≈")
+            place = _is_place(asked)
+            for side, sign in as_answer(right, place) if links[-1].sign == "=" else ():
+                if place and sign == "=" and len(sides) == len(links) + 1:
+                    sides[-1] = side  # a place is told by its coordinates
+                elif side != sides[-1]:
+                    sides.append(side)
+                    signs.append(sign)
         nothing = sides[-1] == lay.Number("0")
         if unit and (end is not None or (is_plain(sides[-1]) and not nothing)):
             sides[-1] = with_unit(sides[-1], unit)
@@ -837,10 +844,9 @@ class _Writer:
         trees = [links[0].left, *(each.right for each in links)]
         sides = [self.naming.laid(each) for each in trees]
         signs = [_sign(each) for each in links]
-        decimal = rounded(trees[-1]) if asked and signs[-1] == "=" else None
-        if decimal is not None:
-            sides.append(decimal)
-            signs.append("≈")
+        for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
+            sides.append(side)
+            signs.append(sign)
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self.measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
@@ -880,6 +886,14 @@ class _Writer:
 def _because(mark: Mark) -> Mark:
     """A mark with its reason: its own, or the one of its kind."""
     return mark if mark.because else reasoned(mark)
+
+
+def _is_place(asked: object) -> bool:
+    """Whether it is a place that was asked."""
+    match asked:
+        case Value(expression=Quantity("position", _, _)):
+            return True
+    return False
 
 
 def _asked(step: Any) -> Iterator[Item | Show]:

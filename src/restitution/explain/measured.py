@@ -166,6 +166,41 @@ def _with_zeros(value: Fraction) -> str:
     return f"{whole}.{part}{'0' * missing}" if value and missing > 0 else digits
 
 
+def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, str], ...]:
+    """What is added to a value that was asked: its decimal, as answers have it, with its sign.
+
+    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value.
+    """
+    if has_quantity(tree):
+        return ()
+    try:
+        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    except RestitutionError:
+        return ()
+    if isinstance(value, Vector):
+        display = lay.display_point if place else lay.display_vector
+        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        shown, exact = display(x, y), _is_decimal(x) and _is_decimal(y)
+    elif isinstance(value, sp.Expr):
+        shown, exact, place = lay.display(value, angle=_is_angle(tree)), _is_decimal(value), False
+    else:
+        return ()
+    sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
+    decimals = tuple((each, "=" if exact else "≈") for each in sides[1:])
+    return ((sides[0], "="), *decimals) if place else decimals
+
+
+def _is_decimal(value: sp.Expr) -> bool:
+    """Whether a number, or what stands before letters, is a decimal of three figures."""
+    number, rest = value.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest) if rest != 1 else ()
+    if not isinstance(number, sp.Rational) or any(not each.free_symbols for each in factors):
+        return False
+    while number and abs(number) < 100:
+        number *= 10
+    return bool(number.q == 1 and abs(number) < 1000) or not number
+
+
 def percentage(tree: Expression) -> lay.Layout | None:
     """A number as a percentage."""
     if has_quantity(tree):

@@ -256,6 +256,8 @@ class Naming:
                 return say("derived.time", event=self._moment(stage, of=True))
             case Quantity("position", (Name(body),), stage):
                 return self._at(say("derived.position", body=body), stage)
+            case Quantity("distance", arguments, stage):
+                return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, _):
                 return say("derived.line")
             case Quantity(_, _, stage) if stage is not None:
@@ -270,6 +272,15 @@ class Naming:
                 late = self._plain_when(self._settled(tree))
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
         return self.quantity(meaning.quantity)
+
+    def _end(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """What a distance is measured from."""
+        match tree:
+            case Name(name):
+                return name
+            case Quantity():
+                return self.quantity(tree)
+        return self.laid(tree)
 
     def side(self, tree: Expression) -> Sentence | lay.Layout | str:
         """A direction or a vector among words."""

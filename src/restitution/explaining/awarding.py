@@ -4,8 +4,8 @@ A rule looks at a line's move, record, event and item, and at what stands above 
 how the working was found nor how it is printed. `RULES` is the table, tried from the top: the first
 that fits a line says what it earns, in each style. Then, part by part:
 
-- An item's last line has an A1; where the statement prints the result an A1*, which never follows
-  through.
+- An item's last line has an A1, or a B1 where nothing of the part has been earned above it; where
+  the statement prints the result an A1*, which never follows through.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1.
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Literal
 
 from restitution.explaining.derivation import (
     Derivation,
@@ -249,7 +250,7 @@ class _Awarding:
             end = self.ends.get(line.number)
             if end is not None:
                 # What is printed has to be reached by something.
-                lone = end.shown and end.part not in earned and self._room(end.part) > 1
+                lone = end.shown and end.part not in earned
                 points[line.number] += ["M", "A"] if lone else ["A"]
             if points[line.number]:
                 earned.add(self.part(line))
@@ -271,19 +272,25 @@ class _Awarding:
         """Points as marks that agree with each other, part by part."""
         kept = self._cut({number: _once(each) for number, each in points.items()})
         methods: dict[str | None, list[int]] = {}
+        earned: dict[str | None, bool] = {}
         out: dict[int, Marks] = {}
         for line in self.derivation.lines:
             marks: list[Mark] = []
-            before = methods.setdefault(self.part(line), [])
+            part = self.part(line)
+            before = methods.setdefault(part, [])
+            earned.setdefault(part, False)
             for point in kept[line.number]:
                 if point == "M":
                     on = self._rests_on(line, before)
                     marks.append(Mark("M", dependent=bool(on), on=on))
                 elif point == "A":
                     star = line.number in self.shown
-                    marks.append(Mark("A", star=star, ft=not star and self._follows(line)))
+                    # What needs no method is independent.
+                    kind: Literal["A", "B"] = "A" if star or marks or earned[part] else "B"
+                    marks.append(Mark(kind, star=star, ft=not star and self._follows(line)))
                 else:
                     marks.append(Mark("B"))
+            earned[part] = earned[part] or bool(marks)
             if "M" in kept[line.number]:
                 before.append(line.number)
             out[line.number] = tuple(reasoned(mark) for mark in marks)

@@ -582,6 +582,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.position": "position of {body}",
     "derived.coordinate-x": "x-coordinate of {body}",
     "derived.coordinate-y": "y-coordinate of {body}",
+    "derived.distance": "distance between {of:and}",
     "derived.line": "line of centres",
     "derived.centres": "the line of centres",
     "derived.component-along": "component of {of} along the line of centres",

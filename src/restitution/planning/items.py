@@ -43,6 +43,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             if known is None:
                 raise NotPlannedError(f"{letter} is open")
             (line,) = (each for each in known.refs if isinstance(each, int))
+            line = _closed(scene, asked, line, known.value)
             relation = scene.desk.relation(line)
             if len(relation.options) == 1:
                 relation = chain(asked, (_right(scene, line), None))
@@ -74,6 +75,14 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _of_letters(scene, asked, name)
         case _:
             _expression(scene, asked, name)
+
+
+def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:
+    """The line of a value, with the letters put in that have been worked out since."""
+    put, refs = scene.put(value)
+    if put == value:
+        return line
+    return scene.desk.write(Move("put"), (line, *refs), chain(asked, (tree_of(put), None)))
 
 
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
@@ -110,6 +119,7 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     known = scene.desk.known(asked)
     if known is not None:
         (line,) = (each for each in known.refs if isinstance(each, int))
+        line = _closed(scene, asked, line, known.value)
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         return
     own = formula(scene, quantity)

@@ -9,7 +9,7 @@ from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
-from restitution.expression.tree import letters
+from restitution.expression.tree import Expression, letters
 from restitution.oracle import Oracle
 from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
@@ -153,6 +153,16 @@ def _write_items(scene: Scene) -> None:
             case Value():
                 asked = staged(problem, item.expression, now)
                 write_item(scene, solver, asked, name)
+                _require_found(scene, asked)
+
+
+def _require_found(scene: Scene, asked: Expression) -> None:
+    """Refuses an answer with a letter that the solution finds."""
+    own = letters(asked)
+    found = {each.name for each in scene.model.final if each not in scene.free} - own
+    for links in scene.desk.ends[-1].answer.options:
+        if any(found & letters(link.right) for link in links):
+            raise NotPlannedError(f"an answer with {', '.join(sorted(found))}")
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:
