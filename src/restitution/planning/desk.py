@@ -22,6 +22,7 @@ from restitution.explaining.derivation import (
     Sign,
 )
 from restitution.expression.tree import Expression
+from restitution.planning.forms import alike
 
 # These moves start from the line that is cited first.
 _FROM_A_LINE = frozenset(
@@ -76,7 +77,10 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
     links: list[Link] = []
     last = first
     for tree, by in steps:
-        if links and tree == last:
+        if links and alike(tree, last):
+            # The form of an answer is kept of two that only differ in brackets.
+            links[-1] = Link(links[-1].left, "=", tree, links[-1].by)
+            last = tree
             continue
         links.append(Link(last, "=", tree, by if links else None))
         last = tree

@@ -261,3 +261,38 @@ def _quotient(above: Expression, below: Expression) -> Expression:
     if isinstance(below, Negate):
         return Negate(_quotient(above, below.operand))
     return Binary("/", above, below)
+
+
+# --- comparing ----------------------------------------------------------------------------------
+
+
+def alike(a: Expression, b: Expression) -> bool:
+    """Whether two products differ in nothing but brackets and the order of their factors.
+
+    ``e (u sin α)`` and ``e u sin α`` are alike, and so are ``√3/2 u`` and ``√3 u/2``; ``½ (4u)``
+    and ``2u`` are not.
+    """
+    return _factors(a) == _factors(b)
+
+
+def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
+    """The sign of a product, and its factors above and below the line, sorted."""
+    sign, above, below = 1, list[str](), list[str]()
+
+    def take(each: Expression, up: list[str], down: list[str]) -> None:
+        nonlocal sign
+        match each:
+            case Negate(operand):
+                sign = -sign
+                take(operand, up, down)
+            case Binary("*", left, right):
+                take(left, up, down)
+                take(right, up, down)
+            case Binary("/", left, right):
+                take(left, up, down)
+                take(right, down, up)
+            case _ if each != ONE:
+                up.append(repr(each))
+
+    take(tree, above, below)
+    return sign, sorted(above), sorted(below)
