@@ -1002,19 +1002,26 @@ def _but_straight(step: Step, ratio_: Apply, value: Expression, high: sp.Expr) -
 def _in_its_quadrant(step: Step, ratio_: Apply, angle: sp.Expr) -> bool:
     """Whether the direction of a velocity lies on the side to which its component points.
 
-    Of the two directions with one tangent, the component in the direction of **i** tells which.
+    Of the two directions with one tangent, the component in the direction of **i** tells which; of
+    the two with one cosine, that in the direction of **j**.
     """
     meaning = step.setting.meanings.get(getattr(ratio_.argument, "name", ""))
     match meaning.quantity if meaning is not None else None:
-        case Quantity("direction", (Name() as body,), int(stage)) if ratio_.function == "tan":
+        case Quantity("direction", (Name() as body,), int(stage)) if ratio_.function != "sin":
             velocity = step.world.value(Quantity("velocity", (body,), stage))
         case _:
             return False
     known = step.rules().put_into(velocity)
-    if not (isinstance(velocity, Plane) and isinstance(known, Plane)) or known.x == velocity.x:
+    if not (isinstance(velocity, Plane) and isinstance(known, Plane)):
         return False
-    share = step.world.expression(known.x, step.roles)
-    return step.oracle.proves(Claim(share * sp.cos(angle), ">"))
+    if ratio_.function == "tan":
+        before, after, side = velocity.x, known.x, sp.cos(angle)
+    else:
+        before, after, side = velocity.y, known.y, sp.sin(angle)
+    if before == after:
+        return False
+    share = step.world.expression(after, step.roles)
+    return step.oracle.proves(Claim(share * side, ">"))
 
 
 def _value(step: Step, relation: Relation) -> bool:

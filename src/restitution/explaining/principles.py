@@ -350,6 +350,7 @@ DEFINITIONS = (
                 "cos(angle(velocity(X, 1), velocity(Y, 1))) = dot(velocity(X, 1), velocity(Y, 1))"
                 "/(abs(velocity(X, 1)) abs(velocity(Y, 1)))"
             ),
+            "cos(direction(X, 1)) = along(velocity(X, 1), i)/abs(velocity(X, 1))",
             f"cos(angle(velocity(X, 1), {AXIS})) = {_c('X', 1)}/sqrt{_square('X', 1)}",
             f"cos(angle(velocity(X, 0), {AXIS})) = {_c('X', 0)}/sqrt{_square('X', 0)}",
             (

@@ -28,7 +28,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
-    for node in _outermost(asked):
+    for node in outermost(asked):
         source = _value_of(scene, node)
         if source is None:
             continue
@@ -68,7 +68,7 @@ def is_angle_sum(tree: Expression) -> bool:
     return False
 
 
-def _outermost(tree: Expression) -> list[Expression]:
+def outermost(tree: Expression) -> list[Expression]:
     """The quantities and letters in an expression, but for what stands inside a quantity."""
     inside = {
         each

@@ -11,7 +11,7 @@ from restitution.expression.tree import Apply, Expression, Letter, Name, Quantit
 from restitution.planning import journeys
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.expressions import is_angle_sum, write_expression
+from restitution.planning.expressions import is_angle_sum, outermost, write_expression
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
@@ -186,15 +186,27 @@ def _right(scene: Scene, line: int) -> Expression:
 
 
 def _determine(scene: Scene, solver: Solver, asked: Expression) -> None:
-    """Everything that is asked; of a direction both components, if they can be found."""
+    """Everything that is asked: each quantity in it, if they can be found, else the whole."""
+    goals: list[sp.Expr] = []
     match asked:
         case Quantity("direction", (Name(body),), int(stage)):
-            try:
-                solver.determine(list(scene.velocity(body, stage)))
-            except NotPlannedError:
-                pass
-            else:
-                return
+            goals = list(scene.velocity(body, stage))
+        case Quantity() | Letter():
+            pass
+        case _:
+            goals = [
+                goal
+                for each in outermost(asked)
+                if isinstance(each, Quantity)
+                for goal in _goals(scene, each)
+            ]
+    if goals:
+        try:
+            solver.determine(goals)
+        except NotPlannedError:
+            pass
+        else:
+            return
     solver.determine(_goals(scene, asked))
 
 

@@ -239,8 +239,10 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
 def _direction(scene: Scene, asked: Quantity) -> Ratio:
     """The direction of a velocity, from **i**: by its tangent, on the side to which it points."""
     body, stage = body_and_stage(scene, asked)
-    own = formula(scene, asked)
     x, y = in_the_plane(scene, body, stage)
+    if scene.model.identically_zero(x.value):
+        return _along_j(scene, asked, x, y)
+    own = formula(scene, asked)
     letter, meaning = _named(scene, asked)
     line = _ratio_line(
         scene,
@@ -269,6 +271,23 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     known = velocity_source(scene, body, stage) if x.refs == y.refs else x
     side = together(known.whole, nonzero(scene, x.value))
     return Ratio(line, letter, "tan", value, extent, side, right)
+
+
+def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
+    """A direction of 90° or −90°, which has no tangent: by its cosine, which is 0."""
+    body, stage = body_and_stage(scene, asked)
+    letter, meaning = _named(scene, asked)
+    zero = sp.Integer(0)
+    line = scene.desk.write(
+        Move("define", "scalar-angle", stage or None, (body,)),
+        together((meaning,), x.whole),
+        chain(Apply("cos", Letter(letter)), (tree_of(zero), None)),
+    )
+    right = Degrees(Fraction(90))
+    up = scene.model.sign(y.value) > 0
+    side = together(y.whole, nonzero(scene, y.value))
+    extent = _RANGES["direction"].format(letter)
+    return Ratio(line, letter, "cos", zero, extent, side, right if up else Negate(right))
 
 
 def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
