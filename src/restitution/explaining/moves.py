@@ -745,7 +745,10 @@ def _reject(step: Step, relation: Relation) -> bool:
             continue
         dropped = rest.formula(Relation((option,)))
         oracle = Oracle(rest.roles, (*rest.facts, dropped))
-        if oracle.possible.answer != "refuted":
+        if oracle.possible.answer == "refuted":
+            continue
+        # Where two roots are one, what is dropped says what remains.
+        if not oracle.proves(rest.formula(relation)):
             return False
     return True
 

@@ -10,11 +10,11 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Name, Polar, Quantity
+from restitution.expression.tree import Apply, Binary, Name, Polar, Quantity, letters
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.impacts import in_direction
-from restitution.planning.premises import needed
+from restitution.planning.premises import background, needed
 from restitution.planning.scene import GivenEquation, Scene
 
 
@@ -41,9 +41,9 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     if scene.model.sign(cross) < 0:
         above.reverse()
     below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
-    relation = chain(
-        tree_of(tidy(sp.tan(angle))), (swept(Binary("/", difference(*above), below)), None)
-    )
+    tangent, more = scene.put(sp.tan(angle))
+    refs = together(refs, more)
+    relation = chain(tree_of(tidy(tangent)), (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together((each.fact.id,), refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, frame.refs)
@@ -72,7 +72,14 @@ def _at_right_angles(
 def _written(
     scene: Scene, move: Move, refs: Sequence[Ref], relation: Relation, axis: tuple[Ref, ...]
 ) -> int:
-    own = needed(scene, move, refs, relation, axis)
+    names = {
+        name
+        for links in relation.options
+        for each in links
+        for side in (each.left, each.right)
+        for name in letters(side)
+    }
+    own = needed(scene, move, refs, relation, (*axis, *background(scene, names)))
     if own is None:
         raise NotPlannedError("a deflection to either side")
     return scene.desk.write(move, own, relation)

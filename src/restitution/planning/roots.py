@@ -89,6 +89,7 @@ def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
         if scene.model.sign(inside) < 0:
             return []
         root = tidy(sp.sqrt(inside))
+        root = root.replace(sp.Abs, lambda x: x if scene.model.sign(x) >= 0 else -x)
         return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
     return [tidy(each) for each in sp.roots(polynomial)]
 

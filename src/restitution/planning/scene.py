@@ -30,6 +30,8 @@ from restitution.solve.conditions import Equation
 from restitution.solve.solution import PartSolution
 from restitution.vector import Vector
 
+# A letter is put in so often, since what is put in for others may hold it.
+_MOST = 4
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
@@ -154,11 +156,11 @@ class Scene:
         """
         own = sp.sympify(value, strict=True)
         refs: list[Ref] = []
-        put: set[sp.Basic] = set()
+        times: dict[sp.Basic, int] = {}
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
             bare = own.xreplace({each: sp.Integer(1) for each in own.atoms(*_RATIOS)})
-            if put & bare.free_symbols:
+            if any(times.get(each, 0) >= _MOST for each in bare.free_symbols):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare.free_symbols:
                 source = self.desk.known(Letter(symbol.name))
@@ -166,7 +168,8 @@ class Scene:
                     changes[symbol] = source.value
                     refs += source.refs
             if changes:
-                put |= changes.keys()
+                for each in changes:
+                    times[each] = times.get(each, 0) + 1
                 own = own.xreplace(changes)
                 continue
             for each in own.atoms(*_RATIOS):
