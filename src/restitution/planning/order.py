@@ -140,6 +140,10 @@ class Solver:
                 raise NotPlannedError(f"no order of {[each.id for each in left]}")
             for each in step:
                 left.remove(each)
+            # What was written on the way to another equation is used too.
+            done = [each for each in left if not self._open(each)]
+            self.used |= {each.id for each in done}
+            left = [each for each in left if each not in done]
             self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
             write_blows(scene)
         rest = {symbol for each in goals for symbol in scene.unknown(each)}
