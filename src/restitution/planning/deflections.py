@@ -42,11 +42,10 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         above.reverse()
     below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
     tangent, more = scene.put(sp.tan(angle))
-    refs = together(refs, more)
     relation = chain(tree_of(tidy(tangent)), (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together((each.fact.id,), refs, *(own.refs for own in (*early, *late)))
-    return _written(scene, move, sources, relation, frame.refs)
+    return _written(scene, move, sources, relation, (*frame.refs, *more))
 
 
 def _at_right_angles(

@@ -181,7 +181,7 @@ def _rejected(
         return scene.desk.write(move, (line, *bare), relation)
     senses = _senses(scene, symbol)
     if senses:
-        refs = needed(scene, move, (line,), relation, senses)
+        refs = needed(scene, move, (line,), relation, (*senses, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
@@ -277,7 +277,12 @@ def _senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
             and any(Name(body) in walk(each) for body in bodies)
             for each in nodes
         )
-        ranged = fact.kind == "range" and Letter(symbol.name) in nodes
+        ordered = any(
+            link.sign in ("<", "<=", ">", ">=", "!=")
+            for links in fact.relation.options
+            for link in links
+        )
+        ranged = ordered and Letter(symbol.name) in nodes
         if about or ranged:
             refs.append(fact.id)
     if refs:
