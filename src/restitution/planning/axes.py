@@ -127,6 +127,8 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
         raise NotPlannedError("an impulse after an earlier event")
     velocity = Quantity("velocity", (Name(body),), event)
     impulse = scene.value(right)
+    if scene.unknown(mass.value):
+        raise NotPlannedError("an impulse on a sphere whose mass is open")
     late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, impulse, strict=True)))
     before = tree_of(early.value)
     change: Expression = velocity
