@@ -929,6 +929,7 @@ _TITLES = {
     "opposite-impulses": "derived-opposite.title",
     "across-the-impulse": "impulse-line.title",
     "along-the-change": "impulse-line.title",
+    "wall-direction": "impulse-line.title",
     "energy": "derived-energy.title",
     "energy-ratio": "derived-energy.title",
     "energy-lost": "loss-spheres.title",

@@ -405,6 +405,16 @@ class World:
         value = self.value(tree)
         return value if isinstance(value, Plane) else None
 
+    def pointing(self, tree: Expression) -> Value:
+        """A tree as a direction: what it is cited to point along, else its value."""
+        if tree in self.opaque and isinstance(tree, Quantity):
+            return self._plane(tree)
+        if isinstance(tree, Quantity) and tree in self.directions:
+            direction = self.direction(tree)
+            if direction is not None:
+                return direction
+        return self.value(tree)
+
     def _at_angle(self, turn: Turn) -> Plane:
         """The unit vector at an angle; one at right angles to another is that one turned."""
         if not turn.terms or turn.degrees % 90:

@@ -290,7 +290,7 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
     rules = chosen.rules()
     values = []
     for each in (line, template):
-        left, right = chosen.world.value(each.left), chosen.world.value(each.right)
+        left, right = chosen.world.pointing(each.left), chosen.world.pointing(each.right)
         if each is template:
             right = rules.put_into(right)
         if not (isinstance(left, Plane) and isinstance(right, Plane)):
@@ -409,13 +409,15 @@ def _rearrange(step: Step, line: Link) -> bool:
 
 def _same_direction(step: Step, line: Link, base: Link) -> bool:
     """Whether a line gives a direction of its base by another vector."""
-    if line.sign != base.sign or line.sign not in ("parallel to", "perpendicular to"):
+    ties = ("parallel to", "perpendicular to")
+    if line.sign not in ties or base.sign not in ties or line.left != base.left:
         return False
-    if line.left != base.left:
-        return False
-    own, other = step.world.value(line.right), step.world.value(base.right)
+    own, other = step.world.pointing(line.right), step.world.pointing(base.right)
     if not (isinstance(own, Plane) and isinstance(other, Plane)):
         return False
+    if line.sign != base.sign:
+        # What is perpendicular to one vector is parallel to it turned.
+        other = Plane(CONSTANT(-1) * other.y, other.x)
     if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
         return False
     pairs = ((own.x, other.x), (own.y, other.y))

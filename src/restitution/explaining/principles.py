@@ -232,6 +232,15 @@ PRINCIPLES = (
         ("M", "A"),
     ),
     Record(
+        "wall-direction",
+        "principle",
+        (f"direction(S) perpendicular to {AXIS}",),
+        "wall",
+        ("direction",),
+        1,
+        ("A",),
+    ),
+    Record(
         "equal-across",
         "principle",
         (

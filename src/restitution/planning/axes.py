@@ -113,6 +113,30 @@ def _write(
 _WAYS: tuple[Callable[[Scene, int], int | None], ...] = (_by_impulse, _by_change)
 
 
+def write_wall(scene: Scene, wall: str) -> int:
+    """The direction of a wall that is found: perpendicular to the line of the impulse."""
+    number = next((n for n, each in scene.model.frames.items() if each.wall == wall), None)
+    if number is None or f"axis {number}" in scene.facts:
+        raise NotPlannedError("the direction of a wall of the data")
+    frame = scene.frame(number)
+    direction = Quantity("direction", (Name(wall),))
+    (body,) = scene.spheres(number)
+    normal, _ = whole_direction(frame.n)
+    line = scene.desk.write(
+        Move("law", "wall-direction", number, (body,)),
+        frame.refs,
+        Relation(((Link(direction, "perpendicular to", vector(*map(tree_of, normal))),),)),
+    )
+    along, _ = whole_direction(frame.t)
+    if scene.model.sign(along.x) < 0:
+        along = -along
+    return scene.desk.write(
+        Move("rearrange"),
+        (line,),
+        Relation(((Link(direction, "parallel to", vector(*map(tree_of, along))),),)),
+    )
+
+
 # --- impulses that are given --------------------------------------------------------------------
 
 

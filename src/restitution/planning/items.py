@@ -10,6 +10,7 @@ from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, has_quantity
 from restitution.planning import journeys
 from restitution.planning.angles import write_other_ratio
+from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import is_angle_sum, outermost, write_expression
 from restitution.planning.forms import tree_of
@@ -32,7 +33,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         _determine(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
-        case Letter() | Quantity() if is_angle(scene, asked):
+        case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))
         case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
             scene.desk.end(name, *write_ratio(scene, function, angle))
@@ -53,6 +54,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         case Quantity("line_of_centres", (), int(number)):
             _axis(scene, number, name)
+        case Quantity("direction", (Name(wall),), None):
+            number = write_wall(scene, wall)
+            scene.desk.end(name, number, scene.desk.relation(number))
         case Quantity("mass" | "restitution"):
             _expression(scene, asked, name)
         case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
@@ -83,6 +87,14 @@ def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:
     if put == value:
         return line
     return scene.desk.write(Move("put"), (line, *refs), chain(asked, (tree_of(put), None)))
+
+
+def _is_wall(scene: Scene, asked: Expression) -> bool:
+    """Whether the direction of a wall is asked."""
+    match asked:
+        case Quantity("direction", (Name(name),), None):
+            return name in scene.model.story.walls
+    return False
 
 
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
