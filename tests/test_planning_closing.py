@@ -161,6 +161,23 @@ def test_a_coefficient_above_one_is_excluded() -> None:
     assert lines(derivation, "define")[0].move.record == "tan-squared"
 
 
+def test_a_range_that_is_given_excludes_a_root() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\n"
+        "given deflection(A) = arctan(1/3), tan(alpha) < 3/4\nfind alpha"
+    )
+    assert lines(derivation, "reject")[0].premises[1:] == ("given 2",)
+
+
+def test_a_root_that_may_be_the_other_is_dropped() -> None:
+    # Where λ = sin²α, e = 0 by either root.
+    _, derivation = planned(
+        f"{WALL}\ngiven energy_lost = lambda energy(0)\nfind e in terms of alpha, lambda"
+    )
+    assert lines(derivation, "reject")[0].premises[1:] == ("e >= 0", "acute: alpha")
+
+
 def test_premises_of_a_law_are_put_in_and_not_said_again() -> None:
     _, derivation = planned(f"{PAIR}\ngiven tan(alpha) = 3/4, speed(B) = 2/5 u\nfind e, speed(A)")
     assert [each.move.record for each in lines(derivation, "law")].count("momentum") == 1
@@ -204,6 +221,15 @@ def test_a_deflection_and_the_speed_after_a_wall_leave_an_angle_to_it() -> None:
     assert moves(derivation).count("identity sum-of-angles") == 2
     assert said(derivation)[0] == "angle(velocity(P, 1), W) = 60° - alpha"
     assert said(derivation)[-1] == "e = 3/10"
+
+
+def test_an_unknown_mass_and_both_speeds() -> None:
+    _, derivation = planned(
+        "sphere A: mass M, velocity 6 at 30°\nsphere B: mass 2, at rest\nA hits B: along i\n"
+        "given speed(A) = sqrt(12), speed(B) = 3 sqrt(3)\nfind M, e"
+    )
+    assert len(lines(derivation, "reject")) == 2
+    assert [each.move.record for each in lines(derivation, "law")].count("restitution") == 1
 
 
 def test_ratios_of_an_angle_come_from_the_one_that_is_known() -> None:
