@@ -118,6 +118,25 @@ WORKINGS = {
         ),
         ["1 < k < 5"],
     ),
+    "to three figures": (
+        (
+            "wall W: along 60°\nsphere P: mass m, velocity u i\nP hits W: e = 1/2\n"
+            "show speed(P) = 0.661u to 3 s.f."
+        ),
+        ["speed(P, 1) ≈ 0.661u"],
+    ),
+    "a letter for an expression": (
+        WALL + "let R = energy(P)/energy(P, 0)\nshow R = 1 - (1 - e^2)sin^2(alpha)",
+        ["R = 1 - (1 - e^2) sin^2(alpha)"],
+    ),
+    "a deflection of more than 90°": (
+        WALL + "given deflection(P) > 90°, e = 1/2\nfind range of tan(alpha)",
+        ["tan(alpha) > sqrt(2)"],
+    ),
+    "a deflection between two": (
+        OBLIQUE + "given alpha = 45°, k = 2\nunknown e\nfind range of deflection(A)",
+        ["arctan(1/2) <= deflection(A, 1) <= arctan(2)"],
+    ),
     "the greatest deflection": (
         EQUAL.format(e=", e = 1/2") + "find maximum of deflection(A) over alpha",
         ["deflection(A, 1) <= arctan(3/4)"],

@@ -200,10 +200,12 @@ class Claims:
             for by in ("rearrange", "identity"):
                 chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))
         known_ = self.judge.known(letters(right))
-        for axes in ((), self.axes(quantity)):
-            pool = (*together(own.refs, extra, axes), *known_)
-            for relation in chains:
-                number_ = self.judge.write((own.move,), pool, relation, own.refs)
+        plain = together(own.refs, extra)
+        wider = together(own.refs, extra, self.axes(quantity))
+        pools = (plain, (*plain, *known_), wider, (*wider, *known_))
+        for relation in chains:
+            for pool in dict.fromkeys(pools):
+                number_ = self.judge.write((own.move,), pool, relation, plain)
                 if number_ is not None:
                     if own.left == quantity:
                         scene.desk.know(quantity, own.value, (number_,))
@@ -572,7 +574,7 @@ class Claims:
             return None
         sign, x = stripped
         name, let = self._letter_for(angle)
-        pool = [fact.id, line, f"0° <= {name} <= 180°", let]
+        pool: list[Ref] = [fact.id, line, f"0° <= {name} <= 180°", let]
         assert isinstance(own.right, Binary)
         known = self._known_in(sp.expand(own.value))
         first = Relation(((Link(swept(own.right.left), FLIPPED[link.sign], ZERO),),))
@@ -844,7 +846,16 @@ class Claims:
             positive = self._compared(support, bounded)
         if positive is None:
             return None
-        return self._compared([line, positive, *rest, *ranges], relation)
+        found = self._compared([line, positive, *rest, *ranges], relation)
+        if found is not None or len(relation.only) == 1:
+            return found
+        ends = [
+            self._compared([line, positive, *rest, *ranges], Relation(((link,),)))
+            for link in relation.only
+        ]
+        if None in ends:
+            return None
+        return self._compared(ends, relation)  # type: ignore[arg-type]
 
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)

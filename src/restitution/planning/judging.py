@@ -88,7 +88,7 @@ class Judge:
     ) -> tuple[Ref, ...] | None:
         """Premises of which a line needs every one; None where it does not follow from all.
 
-        Those that are ``sure`` are not tried one by one.
+        Lines that are ``sure`` are not tried one by one.
         """
         refs = list(dict.fromkeys(pool))
         by_oracle = move.id in ("sign", "compare")
@@ -100,7 +100,7 @@ class Judge:
 
         if not right(refs):
             return None
-        certain = {each for each in sure if not self._is_zero(each)}
+        certain = {each for each in sure if isinstance(each, int) and not self._is_zero(each)}
         for each in tuple(refs)[::-1]:
             if each in certain:
                 continue

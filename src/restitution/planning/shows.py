@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.claims import Claims
+from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
@@ -209,6 +210,10 @@ class _Equation:
         left, right = (self.claims.opened(each) for each in (self.link.left, self.link.right))
         if not has_quantity(left) and not has_quantity(right):
             return self._of_letters()
+        if isinstance(self.link.left, Letter) and not isinstance(left, Letter | Quantity):
+            line = self._of_expression(self.link.left, left)
+            if line is not None:
+                return line
         quantities = list(dict.fromkeys(_quantities(left, right)))
         subjects = [each for each in quantities if each in set(walk(left))]
         if len(quantities) == 1 and len(subjects) == 1:
@@ -216,6 +221,22 @@ class _Equation:
             if line is not None:
                 return line
         return self._of_several(quantities)
+
+    def _of_expression(self, letter: Letter, tree: Expression) -> int | None:
+        """A letter of the statement for an expression of quantities."""
+        mark = self.claims.mark()
+        worth = self.claims.worth(tree)
+        if worth is not None:
+            known = self.judge.known(letters(self.link.right))
+            value = self.scene.desk.last_link(worth).right
+            for first in (self.link, Link(letter, "=", value)):
+                line = self.judge.write(
+                    (Move("put"),), [f"let {letter.name}", worth, *known], Relation(((first,),))
+                )
+                if line is not None:
+                    return line if first == self.link else self._last([line, *known])
+        self.claims.back(mark)
+        return None
 
     # --- letters --------------------------------------------------------------------------------
 
@@ -230,13 +251,23 @@ class _Equation:
         raise NotPlannedError("a relation of letters")
 
     def _last(self, pool: Sequence[Ref]) -> int | None:
-        return self.judge.write(_LAST, pool, self.relation)
+        line = self.judge.write(_LAST, pool, self.relation)
+        if line is not None:
+            return line
+        # Letters that have values were put in on the way.
+        names = letters(self.link.left) | letters(self.link.right)
+        known = (self.scene.desk.known(Letter(name)) for name in sorted(names))
+        refs = [ref for own in known if own is not None for ref in own.refs]
+        return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
 
     # --- one quantity ---------------------------------------------------------------------------
 
     def _of_one(self, quantity: Quantity) -> int | None:
         claims = self.claims
         own = claims.formula(quantity)
+        match self.link.left:
+            case Apply("cos", _) if quantity.kind == "deflection":
+                own = cosine_of_deflection(self.scene, quantity)
         left, extra = claims.named(own, quantity)
         for axes in ((), claims.axes(quantity)):
             line = self._by_definition(own, left, extra, together(own.refs, extra, axes))
@@ -276,7 +307,7 @@ class _Equation:
         if number is None:
             return None
         for by in ("rearrange", "identity"):
-            chain = Relation(((first, Link(start, "=", right, by)),))  # type: ignore[arg-type]
+            chain = Relation(((first, Link(start, "=", right, by)),))
             move = replace(own.move)
             if by == "identity" or self.judge.follows(move, pool, chain):
                 refs = self.judge.needed(move, [*pool, *known], chain, own.refs)
