@@ -630,12 +630,20 @@ class Claims:
                     case Quantity("along" | "across" | "dot"):
                         for velocity in each.arguments:
                             refs += self._components_of(velocity)
+                            refs += self._axis_named(velocity)
                         refs += self.axes(each)
                     case Quantity("velocity"):
                         continue
                     case Quantity(kind) if kind not in ("mass", "line_of_centres"):
                         refs.append(self.quantity(each))
         return together(refs)
+
+    def _axis_named(self, tree: Expression) -> tuple[Ref, ...]:
+        """The fact that gives the line of centres by which a component is named."""
+        match tree:
+            case Quantity("line_of_centres", (), int(event)):
+                return tuple(r for r in (f"axis {event}",) if self.exists(r))
+        return ()
 
     def _components_of(self, tree: Expression) -> list[Ref]:
         refs: list[Ref] = []
@@ -1142,7 +1150,8 @@ class Claims:
                 symbol = own if own.is_Symbol else -own
                 if symbol not in {each.symbol for each in scene.model.components.values()}:
                     tree = quantity if sense == 1 else side
-                    return tree, (*source.whole, *frame.refs), value
+                    refs = (*source.whole, *frame.refs, *self._axis_named(axis))
+                    return tree, tuple(dict.fromkeys(refs)), value
                 return tree_of(sense * own), self._explicit(symbol, source), value
         return side, (), sp.sympify(scene.scalar(side), strict=True)
 
