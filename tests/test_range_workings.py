@@ -134,7 +134,7 @@ def test_the_corpus_has_ranges() -> None:
             given energy_lost < 500
             find range of u
             """,
-            ["It is given that kinetic energy lost < 500:", "kmu²(1 − e²) < 1000(k + 1)"],
+            ["Since kinetic energy lost < 500:", "kmu²(1 − e²)/(2(k + 1)) < 500"],
         ),
         (
             """
@@ -153,7 +153,7 @@ def test_the_corpus_has_ranges() -> None:
             given energy_lost = 1/4 energy(0)
             find range of e
             """,
-            ["4e² < 3"],
+            ["sin²α = 1/(4(1 − e²))", "0 ≤ e < √3/2", "as α is acute"],
         ),
         (
             """
@@ -258,6 +258,6 @@ given speed(A) = speed(B)
 find e, velocity(B)
 """
     working = " ".join(str(explain(restitution.solve(restitution.parse(text)))).split())
-    assert "This holds for 0 ≤ e ≤ 1 only." in working
+    assert working.lower().count("this holds for") == 1
     assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ 2(u − kv)/((k − 1)(u + v)) ≤ 1 only." in working
     assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ e ≤ 1" not in working

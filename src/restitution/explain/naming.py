@@ -26,6 +26,7 @@ from restitution.explaining.trees import rebuilt, settled, trees_of
 from restitution.expression.tree import (
     Apply,
     AtTime,
+    Binary,
     Expression,
     Letter,
     Name,
@@ -121,6 +122,12 @@ class Naming:
         if link.sign == "perpendicular to":
             return say("claim.perpendicular", left=left, right=right)
         if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
+            match link.right:
+                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                    return say("derived.same", quantity=left, value=right)
+                case Binary("*", size, Quantity() as whole) if _is_share(size):
+                    share = self.laid(size)
+                    return say("derived.share", quantity=left, share=share, value=self.side(whole))
             return say("derived.is", quantity=left, value=right)
         return self.relation(fact.relation)
 
@@ -437,4 +444,14 @@ def _is_rest(tree: Expression) -> bool:
             return not value
         case Pair(Number(x), Number(y)):
             return not x and not y
+    return False
+
+
+def _is_share(tree: Expression) -> bool:
+    """Whether a number is a part of a whole."""
+    match tree:
+        case Number(value):
+            return 0 < value < 1
+        case Binary("/", Number(above), Number(below)):
+            return 0 < above < below
     return False

@@ -608,6 +608,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.complement": "By the complement of the angle:",
     "derived.called": "the {quantity}",
     "derived.is": "the {quantity} is {value}",
+    "derived.same": "the {quantity} is the {value}",
+    "derived.share": "the {quantity} is {share} of the {value}",
     "derived.since": "Since {facts:and}:",
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
