@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move
-from restitution.expression.tree import Binary, Name, Quantity
+from restitution.expression.tree import Name, Quantity
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import product, swept, tree_of
+from restitution.planning.forms import difference, product, swept, tree_of
 from restitution.planning.resolving import along_axis
 from restitution.planning.scene import Scene
 from restitution.problem import Kick
@@ -30,14 +30,16 @@ def _write_blow(scene: Scene, body: str, number: int, quantity: Quantity) -> Sou
     """``I = m(v - u)`` as vectors, and the velocity after it."""
     impulse, mass = scene.data(f"impulse {number}"), scene.mass(body)
     early = velocity_before(scene, body, number)
-    change = Binary("-", quantity, tree_of(early.value))
-    law = scene.desk.write(
-        Move("law", "impulse-vector", number, (body,)),
-        together(mass.refs, early.refs, impulse.refs),
-        chain(tree_of(impulse.value), (swept(product(tree_of(mass.value), change)), None)),
-    )
     pairs = zip(early.value, impulse.value, strict=True)
     value = Vector(*(tidy(a + b / mass.value) for a, b in pairs))
+    move = Move("law", "impulse-vector", number, (body,))
+    refs = together(mass.refs, early.refs, impulse.refs)
+    change = swept(product(tree_of(mass.value), difference(quantity, tree_of(early.value))))
+    if change == quantity:
+        # Of a mass of 1 at rest the impulse is the velocity.
+        line = scene.desk.write(move, refs, chain(quantity, (tree_of(value), None)))
+        return scene.desk.know(quantity, value, (line,))
+    law = scene.desk.write(move, refs, chain(tree_of(impulse.value), (change, None)))
     line = scene.desk.write(Move("rearrange"), (law,), chain(quantity, (tree_of(value), None)))
     return scene.desk.know(quantity, value, (line,))
 

@@ -80,7 +80,18 @@ def formula(scene: Scene, quantity: Quantity) -> Formula:
 
 def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
     """A time, a place or a distance, as the line has it that is written for it."""
-    number_, value = journeys.write(scene, quantity)
+    return _of_line(scene, quantity, *journeys.write(scene, quantity))
+
+
+def _after_a_blow(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity after a blow, which is known as a vector; None after another event."""
+    if not stage or stage in scene.model.frames:
+        return None
+    return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+
+
+def _of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
+    """What a line says that stands, as a definition."""
     line = scene.desk.line(number_)
     right = scene.desk.relation(number_).only[0].right
     return Formula(line.move, _itself, quantity, right, value, line.premises)
@@ -171,6 +182,11 @@ def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, t
     """The square of a speed by its components: as a tree, as a value, and what it rests on."""
     if not stage:
         return _initial_square(scene, body)
+    struck = _after_a_blow(scene, body, stage)
+    if struck is not None:
+        value, _ = scene.put(struck.value)
+        tree = total(square(tree_of(each)) for each in value if each != 0)
+        return tree, sum(each**2 for each in value), struck.refs
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
     refs = together(*(each.refs for each in own), _bridge(frame, own))
