@@ -27,7 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.claims import Claims
-from restitution.planning.deflections import cosine_of_deflection
+from restitution.planning.tangents import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
