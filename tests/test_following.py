@@ -44,6 +44,38 @@ sphere C: mass 1, velocity 5i + j
 A hits W: e = 1/2
 find velocity(A)
 """
+OPEN_RATIO = """
+wall W: along i
+sphere P: velocity 3u i - 5u j
+P hits W
+find angle(velocity(P), W)
+"""
+ARC = """
+1 a | let | | let beta = angle(velocity(P, 1), W)
+2 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = 3u
+3 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 5e u
+4 a | define tan 1 P | axis 1, 1, 2, 3 | tan(beta) = 5e u/(3u) = 5e/3 [rearrange]
+5 a | inverse | 0° <= beta <= 90°, 4 | beta = arctan({})
+"""
+SAID_IN_BOTH = """
+wall W: along i
+sphere P: velocity 3i - 5j
+P hits W
+part a
+given speed(P) = 5
+find e
+part b
+given speed(P) = {}
+find velocity(P)
+"""
+AGAIN = """
+1 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 5e
+2 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = 3
+3 a | define speed 1 P | given 1, 1, 2 | 5^2 = (5e)^2 + 3^2
+4 {item} | define speed 1 P | given {fact}, 1, 2 | 5^2 = (5e)^2 + 3^2
+a: 3 e = 4/5
+b: 4 e = 4/5
+"""
 PARALLEL = """
 wall W: along i
 wall X: along i
@@ -202,6 +234,7 @@ DECIMAL = f"""
             "1 a | law unchanged 1 P | given 1, given 2, velocity P | cos(beta) = sin(alpha)",
             "does-not-follow",
         ),
+        (OPEN_RATIO, ARC.format("3/(5e)"), "does-not-follow"),
     ],
 )
 def test_what_only_looks_right_is_refused(statement: str, working: str, expected: str) -> None:
@@ -223,6 +256,7 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (PARALLEL, SECOND_WALL.format("u cos(alpha)")),
         (LEFT, ALONG_A_WALL.format("3")),
         (UPWARDS, IMPULSE.format("12")),
+        (OPEN_RATIO, ARC.format("5e/3")),
         (SPHERES, f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2 ≈ 2 [value]"),
         (
             WALL.format("sin(2alpha) = u cos(2alpha)"),
@@ -232,6 +266,13 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
 )
 def test_what_is_right_is_followed(statement: str, working: str) -> None:
     assert complaints(statement, working) == []
+
+
+def test_what_rests_on_a_fact_of_another_part_may_be_said_again() -> None:
+    statement = SAID_IN_BOTH.format("5")
+    again, twice = (AGAIN.format(item=n, fact=k) for n, k in (("b", 2), ("a", 1)))
+    assert "said-before" not in complaints(statement, again)
+    assert "said-before" in complaints(statement, twice)
 
 
 # --- cases ----------------------------------------------------------------------------------------
