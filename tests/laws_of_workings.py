@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Container, Iterable, Iterator
+from fractions import Fraction
 
 from derivations import disagreement, oracle_of
 from numbers_of_workings import BeyondError, Judge
@@ -28,7 +29,10 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Pair,
+    Polar,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -322,6 +326,45 @@ def units(solution: Solution, derivation: Derivation) -> list[str]:
     return [f"no {unit}" for unit in wanted if unit.replace("\u00a0", " ") not in text]
 
 
+_OF_VECTORS = frozenset(
+    ("momentum-vector", "impulse-vector", "across-the-impulse", "along-the-change")
+    + ("equal-across", "component", "assemble")
+)
+
+
+def vectors(solution: Solution, derivation: Derivation) -> list[str]:
+    """Where vectors meet along a slanting line, vectors or scalar products are used."""
+    found = []
+    for event in derivation.events:
+        fact = derivation.fact(f"axis {event.number}")
+        own = [e for e in derivation.lines if e.move.event == event.number and e.move.id == "law"]
+        if fact is None or not own or not _slants(fact.relation.only[0].right):
+            continue
+        given = [derivation.fact(f"velocity {body}") for body in event.bodies]
+        right = [each.relation.only[0].right for each in given if each is not None]
+        moving = [each for each in right if each != Pair(_NOTHING, _NOTHING)]
+        first = all(
+            e.number >= event.number for e in derivation.events if {*e.bodies} & {*event.bodies}
+        )
+        if not first or not moving or any(isinstance(x, Polar) for y in moving for x in walk(y)):
+            continue
+        if not any(
+            line.move.record in _OF_VECTORS
+            for line in derivation.lines
+            if line.move.event == event.number
+        ):
+            found.append(f"no vector and no scalar product at event {event.number}")
+    return found
+
+
+def _slants(tree: Expression) -> bool:
+    while isinstance(tree, Negate):
+        tree = tree.operand
+    return not isinstance(tree, Unit)
+
+
+_NOTHING = Number(Fraction(0))
+
 LAWS: dict[str, Law] = {
     "a printed result is reached, not used": printed_results,
     "every fact is used": facts_used,
@@ -331,6 +374,7 @@ LAWS: dict[str, Law] = {
     "one exact form": one_form,
     "marks": marks,
     "letters are those of the figure": names,
+    "vectors stay vectors": vectors,
     "units": units,
 }
 
