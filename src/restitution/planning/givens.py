@@ -93,7 +93,19 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             _decided(scene, own.left)
         if not has_quantity(own.right) and not journeys.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
+    match own.left:
+        case Apply("tan", Quantity("angle") as angle) if not has_quantity(own.right):
+            return _tangent(scene, each, formula(scene, angle))
     return _of_several(scene, each)
+
+
+def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
+    """The tangent of an angle, by its definition, with its value on the left."""
+    value, refs = scene.put(scene.scalar(each.link.right))
+    left = each.link.right if not refs else tree_of(value)
+    return scene.desk.write(
+        own.move, together((each.fact.id,), refs, own.refs), chain(left, (swept(own.right), None))
+    )
 
 
 def _is_right(scene: Scene, own: Link) -> bool:
@@ -252,6 +264,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 refs.append(number)
                 continue
             if not isinstance(node.stage, int):
+                if node.kind == "angle":
+                    raise NotPlannedError("a relation with angles")
                 continue
             made = formula(scene, node)
             if made.left != node:
