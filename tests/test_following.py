@@ -235,6 +235,7 @@ DECIMAL = f"""
             "does-not-follow",
         ),
         (OPEN_RATIO, ARC.format("3/(5e)"), "does-not-follow"),
+        (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = 2U", "does-not-follow"),
     ],
 )
 def test_what_only_looks_right_is_refused(statement: str, working: str, expected: str) -> None:
@@ -257,6 +258,7 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (LEFT, ALONG_A_WALL.format("3")),
         (UPWARDS, IMPULSE.format("12")),
         (OPEN_RATIO, ARC.format("5e/3")),
+        (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = U"),
         (SPHERES, f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2 ≈ 2 [value]"),
         (
             WALL.format("sin(2alpha) = u cos(2alpha)"),

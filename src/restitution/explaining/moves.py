@@ -37,6 +37,7 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Polar,
     Quantity,
     rational,
     walk,
@@ -323,7 +324,20 @@ def _define(step: Step, line: Link) -> bool:
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return _is_tie(step, line)
-    return _law(step, line)
+    return (step.move.record == "speed" and _is_read_off(step, line)) or _law(step, line)
+
+
+def _is_read_off(step: Step, line: Link) -> bool:
+    """A speed by a velocity that is given by its size and an angle."""
+    for link in step.links:
+        match link:
+            case Link(Quantity("velocity", arguments, stage), "=", Polar(size)):
+                if line.sign != "=" or line.left != Quantity("speed", arguments, stage):
+                    continue
+                known, right = (step.world.scalar(each) for each in (size, line.right))
+                if (known - right).vanishes and step.signs.of(known) == 1:
+                    return True
+    return False
 
 
 def _is_resolved(step: Step, line: Link) -> bool:
