@@ -64,7 +64,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case Quantity("along" | "across") if _is_named(scene, asked):
             known = scene.desk.known(asked)
             assert known is not None
-            _letter(scene, next(iter(known.value.free_symbols)), name)
+            _letter(scene, asked, next(iter(known.value.free_symbols)), name)
         case Quantity() if (line := _written(scene, asked)) is not None:
             scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         case Quantity():
@@ -183,17 +183,22 @@ def _is_named(scene: Scene, asked: Quantity) -> bool:
     return known is not None and known.value in letters
 
 
-def _letter(scene: Scene, letter: sp.Symbol, name: str) -> None:
+def _letter(scene: Scene, asked: Expression, letter: sp.Symbol, name: str) -> None:
     """A component that a letter stands for: by the line that says what the letter is."""
     tree = Letter(letter.name)
     known = scene.desk.known(tree)
     if known is None:
         raise NotPlannedError(f"{letter} is open")
+    if not scene.model.identically_zero(scene.scalar(asked) - letter):
+        # The axis of a working points as it was typed, the line of centres to the second sphere.
+        raise NotPlannedError("a component against the line of centres")
     (line,) = (each for each in known.refs if isinstance(each, int))
     scene.desk.end(name, line, chain(tree, (_right(scene, line), None)))
 
 
 def _right(scene: Scene, line: int) -> Expression:
+    if len(scene.desk.relation(line).options) > 1:
+        raise NotPlannedError("an answer that is one of several")
     return scene.desk.last_link(line).right
 
 
