@@ -288,6 +288,8 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         trees.append(negative(tree) if scene.model.sign(each.value) < 0 else tree)
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
+    if not all(is_zero(a) or _of_one_sign(scene, b.value) for a, b in zip(trees, (above, below))):
+        raise NotPlannedError("a tangent of open sign")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
     refs = together(above.whole, below.whole, frame.names_axis("along"), frame.names_axis("across"))
@@ -298,6 +300,13 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         Binary("/", *trees),
         tidy(value),
         refs,
+    )
+
+
+def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
+    """Whether a component has one sign, or is 0 at most at an end, for all admissible letters."""
+    return scene.model.proved_sign(value) is not None or bool(
+        scene.model.decide(scene.model.sign(value) * scene.model.in_data(value), ">=", 0)
     )
 
 
