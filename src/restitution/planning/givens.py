@@ -195,8 +195,10 @@ def _component(scene: Scene, each: GivenEquation) -> int:
     own = formula(scene, quantity)
     value, refs = scene.put(scene.scalar(each.link.right))
     left, right = tree_of(own.value), tree_of(value)
+    named = scene.desk.known(quantity)
+    of_it = own.refs if named is None or named.value != own.value else named.refs
     return scene.desk.write(
-        Move("put"), together((each.fact.id,), refs, own.refs), chain(left, (right, None))
+        Move("put"), together((each.fact.id,), refs, of_it), chain(left, (right, None))
     )
 
 

@@ -575,6 +575,8 @@ def _deflection(scene: Scene, quantity: Quantity) -> Formula:
     (c, s), (d, t) = early, late
     dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
     cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
+    if not _of_one_sign(scene, cross):
+        raise NotPlannedError("to which side a sphere turns is open")
     trees = [tree_of(each.value) for each in (c, s, d, t)]
     above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
     if scene.model.sign(cross) < 0:
