@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -9,7 +10,7 @@ import sympy as sp
 
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.notation import read_relation, write_relation
 from restitution.expression.tree import rational
 from restitution.language import parse
 from restitution.oracle import Oracle
@@ -227,3 +228,42 @@ def test_every_line_is_on_the_way() -> None:
     assert all(line.number in cited | ends for line in derivation.lines)
     assert [line.number for line in derivation.lines] == list(range(1, len(derivation.lines) + 1))
     assert complaints(problem, derivation) == []
+
+
+def altered(derivation: Derivation, number: int, text: str) -> Derivation:
+    """A derivation in which a line says something else."""
+    relation = read_relation(text, {"A": "sphere", "B": "sphere", "P": "sphere", "W": "wall"})
+    lines = tuple(
+        replace(each, relation=relation) if each.number == number else each
+        for each in derivation.lines
+    )
+    return replace(derivation, lines=lines)
+
+
+@pytest.mark.parametrize("decimal", ["0.662u", "0.66u^2", "0.661"])
+def test_a_wrong_decimal_before_letters_is_refused(decimal: str) -> None:
+    problem, derivation = planned(WORKINGS["to three figures"][0])
+    last = derivation.items[0].line
+    wrong = altered(derivation, last, f"speed(P, 1) ≈ {decimal}")
+    assert f"line {last}: does not follow" in complaints(problem, wrong)
+
+
+def test_an_angle_is_reached_where_its_tangent_is_that_of_the_bound() -> None:
+    problem, derivation = planned(WORKINGS["the greatest deflection"][0])
+    last = derivation.line(derivation.items[0].line)
+    assert last is not None
+    place = last.premises[1]
+    assert isinstance(place, int)
+    wrong = altered(derivation, place, "tan(alpha) != 1 or tan(deflection(A, 1)) = 3/5")
+    assert complaints(problem, wrong) == [f"line {last.number}: does not follow"]
+
+
+def test_at_rest_is_said_of_no_other_velocity() -> None:
+    problem, derivation = planned(
+        WORKINGS["at rest"][0]
+        .replace("2m, at rest", "3m, at rest")
+        .replace("show A at rest", "find velocity(A)")
+    )
+    last = derivation.items[0].line
+    wrong = altered(derivation, last, "velocity(A, 1) = 0")
+    assert f"line {last}: does not follow" in complaints(problem, wrong)

@@ -26,7 +26,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.claims import Claims
+from restitution.planning.claims import Claims, has_quantity_in
+from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
@@ -34,7 +35,6 @@ from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.scene import Scene
-from restitution.planning.tangents import cosine_of_deflection
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
 from restitution.solve.solution import ItemResult
 
@@ -254,11 +254,20 @@ class _Equation:
         line = self.judge.write(_LAST, pool, self.relation)
         if line is not None:
             return line
-        # Letters that have values were put in on the way.
+        # Letters that have values were put in on the way; others are tied by what is given.
         names = letters(self.link.left) | letters(self.link.right)
         known = (self.scene.desk.known(Letter(name)) for name in sorted(names))
         refs = [ref for own in known if own is not None for ref in own.refs]
+        refs += self._between_letters()
         return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
+
+    def _between_letters(self) -> list[Ref]:
+        """The given equations between letters."""
+        return [
+            each.fact.id
+            for each in self.scene.given
+            if each.link.sign == "=" and not has_quantity_in(each.fact.relation)
+        ]
 
     # --- one quantity ---------------------------------------------------------------------------
 
