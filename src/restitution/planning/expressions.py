@@ -26,6 +26,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
 
     Raises NotPlannedError where something in it is open.
     """
+    if is_angle_sum(asked) and isinstance(asked, Binary):
+        raise NotPlannedError("a sum of angles of the motion")
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     for node in outermost(asked):
@@ -45,9 +47,6 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         if right != final:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
         return line, final
-    if is_angle_sum(asked):
-        line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
-        return line, right
     if len(set(refs)) == 1:
         # Of one line there is nothing to put in.
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))

@@ -12,12 +12,12 @@ from restitution.planning import journeys
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.expressions import is_angle_sum, outermost, write_expression
+from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import is_angle, write_angle, write_decimal, write_ratio
+from restitution.planning.turning import is_angle, write_angle, write_ratio
 from restitution.vector import Vector
 
 
@@ -99,10 +99,7 @@ def _is_wall(scene: Scene, asked: Expression) -> bool:
 
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
     line, value = write_expression(scene, asked)
-    if is_angle_sum(asked):
-        scene.desk.end(name, *write_decimal(scene, line))
-    else:
-        scene.desk.end(name, line, chain(asked, (value, None)))
+    scene.desk.end(name, line, chain(asked, (value, None)))
 
 
 def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:

@@ -365,14 +365,20 @@ def _direction(scene: Scene, quantity: Quantity) -> Formula:
 
 
 def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
-    """Why a sphere moves along the line of centres: it has no component across; () if it has."""
+    """Why a sphere moves along the line of centres, or across it: the component that is zero.
+
+    () where both components are not zero.
+    """
     if stage not in scene.model.frames:
         return ()
     frame = scene.frame(stage)
     if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
         return ()
-    across = in_direction(scene, "across", body, stage, frame)
-    return together(across.refs, frame.refs) if across.value == 0 else ()
+    for kind in ("across", "along"):
+        own = in_direction(scene, kind, body, stage, frame)
+        if own.value == 0:
+            return together(own.refs, frame.refs)
+    return ()
 
 
 # --- impulses and energies ---------------------------------------------------------------------

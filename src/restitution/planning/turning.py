@@ -23,16 +23,16 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.planning.angles import range_of
+from restitution.planning.closing import nonzero, sign_known
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
-from restitution.planning.premises import nonzero
 from restitution.planning.quantities import (
     body_and_stage,
     formula,
     in_the_plane,
     velocity_source,
+    write_formula,
 )
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -98,12 +98,9 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = _by_sum(scene, asked)
     else:
         right = own.angle or _angle_of(own)
-        named: tuple[Ref, ...] = ()
-        if isinstance(right, Binary) and isinstance(right.right, Letter):
-            named = (range_of(scene, right.right.name),)  # of 90° − α
         line = scene.desk.write(
             Move("inverse"),
-            together((own.line, own.extent), own.side, named),
+            together((own.line, own.extent), own.side),
             chain(Letter(own.letter), (right, None)),
         )
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
@@ -219,8 +216,6 @@ def _angle_of(own: Ratio) -> Expression:
         if isinstance(size, Degrees):
             return Degrees(straight.value - size.value)
         return difference(straight, size)
-    if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
-        return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 
@@ -312,11 +307,23 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
 def _between(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between two velocities, by their scalar product."""
     pair = [body_and_stage(scene, each) for each in asked.arguments]
-    sources = [velocity_source(scene, *each) for each in pair]
+    sources = [_whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
     return _by_scalar(scene, move, sources, asked)
+
+
+def _whole_velocity(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector; where its components are not along **i** and **j**, by a line."""
+    source = velocity_source(scene, body, stage)
+    if stage not in scene.model.frames or len(source.refs) == 1:
+        return source
+    frame = scene.frame(stage)
+    if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
+        return source
+    number = write_formula(scene, formula(scene, Quantity("velocity", (Name(body),), stage)))
+    return Source(source.value, (number,))
 
 
 def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio:
@@ -367,7 +374,7 @@ def _deflection(
     dot, cross = tidy(sp.expand(a.dot(b))), tidy(sp.expand(a.cross(b)))
     square_ = scene.model.identically_zero(dot)
     if square_ or wanted == "cos" or scene.model.identically_zero(cross):
-        if frame.wall is not None and square_:
+        if frame.wall is not None:
             refs = together(*(each.refs for each in (*early, *late)))
         pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
         right, value = cosine(pairs, a, b)
@@ -375,7 +382,7 @@ def _deflection(
             value = sp.Integer(scene.model.sign(value))
         letter, meaning = _named(scene, asked)
         move = Move("define", "scalar-angle", event, (body,))
-        refs = together((meaning,), refs)
+        refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
         line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
     if frame.wall is not None and wanted is None:
@@ -395,6 +402,12 @@ def _deflection(
         own.value,
     )
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+
+
+def _own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:
+    """What has to be known for the only component of a vector to be its size."""
+    parts = [each for each in vector if each != 0]
+    return sign_known(scene, parts[0]) if len(parts) == 1 else ()
 
 
 def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
@@ -447,8 +460,9 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     """The angle to a wall at which a velocity is given."""
     if velocity.stage:
         return None
-    body, _ = body_and_stage(scene, velocity)
-    fact = scene.facts.get(f"velocity {body}")
+    (body,) = velocity.arguments
+    assert isinstance(body, Name)
+    fact = scene.facts.get(f"velocity {body.name}")
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
             assert fact is not None
