@@ -69,6 +69,26 @@ P hits W
 given velocity(P) = -i + 4j
 find line_of_centres, e, impulse(P)
 """,
+    "a wall whose direction is asked": """
+wall W
+sphere P: mass 2, velocity 4i + 3j
+P hits W: e = 1/2
+given impulse(P) parallel to i - 2j
+find direction(W), velocity(P)
+""",
+    "equal speeds": """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity v j
+A hits B: along i, e = 1/2
+given speed(A) = 2 speed(B)
+find v
+""",
+    "a wall at an angle in letters": """
+wall W: along theta
+sphere P: mass m, velocity u i
+P hits W: e = 1/2
+find speed(P), tan(angle(velocity(P), W)), energy_lost
+""",
     "a line of centres that is found by an impulse": """
 sphere A: mass m, velocity 3u i + u j
 sphere B: mass 2m, velocity -u j
