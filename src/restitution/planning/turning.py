@@ -23,10 +23,10 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.planning.closing import nonzero, sign_known
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
+from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
     body_and_stage,
     formula,
