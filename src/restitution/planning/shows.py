@@ -27,7 +27,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.claims import Claims, has_quantity_in
-from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
@@ -35,6 +34,7 @@ from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.scene import Scene
+from restitution.planning.tangents import cosine_of_deflection
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
 from restitution.solve.solution import ItemResult
 
