@@ -968,7 +968,7 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
         case "*":
             if _ends_in_number(left) and _begins_with_digit(right):
                 return product(left, right, sign="×")
-            if not isinstance(left, Number) and isinstance(right, Number):
+            if not isinstance(left, Number) and _begins_with_number(right):
                 return product(left, right, sign="×")
             if isinstance(right, Product) and _begins_with_digit(right):
                 return product(left, Brackets(right))  # 2m(3u), not 2m3u
@@ -997,6 +997,13 @@ def _ends_in_number(layout: Layout) -> bool:
     return isinstance(layout, Number | Fraction | Power) and (
         not isinstance(layout, Power) or isinstance(layout.base, Number)
     )
+
+
+def _begins_with_number(layout: Layout) -> bool:
+    """Whether a factor is a number, or a product that begins with one: ``u × 2v``."""
+    if isinstance(layout, Product) and layout.sign == "":
+        layout = layout.factors[0]
+    return isinstance(layout, Number)
 
 
 def _begins_with_digit(layout: Layout) -> bool:
