@@ -232,6 +232,24 @@ def test_an_unknown_mass_and_both_speeds() -> None:
     assert [each.move.record for each in lines(derivation, "law")].count("restitution") == 1
 
 
+def test_an_angle_and_the_speed_after_a_wall_are_put_into_both_laws() -> None:
+    _, derivation = planned(
+        f"{WALL}\ngiven angle(velocity(P), W) = 30°, speed(P) = 1/2 u\nfind alpha, e"
+    )
+    assert said(derivation)[0] == "1/2 u cos(30°) = u cos(alpha)"
+    assert len(lines(derivation, "law")) == 2
+
+
+def test_a_sphere_that_goes_across_the_line_of_centres() -> None:
+    _, derivation = planned(
+        "sphere A: mass m, velocity u at 60°\nsphere B: mass k m, at rest\nA hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = 90°, speed(B) = 1/3 u\nfind k, e"
+    )
+    assert lines(derivation, "define")[0].move.record == "perpendicular"
+    (reject,) = lines(derivation, "reject")
+    assert len(reject.premises) == 2
+
+
 def test_ratios_of_an_angle_come_from_the_one_that_is_known() -> None:
     _, derivation = planned(
         "sphere A: mass 2, velocity 10 at alpha\nsphere B: mass 1, velocity 10 at beta from -i\n"

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Name, Polar, Quantity, letters
+from restitution.expression.tree import Apply, Binary, Expression, Name, Polar, Quantity, letters
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.impacts import in_direction
@@ -87,20 +87,26 @@ def _written(
 def turned_at_a_wall(
     scene: Scene, turned: GivenEquation, fast: GivenEquation
 ) -> tuple[int, int] | None:
-    """Both laws at a wall, of a speed after it and the angle that a deflection leaves to the wall.
+    """Both laws at a wall, of a speed after it and its angle to the wall.
 
-    None where what is given is not that: the angle at which the body comes, a deflection that is
-    no right angle, and a speed.
+    The angle is given, or is what a deflection leaves of it. None where what is given is not that:
+    the angle at which the body comes, an angle or a deflection, and a speed.
     """
-    quantity, speed = turned.link.left, fast.link.left
-    match quantity, speed:
+    match turned.link.left, fast.link.left:
         case (
             Quantity("deflection", (Name(body),), int(event)),
             Quantity("speed", (Name(other),), int(stage)),
-        ) if body == other and stage == event and event in scene.model.frames:
+        ):
+            pass
+        case (
+            Quantity("angle", (Quantity("velocity", (Name(body),), int(event)), Name())),
+            Quantity("speed", (Name(other),), int(stage)),
+        ):
             pass
         case _:
             return None
+    if body != other or stage != event or event not in scene.model.frames:
+        return None
     frame = scene.frame(event)
     fact = scene.facts.get(f"velocity {body}")
     if frame.wall is None or fact is None or scene.last_event(body, event - 1):
@@ -112,12 +118,18 @@ def turned_at_a_wall(
             return None
     wall = Name(frame.wall)
     later = Quantity("angle", (Quantity("velocity", (Name(body),), event), wall))
-    rest = Binary("-", turned.link.right, angle)
-    line = scene.desk.write(
-        Move("define", "sum", event, (body,)),
-        together((turned.fact.id, fact.id)),
-        chain(later, (rest, None)),
-    )
+    if turned.link.left == later:
+        rest: Expression = turned.link.right
+        source: Ref = turned.fact.id
+    elif turned.link.left.kind == "deflection":
+        rest = Binary("-", turned.link.right, angle)
+        source = scene.desk.write(
+            Move("define", "sum", event, (body,)),
+            together((turned.fact.id, fact.id)),
+            chain(later, (rest, None)),
+        )
+    else:
+        return None
     refs = together((turned.fact.id, fact.id, f"wall {wall.name}", fast.fact.id), frame.refs)
     size_after = fast.link.right
     law = Move("law", "unchanged", event, (body,))
@@ -134,8 +146,8 @@ def turned_at_a_wall(
         (law, along, ()),
         (replace(law, record="restitution-wall"), away, e.refs),
     ):
-        pool = [each for each in together(refs, more, (line,)) if each != turned.fact.id]
-        own = needed(scene, move, [line, fast.fact.id, fact.id, *more], relation, pool)
+        pool = [each for each in together(refs, more) if each != turned.fact.id]
+        own = needed(scene, move, [source, fast.fact.id, fact.id, *more], relation, pool)
         if own is None:
             return None
         lines.append(scene.desk.write(move, own, relation))

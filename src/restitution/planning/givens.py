@@ -23,9 +23,19 @@ from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import write_deflection
-from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.forms import ONE, in_tangents, neat, product, square, swept, tree_of
+from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.forms import (
+    ONE,
+    ZERO,
+    in_tangents,
+    neat,
+    product,
+    square,
+    swept,
+    tree_of,
+)
 from restitution.planning.impacts import scene_value
+from restitution.planning.premises import needed
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -143,6 +153,8 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         raise NotPlannedError("a vector that is given")
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
+    if own.move.record == "tan" and value == sp.pi / 2:
+        return _right_angle(scene, each, own)
     if own.move.record == "tan" and _of_open_sense(scene, own):
         return _squared_tangent(scene, each, own, value, refs)
     if own.move.record == "tan":
@@ -157,6 +169,17 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     else:
         relation = chain(own.of(left), (swept(own.right), None))
     return scene.desk.write(own.move, together((each.fact.id,), refs, own.refs), relation)
+
+
+def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
+    """An angle of 90°: the component in the direction of the line is zero."""
+    assert isinstance(own.right, Binary)
+    move = replace(own.move, record="perpendicular")
+    relation = Relation(((link(own.right.right, ZERO),),))
+    refs = needed(scene, move, (each.fact.id,), relation, own.refs)
+    if refs is None:
+        raise NotPlannedError("a right angle")
+    return scene.desk.write(move, refs, relation)
 
 
 def _of_open_sense(scene: Scene, own: Formula) -> bool:

@@ -191,7 +191,7 @@ def _rejected(
     for ref in laws:
         names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
     rest = [each for each in background(scene, names) if each not in own]
-    for premises in _by_laws(laws, rest):
+    for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
         if follows_from(scene, move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
     refs = needed(scene, move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
@@ -206,6 +206,25 @@ def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref,
     if role is not None and role.kind == "restitution":
         return own[:1]
     return own
+
+
+def _by_one_law(
+    scene: Scene, laws: tuple[Ref, ...], rest: Sequence[Ref]
+) -> Iterable[tuple[Ref, ...]]:
+    """The same of one law, where it holds no other component: the later one first."""
+    components = {each.symbol for each in scene.model.components.values()}
+    for law in reversed(laws):
+        letters = residual(scene, law).free_symbols  # type: ignore[arg-type]
+        if len(letters & components) > 1:
+            continue
+        names = {each.name for each in letters}
+        own = [each for each in rest if any(name in str(each).split() for name in names)]
+        yield (law,)
+        for sign in (">= 0", "<= 1"):
+            angles = [each for each in own if not str(each).endswith(("= 0", "= 1"))]
+            ends = [each for each in own if str(each).endswith(sign)]
+            if ends or angles:
+                yield (law, *ends, *angles)
 
 
 def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, ...]]:
