@@ -6,13 +6,14 @@ Each is followed line by line, and its answers are those of the solver.
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import pytest
 import sympy as sp
 
 from restitution.explaining.derivation import Derivation, Link, Relation
 from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.notation import read_relation, read_tree, write_relation
 from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
 from restitution.language import parse
@@ -252,10 +253,6 @@ def test_a_direction_in_the_other_quadrant_is_refused() -> None:
     oracle = Oracle(roles(parse(STATEMENTS["directions"])))
     (line, *_) = [each for each in derivation.lines if each.move.id == "inverse"]
     assert isinstance(line.relation, Relation)
-    from dataclasses import replace
-
-    from restitution.explaining.notation import read_relation
-
     link = line.relation.only[0]
     other = read_relation(f"{write_relation(line.relation)} - 180°", {"A": "sphere", "B": "sphere"})
     assert isinstance(link.left, Letter)
@@ -282,8 +279,6 @@ find k, e
 
 
 def test_products_that_differ_in_brackets_are_alike() -> None:
-    from restitution.explaining.notation import read_tree
-
     def tree(text: str) -> Expression:
         return read_tree(text, {})
 
