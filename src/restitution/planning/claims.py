@@ -821,16 +821,36 @@ class Claims:
         if not links or len(links) < len(relation.only) - 1:
             self.back(mark)
             return None
-        own = Relation((tuple(links),))
-        line = self.monotone(lines[0], own) or self._compared(lines, own)
-        if line is not None:
-            found = self.angle_of(line, number, extent, relation, base)
-            if found is not None and asked != relation:
-                found = self.judge.write(_NAMED, [found, extent[-1]], asked)
-            if found is not None:
-                return found
-        self.back(mark)
-        return None
+        found = self._by_ends(links, number, extent, relation, base)
+        if found is not None and asked != relation:
+            found = self.judge.write(_NAMED, [found, extent[-1]], asked)
+        if found is None:
+            self.back(mark)
+        return found
+
+    def _by_ends(
+        self,
+        links: Sequence[Link],
+        tangent: int,
+        extent: Sequence[Ref],
+        relation: Relation,
+        base: Sequence[Ref],
+    ) -> int | None:
+        """Bounds of an angle by those of its tangent, one after the other."""
+        if len(links) == 1:
+            own = Relation((tuple(links),))
+            line = self.monotone(tangent, own) or self._compared([tangent], own)
+            return None if line is None else self.angle_of(line, tangent, extent, relation, base)
+        ends: list[Ref] = []
+        for link, asked in zip(links, relation.only, strict=False):
+            line = self._compared([tangent], Relation(((link,),)))
+            if line is None:
+                return None
+            end = self.angle_of(line, tangent, extent, Relation(((asked,),)), base)
+            if end is None:
+                return None
+            ends.append(end)
+        return self._compared(ends, relation)
 
     def angle_of(
         self,
@@ -854,16 +874,7 @@ class Claims:
             positive = self._compared(support, bounded)
         if positive is None:
             return None
-        found = self._compared([line, positive, *rest, *ranges], relation)
-        if found is not None or len(relation.only) == 1:
-            return found
-        ends = [
-            self._compared([line, positive, *rest, *ranges], Relation(((link,),)))
-            for link in relation.only
-        ]
-        if None in ends:
-            return None
-        return self._compared(ends, relation)  # type: ignore[arg-type]
+        return self._compared([line, positive, *rest, *ranges], relation)
 
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)
