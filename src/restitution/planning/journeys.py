@@ -276,6 +276,8 @@ def _place_moved(scene: Scene, body: str, stage: int) -> Source:
     if known is not None:
         return known
     since = _last_move(scene, body, stage)
+    if not _rests(scene, body, stage):
+        time_of(scene, stage)
     open_ = _open_line(scene, body, stage)
     if open_ is not None:
         time = time_of(scene, stage)

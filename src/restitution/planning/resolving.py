@@ -41,6 +41,8 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     known = scene.desk.known(quantity)
     if known is not None:
         return known
+    if vector is not None:
+        return Source(tidy(vector.value.dot(unit)), vector.refs)
     parts = []
     for kind in ("along", "across"):
         own = after(scene, kind, body, frame)
