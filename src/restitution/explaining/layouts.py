@@ -102,8 +102,6 @@ class Forms:
         match node:
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
-            case Binary("*", Binary("/", above, Number() as below), right) if _rooted(above, right):
-                return Binary("/", Binary("*", above, right), below)
             case Binary("/", left, right) if _root_below(right):
                 return self._rational(left, right) or node
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
@@ -127,6 +125,9 @@ class Forms:
         known = self._typed.get((size * root, radicand))
         number = known or _number(size * root, radicand)
         whole = reduce(lambda a, b: Binary("*", a, b), first, number)
+        match number:
+            case Binary("/", above_, below_) if first and known is None and radicand > 1:
+                whole = Binary("/", reduce(lambda a, b: Binary("*", a, b), first, above_), below_)
         if first and number == Number(Ratio(1)):
             whole = reduce(lambda a, b: Binary("*", a, b), first)
         return (
@@ -192,12 +193,6 @@ def _root_below(tree: Expression) -> bool:
         case Binary("*", left, right):
             return _root_below(left) or _root_below(right)
     return False
-
-
-def _rooted(above: Expression, right: Expression) -> bool:
-    """Whether a root stands above a line and a letter behind it: √2 u/2, not (√2/2)u."""
-    roots = any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(above))
-    return roots and isinstance(right, Letter)
 
 
 def _whole(tree: Expression) -> bool:
