@@ -11,7 +11,7 @@ from restitution.explaining.derivation import Link, Meaning, Move, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.angles import range_of
-from restitution.planning.desk import Source, chain
+from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import (
     ONE,
     ZERO,
@@ -23,7 +23,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background, follows_from, needed
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
 from restitution.problem import Find, Value
@@ -385,9 +385,9 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
 def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
     """The angle by its ratio."""
     value = scene.final(symbol)
-    written = scene.desk.write(
-        Move("inverse"),
-        (line, range_of(scene, symbol.name)),
-        chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None)),
-    )
+    move, known = Move("inverse"), range_of(scene, symbol.name)
+    relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
+    if not known.startswith("acute") and not follows_from(scene, move, (line, known), relation):
+        raise NotPlannedError(f"{symbol} is not the only angle of its ratio")
+    written = scene.desk.write(move, (line, known), relation)
     return known_as(scene, symbol, value, written)
