@@ -21,7 +21,7 @@ from restitution.explaining.follower import follow
 from restitution.explaining.marks import Style
 from restitution.explaining.notation import write_meaning, write_relation
 from restitution.explaining.storing import from_json, to_json
-from restitution.explaining.trees import trees_of
+from restitution.explaining.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -102,7 +102,12 @@ def printed_results(solution: Solution, derivation: Derivation) -> list[str]:
     for end in derivation.items:
         if not end.shown:
             continue
+        last = derivation.line(end.line)
+        assert last is not None
+        bound = last.premises if last.move.id == "answer" else ()
         for line in derivation.lines:
+            if line.number in bound:
+                continue  # the bound of a greatest or least value
             if line.number < end.line and line.relation == end.answer:
                 found.append(f"line {line.number} says what is to be shown in line {end.line}")
     return found
@@ -149,24 +154,34 @@ def plain_numbers(solution: Solution, derivation: Derivation) -> list[str]:
     """But for answers: no long number under a root, no root in a root, no arctan taken back."""
     ends = {end.line for end in derivation.items}
     found = []
-    tangents: set[Expression] = set()
-    for line, links in _relations(derivation):
-        for tree in trees_of(line.relation):
-            for node in walk(tree) if line.number not in ends else ():
-                where = f"line {line.number}: {_text(line)}"
+    for line, _ in _relations(derivation):
+        for tree in trees_of(line.relation) if line.number not in ends else ():
+            where = f"line {line.number}: {_text(line)}"
+            for node in walk(tree):
                 match node:
                     case Apply("sqrt", inside):
-                        if any(isinstance(x, Apply) and x.function == "sqrt" for x in walk(inside)):
+                        if _has_root(_without_squares(inside)):
                             found.append(f"a root in a root in {where}")
                         if any(isinstance(x, Number) and x.value >= 1000 for x in walk(inside)):
                             found.append(f"a long number under a root in {where}")
-                    case Apply("arctan", inside) if inside in tangents:
-                        if line.move.id != "inverse":
-                            found.append(f"the arctan of a tangent in {where}")
-        for link in links:
-            if any(isinstance(x, Apply) and x.function == "tan" for x in walk(link.left)):
-                tangents.add(link.right)
-    return found
+                    case Apply("sin" | "cos" | "tan", inside):
+                        if any(
+                            isinstance(x, Apply) and x.function == "arctan" for x in walk(inside)
+                        ):
+                            found.append(f"a ratio of an arctan in {where}")
+    return list(dict.fromkeys(found))
+
+
+def _without_squares(tree: Expression) -> Expression:
+    """A tree without what is squared in it, as a component is in the size of a velocity."""
+
+    def change(each: Expression) -> Expression:
+        match each:
+            case Binary("^", _, Number(value)) if value == 2:
+                return Number(value)
+        return each
+
+    return rebuilt(tree, change)
 
 
 def components_used(solution: Solution, derivation: Derivation) -> list[str]:
@@ -192,13 +207,14 @@ def no_repetition(solution: Solution, derivation: Derivation) -> list[str]:
     """Nothing is said twice, also with its sides exchanged; what is recalled stands above."""
     found = []
     seen: dict[object, Line] = {}
+    parts = {end.item: end.part for end in derivation.items}
     cases = {n: case.option for case in derivation.cases for n in case.lines}
     for line in derivation.lines:
         for ref in line.premises:
             if isinstance(ref, int) and ref >= line.number:
                 found.append(f"line {line.number} recalls line {ref}")
-        for form in _forms(line):
-            other = seen.setdefault(form, line)
+        for form in _forms(line) if line.move.id not in ("answer", "shown") else ():
+            other = seen.setdefault((form, parts.get(line.item or "")), line)
             if other is not line and cases.get(other.number) == cases.get(line.number):
                 found.append(f"lines {other.number} and {line.number} say the same: {_text(line)}")
     return found
@@ -212,11 +228,11 @@ def _forms(line: Line) -> Iterator[object]:
 
 
 def one_form(solution: Solution, derivation: Derivation) -> list[str]:
-    """Of a number with a root there is one form: √2/2 or 1/√2."""
+    """Of a number with a root there is one form in which lines end: √2/2 or 1/√2."""
     above: dict[float, str] = {}
     below: dict[float, str] = {}
-    for line, _ in _relations(derivation):
-        for tree in trees_of(line.relation):
+    for line, links in _relations(derivation):
+        for tree in (links[-1].right,):
             for node in walk(tree):
                 match node:
                     case Binary("/", p, q) if not (letters(node) or _has_quantity(node)):

@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
+from restitution.planning import journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.quantities import formula, write_formula
@@ -30,6 +31,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         raise NotPlannedError("a sum of angles of the motion")
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
+    ranges: list[Ref] = []
     for node in outermost(asked):
         source = _value_of(scene, node)
         if source is None:
@@ -37,6 +39,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         angle = isinstance(node, Quantity) and node.kind in _ANGLES
         values[node] = _angle_tree(scene, source) if angle else tree_of(source.value)
         refs += source.refs
+        if not isinstance(source.value, Vector):
+            ranges += journeys.ranges(scene, sp.sympify(source.value, strict=True))
     if not refs:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
@@ -52,7 +56,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
         return line, final
     line = scene.desk.write(
-        Move("put"), together(refs), chain(asked, (right, None), (final, "rearrange"))
+        Move("put"), together(refs, ranges), chain(asked, (right, None), (final, "rearrange"))
     )
     return line, final
 

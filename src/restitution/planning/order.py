@@ -129,6 +129,7 @@ class Solver:
             return
         route = self.route(goals)
         left = list(route)
+        self._express_waiting([x for each in left for x in each.residuals])
         while left:
             self.reasons.clear()
             step = self._next(left)
@@ -200,6 +201,8 @@ class Solver:
         unknowns = frozenset(
             s for each in candidates for x in each.residuals for s in scene.unknown(x)
         ) | frozenset(s for x in put for s in scene.unknown(x))
+        # What is only to be expressed is as good as known.
+        unknowns -= self.waiting.keys()
         routes = Routes(candidates, points(scene.model), unknowns).cheapest(put)
         if not routes:
             raise NotPlannedError(f"nothing determines {goals}")
