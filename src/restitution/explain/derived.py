@@ -198,7 +198,11 @@ class _Writer:
                 if after is not None and self._stays(after) and self._same_law(line, after):
                     continue
                 together, self.stay = self.stay, []
-                if all(_is_nothing(each.relation.only[-1].right) for each in together):
+                if all(
+                    isinstance(each.relation, Relation)
+                    and _is_nothing(each.relation.only[-1].right)
+                    for each in together
+                ):
                     continue  # of bodies on one line there is nothing to say
                 step = self._unchanged(together)
             else:

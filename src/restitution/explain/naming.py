@@ -114,7 +114,7 @@ class Naming:
         if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
             return self.relation(fact.relation)
         match link:
-            case Link(Quantity("velocity", (Name(body),), _), "=", right) if _is_rest(right):
+            case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
                 return say("claim.rest", body=body)
         left, right = self.side(link.left), self.side(link.right)
         if link.sign == "parallel to":

@@ -242,8 +242,10 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
         match link.left:
             case Quantity("angle", (left, right)):
                 return left, right, "perpendicular to"
-            case Quantity("deflection", (body,), int(stage)):
-                before, after = (Quantity("velocity", (body,), each) for each in (stage - 1, stage))
+            case Quantity("deflection", (turned,), int(stage)):
+                before, after = (
+                    Quantity("velocity", (turned,), each) for each in (stage - 1, stage)
+                )
                 return before, after, "perpendicular to"
     return None
 

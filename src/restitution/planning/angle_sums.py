@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -99,8 +100,8 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
     return scene.desk.write(Move("put"), premises, put)
 
 
-def _with(tree: Expression, values: dict[Apply, Expression]) -> Expression:
-    return swept(rebuilt(tree, lambda each: values.get(each, each)))  # type: ignore[call-overload]
+def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    return swept(rebuilt(tree, lambda each: values.get(each, each)))
 
 
 def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]:

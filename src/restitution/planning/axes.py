@@ -157,10 +157,9 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
     before = tree_of(early.value)
     change: Expression = velocity
     if any(early.value):
-        negative = isinstance(before, Negate)
-        change = (
-            Binary("+", velocity, before.operand) if negative else Binary("-", velocity, before)
-        )
+        change = Binary("-", velocity, before)
+        if isinstance(before, Negate):
+            change = Binary("+", velocity, before.operand)
     line = scene.desk.write(
         Move("law", "impulse-vector", event, (body,)),
         together((given.fact.id,), mass.refs, early.refs),

@@ -80,8 +80,10 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
     ends = []
     for end in draft.ends[len(before.ends) :]:
         line = numbers.get(end.line, end.line)
-        case = count if line in own else None
-        ends.append(replace(end, line=line, case=within.get(end.case, case)))
+        number = count if line in own else None
+        if end.case is not None:
+            number = within.get(end.case, number)
+        ends.append(replace(end, line=line, case=number))
     return ends
 
 

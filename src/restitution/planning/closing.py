@@ -114,11 +114,15 @@ def _is_ratio(tree: Expression) -> bool:
     )
 
 
+def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    return rebuilt(tree, lambda each: values.get(each, each))
+
+
 def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
     """A tree with values for ratios, and then for letters."""
     for ratios in (True, False):
         chosen = {each: value for each, value in values.items() if _is_ratio(each) is ratios}
-        tree = rebuilt(tree, lambda each, own=chosen: own.get(each, each))
+        tree = _with(tree, chosen)
     return tree
 
 
@@ -251,7 +255,8 @@ def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 
 def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether a factor is a polynomial in an unknown alone: it has roots to be looked at."""
-    return factor.free_symbols == {symbol} and factor.is_polynomial(symbol) and factor != symbol
+    alone = factor.free_symbols == {symbol} and factor != symbol
+    return alone and bool(factor.is_polynomial(symbol))
 
 
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:

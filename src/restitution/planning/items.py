@@ -65,8 +65,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             known = scene.desk.known(asked)
             assert known is not None
             _letter(scene, asked, next(iter(known.value.free_symbols)), name)
-        case Quantity() if (line := _written(scene, asked)) is not None:
-            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        case Quantity() if (written := _written(scene, asked)) is not None:
+            scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
         case Quantity():
             own = formula(scene, asked)
             if scene.unknown(own.value):

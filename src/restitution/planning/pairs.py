@@ -110,15 +110,16 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
         return False
     tangent = tidy(parts[1] / parts[0])
     subject = Apply("tan", Letter(theta.name))
-    line = _write(scene, Move("divide"), (second, first), chain(subject, (tree_of(tangent), None)))
-    if line is None:
+    quotient = chain(subject, (tree_of(tangent), None))
+    divided = _write(scene, Move("divide"), (second, first), quotient)
+    if divided is None:
         return False
-    scene.desk.know(subject, tangent, (line,))
+    scene.desk.know(subject, tangent, (divided,))
     added = chain(square(Letter(v.name)), (tree_of(tidy(parts[0] ** 2 + parts[1] ** 2)), None))
     whole = _write(scene, Move("square-add"), (first, second), added)
     if whole is None:
         return False
-    close(scene, line, theta)
+    close(scene, divided, theta)
     close(scene, whole, v)
     return True
 

@@ -677,7 +677,7 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
         s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
         put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
     gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
-    return sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0
+    return bool(sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0)
 
 
 def _is_nested(value: sp.Expr) -> bool:

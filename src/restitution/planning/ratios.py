@@ -279,7 +279,8 @@ def _by_double(
     letter = Letter(symbol.name)
     if small == 1:
         subject: Expression = Apply("tan", letter)
-        record, meaning = "double-angle", ()
+        record = "double-angle"
+        meaning: tuple[int, ...] = ()
     else:
         if angle is None:
             return None
@@ -288,7 +289,7 @@ def _by_double(
         meaning = (scene.desk.write(Move("let"), (), Meaning(name, Apply("tan", angle))),)
     two = product(number(2), subject)
     below = difference(ONE, square(subject))
-    right = Binary("/", product(tree_of(k), two), below)
+    right: Expression = Binary("/", product(tree_of(k), two), below)
     if k.is_Rational and k.q != 1:
         right = product(tree_of(k), Binary("/", two, below))
     first = _identity(scene, line, record, chain(subject, (right, None)), *meaning)

@@ -72,9 +72,9 @@ def _two_velocities(
     ]
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
-    pairs = tuple(_cited(pair) for pair in pairs)
-    refs = together((each.fact.id,), *(s.refs for p in pairs for s in p), _axis(frame, pairs))
-    first, second = (product(*(tree_of(each.value) for each in pair)) for pair in pairs)
+    cited = [_cited(pair) for pair in pairs]
+    refs = together((each.fact.id,), *(s.refs for p in cited for s in p), _axis(frame, cited))
+    first, second = (product(*(tree_of(each.value) for each in pair)) for pair in cited)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
@@ -120,7 +120,8 @@ def _to_a_direction(
         terms = [(y, direction.x), (x, direction.y)]
         used = [(s, w) for s, w in terms if w != 0]
         sides = [product(tree_of(w), tree_of(s.value)) if w != 0 else ZERO for s, w in terms]
-        relation = link(*sides) if sides[0] != ZERO else link(sides[1], ZERO)
+        left, right = sides
+        relation = link(left, right) if left != ZERO else link(right, ZERO)
     refs = together(refs, *(source.whole for source, _ in used))
     return scene.desk.write(move, refs, Relation(((relation,),)))
 
