@@ -87,6 +87,22 @@ find speed(A)
 a: 6 speed(B, 1) = (1 + e) u cos(alpha)/2
 b: 12 speed(A, 1) = 1/4 u cos(alpha)
 """,
+    # What is asked is the component for which a letter stands.
+    "lettered": """
+sphere A, B: mass m
+sphere A: velocity u i
+sphere B: at rest
+A hits B: along i, e = 1/2
+find along(velocity(A), i)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, mass B, 1, 2 | m u = m v + m w
+4 a | law restitution 1 A B | e 1, 1, 2 | w - v = 1/2 u
+5 a | combine w | 3, 4 | v = 1/4 u
+6 a | define component 1 A | 1, 5 | along(velocity(A, 1), i) = 1/4 u
+a: 6 along(velocity(A, 1), i) = 1/4 u
+""",
     "energies": """
 sphere A, B: mass m
 sphere A: velocity u at alpha
@@ -133,6 +149,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("identity", "half-the-angle-out", 5, "DM1", "DM1", "DM1"),
     ("square-root", "corner", 11, "", "", ""),
     ("roots", "rejected-root", 9, "DM1", "DM1", "DM1"),
+    ("component-with-a-letter", "lettered", 6, "A1", "A1", "A1"),
     ("component-read-off", "struck-ball", 3, "B1", "B1", "B1"),
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),

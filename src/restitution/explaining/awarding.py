@@ -132,6 +132,7 @@ RULES: tuple[Rule, ...] = (
     _rule("roots", ("roots",), "M"),
     _rule("reason-for-a-root", ("reject",), "B", when=("justified",)),
     # Vectors and their components.
+    _rule("component-with-a-letter", ("define",), "", ("component",), ("by-its-letter",)),
     _rule("component-read-off", ("define",), "B", ("component",), ("alone",)),
     _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
@@ -626,9 +627,7 @@ def _of_one_term(work: _Awarding, line: Line) -> bool:
     nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
     squares = any(_is_sum(each) and _has_power(each) for each in nodes)
     rooted = any(
-        isinstance(each, Apply)
-        and each.function in ("sqrt", "abs")
-        and any(map(_is_sum, walk(each.argument)))
+        isinstance(each, Apply) and each.function in ("sqrt", "abs") and _is_sum(each.argument)
         for each in nodes
     )
     return not (squares or rooted or len({e.axis for e in nodes if isinstance(e, Unit)}) > 1)
@@ -674,6 +673,17 @@ def _fact_of_motion(work: _Awarding, line: Line) -> bool:
     )
 
 
+def _by_its_letter(work: _Awarding, line: Line) -> bool:
+    """A letter stands for the component already: nothing is read off."""
+    cited = list(work.cited(line))
+    return len(cited) <= 2 and any(
+        isinstance(each.relation, Meaning)
+        and isinstance(each.relation.quantity, Quantity)
+        and each.relation.quantity.kind in ("along", "across")
+        for each in cited
+    )
+
+
 CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
@@ -686,6 +696,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "alone": lambda work, line: len(_alike(work, line)) == 1,
     "first-of-several": lambda work, line: _alike(work, line)[0] == line,
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
+    "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "of-angles": _of_angles,
     "of-one-term": _of_one_term,

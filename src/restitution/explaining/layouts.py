@@ -127,7 +127,8 @@ class Forms:
         whole = reduce(lambda a, b: Binary("*", a, b), first, number)
         match number:
             case Binary("/", above_, below_) if first and known is None and radicand > 1:
-                whole = Binary("/", reduce(lambda a, b: Binary("*", a, b), first, above_), below_)
+                up = reduce(lambda a, b: Binary("*", a, b), first, above_)
+                return Binary("/", up, reduce(lambda a, b: Binary("*", a, b), second, below_))
         if first and number == Number(Ratio(1)):
             whole = reduce(lambda a, b: Binary("*", a, b), first)
         return (
