@@ -100,7 +100,7 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
     return scene.desk.write(Move("put"), premises, put)
 
 
-def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+def _with(tree: Expression, values: Mapping[Any, Expression]) -> Expression:
     return swept(rebuilt(tree, lambda each: values.get(each, each)))
 
 
