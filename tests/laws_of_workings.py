@@ -282,7 +282,7 @@ def _number(tree: Expression) -> float | None:
 
 
 def marks(solution: Solution, derivation: Derivation) -> list[str]:
-    """Every item has an A at its end, and a part at most one mark more than lines."""
+    """Every item has an A at its end, or a B, and a part at most one mark more than lines."""
     found = []
     styles: tuple[Style, ...] = ("fm1", "m4", "caie")
     for style in styles:
@@ -291,8 +291,8 @@ def marks(solution: Solution, derivation: Derivation) -> list[str]:
         for end in derivation.items:
             own = marked.line(end.line)
             assert own is not None
-            if end.case is None and not any(mark.kind == "A" for mark in own.marks):
-                found.append(f"{style}: no A at the end of {end.item}")
+            if end.case is None and not any(mark.kind in "AB" for mark in own.marks):
+                found.append(f"{style}: no A or B at the end of {end.item}")
         for part, total in marks_of(marked).items():
             room = sum(
                 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))

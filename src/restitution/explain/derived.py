@@ -198,11 +198,7 @@ class _Writer:
                 if after is not None and self._stays(after) and self._same_law(line, after):
                     continue
                 together, self.stay = self.stay, []
-                if all(
-                    isinstance(each.relation, Relation)
-                    and _is_nothing(each.relation.only[-1].right)
-                    for each in together
-                ):
+                if all(map(_is_idle, together)):
                     continue  # of bodies on one line there is nothing to say
                 step = self._unchanged(together)
             else:
@@ -952,6 +948,14 @@ _TITLES = {
     "parallel": "derived-parallel.title",
     "straight-line": "flight.title",
 }
+
+
+def _is_idle(line: Line) -> bool:
+    """Whether a line says that a component stays 0, and earns nothing."""
+    relation = line.relation
+    return (
+        isinstance(relation, Relation) and _is_nothing(relation.only[-1].right) and not line.marks
+    )
 
 
 def _is_nothing(tree: Expression) -> bool:

@@ -70,6 +70,8 @@ def _require_closed(derivation: Derivation) -> None:
     """Refuses a working in which an answer holds a letter that only the working knows."""
     own = derivation.meanings.keys()
     for each in derivation.items:
+        if each.shown:
+            continue  # what is shown of two bodies may be said in the letters of both
         for links in each.answer.options:
             if any(own & letters(link.right) for link in links):
                 raise NotPlannedError(f"{each.item} is open")

@@ -204,7 +204,9 @@ class Scene:
     def _by_an_inverse(self, symbol: sp.Basic) -> bool:
         """Whether an angle is known as the inverse of a ratio only."""
         known = self.desk.known(Letter(str(symbol)))
-        return known is not None and bool(sp.sympify(known.value).atoms(sp.atan, sp.asin, sp.acos))
+        return known is not None and bool(
+            sp.sympify(known.value, strict=True).atoms(sp.atan, sp.asin, sp.acos)
+        )
 
     def _angle(self, ratio: sp.Expr) -> Source | None:
         """A ratio of angles that are known, as numbers or by others."""

@@ -179,7 +179,8 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     for own in (a, b):
         claims.solver.determine(list(own))
     (ax, ay), (bx, by) = (
-        (sp.sympify(scene.put(own.x)[0]), sp.sympify(scene.put(own.y)[0])) for own in (a, b)
+        tuple(sp.sympify(scene.put(each)[0], strict=True) for each in (own.x, own.y))
+        for own in (a, b)
     )
     factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
     sign = proved_sign(scene.model.oracle, factor)
