@@ -268,7 +268,7 @@ def test_a_direction_in_the_other_quadrant_is_refused() -> None:
 
 
 def test_to_which_side_a_sphere_turns_is_not_guessed() -> None:
-    with pytest.raises(NotPlannedError, match="either side|turns"):
+    with pytest.raises(NotPlannedError, match=r"either side|turns"):
         _planned("""
 sphere A: mass m, velocity u at 45°
 sphere B: mass k m, velocity u j
