@@ -38,11 +38,13 @@ from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.notation import read_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import (
+    Degrees,
     Expression,
     Letter,
     Name,
     Negate,
     Number,
+    Polar,
     Quantity,
     Unit,
 )
@@ -374,6 +376,14 @@ class _Writer:
             name = "derived.away" if kind[2] else "derived.towards"
             for letter, body in zip(letters, bodies, strict=True):
                 yield say(name, letter=letter, body=body, wall=event.bodies[1])
+        elif (given := self._given_axis(event, turned=kind[2])) is not None:
+            ending, slots = given
+            if len(letters) > 1:
+                name = f"let.components-centres-{ending}"
+                yield say(name, letters=letters, bodies=bodies, **slots)  # type: ignore[arg-type]
+            else:
+                name = f"let.component-centres-{ending}"
+                yield say(name, letter=letters[0], body=bodies[0], **slots)  # type: ignore[arg-type]
         elif len(letters) > 1:
             yield say(
                 "let.components-centres",
@@ -390,6 +400,25 @@ class _Writer:
                 first=first,
                 second=second,
             )
+
+    def _given_axis(self, event: Event, *, turned: bool) -> tuple[str, dict[str, Any]] | None:
+        """The direction in which a line of centres is given, which need not be that of approach.
+
+        None where it is worked out: then it leads from the first body to the second.
+        """
+        fact = self.derivation.fact(f"axis {event.number}")
+        if fact is None:
+            return None
+        axis = fact.relation.only[0].right
+        if isinstance(axis, Polar):
+            return None
+        if isinstance(axis, Degrees | Letter):
+            unit = self.naming.laid(Negate(Unit("i")) if turned else Unit("i"))
+            return "at", {"axis": self.naming.laid(axis), "unit": unit}
+        sense = axis
+        if turned:
+            sense = axis.operand if isinstance(axis, Negate) else Negate(axis)
+        return "towards", {"axis": self.naming.laid(sense)}
 
     # --- components that stay -------------------------------------------------------------------
 

@@ -323,6 +323,22 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
         "centres, in the sense from {first} to {second} after the impact."
     ),
+    "let.component-centres-towards": (
+        "Let {letter} be the component of the velocity of {body} along the line of centres, in "
+        "the direction of {axis}, after the impact."
+    ),
+    "let.components-centres-towards": (
+        "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
+        "centres, in the direction of {axis}, after the impact."
+    ),
+    "let.component-centres-at": (
+        "Let {letter} be the component of the velocity of {body} along the line of centres, in "
+        "the direction at {axis} to {unit}, after the impact."
+    ),
+    "let.components-centres-at": (
+        "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
+        "centres, in the direction at {axis} to {unit}, after the impact."
+    ),
     "let.line-angle": "Let the angle that the line of centres makes with {axis} be {angle}.",
     "let.wall-angle": "Let the angle that {wall} makes with {axis} be {angle}.",
     "resolve.known": "Resolve the velocity of {body} parallel and perpendicular to {wall}.",
