@@ -25,6 +25,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explain.steps import REQUIRED, Explanation, PartExplanation, Row, Step
+from restitution.explaining.definitions import tie_of
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -380,10 +381,10 @@ class _Writer:
             ending, slots = given
             if len(letters) > 1:
                 name = f"let.components-centres-{ending}"
-                yield say(name, letters=letters, bodies=bodies, **slots)  # type: ignore[arg-type]
+                yield say(name, letters=letters, bodies=bodies, **slots)
             else:
                 name = f"let.component-centres-{ending}"
-                yield say(name, letter=letters[0], body=bodies[0], **slots)  # type: ignore[arg-type]
+                yield say(name, letter=letters[0], body=bodies[0], **slots)
         elif len(letters) > 1:
             yield say(
                 "let.components-centres",
@@ -415,7 +416,7 @@ class _Writer:
         if isinstance(axis, Degrees | Letter):
             unit = self.naming.laid(Negate(Unit("i")) if turned else Unit("i"))
             return "at", {"axis": self.naming.laid(axis), "unit": unit}
-        sense = axis
+        sense: Expression = axis
         if turned:
             sense = axis.operand if isinstance(axis, Negate) else Negate(axis)
         return "towards", {"axis": self.naming.laid(sense)}
@@ -517,11 +518,16 @@ class _Writer:
             and fact.kind == "given"
             and fact.id not in self.given
         ]
+        if line.move.record in ("perpendicular", "parallel"):
+            # What else is given is a value that is put in.
+            facts = [each for each in facts if tie_of(each.relation.only[0]) is not None]
         if len(facts) != 1:
             return ()
         self.given |= {each.id for each in facts}
         told = self.naming.fact(facts[0])
         assert isinstance(line.relation, Relation)
+        if isinstance(line.relation.options[0][0].left, Letter):
+            return (say("given.fact", fact=told),)
         nothing = _plain(self.naming.laid(line.relation.options[0][-1].right)) == "0"
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:

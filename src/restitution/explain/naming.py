@@ -267,6 +267,10 @@ class Naming:
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, _):
                 return say("derived.line")
+            case Quantity("direction", (Name(),), int()):
+                velocity = Quantity("velocity", tree.arguments, tree.stage)
+                unit = self.laid(Unit("i"))
+                return say("derived.angle", of=(self.laid(velocity), unit))
             case Quantity(_, _, stage) if stage is not None:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)
