@@ -445,7 +445,7 @@ def test_the_sense_of_a_component_is_told() -> None:
     text = LINES.replace("let v = c(A, 1)", "let v = c(A, 1) in the sense of -line_of_centres(1)")
     told = re.sub(r"\s+", " ", to_text(explanation_of(derivation_of(problem, text), problem)))
     assert "Let v be the component of the velocity of A along the line of centres" in told
-    assert "from B to A" in told and "from A to B" in told
+    assert "in the direction of −𝐢" in told and "in the direction of 𝐢" in told
 
 
 def test_a_component_at_a_wall_counts_away_from_it() -> None:

@@ -56,6 +56,9 @@ if TYPE_CHECKING:
     from restitution.solve.solution import Solution
 
 _TITLED = frozenset({"law", "define"})
+# Letters along a line of centres that is given as a direction, and one that is given by its angle.
+_TOWARDS = ("let.component-centres-towards", "let.components-centres-towards")
+_AT = ("let.component-centres-at", "let.components-centres-at")
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(
     {"energy", "total", "total-lost", "energy-ratio", "energy-lost", "assemble", "speed"}
@@ -378,13 +381,11 @@ class _Writer:
             for letter, body in zip(letters, bodies, strict=True):
                 yield say(name, letter=letter, body=body, wall=event.bodies[1])
         elif (given := self._given_axis(event, turned=kind[2])) is not None:
-            ending, slots = given
+            (one, several), slots = given
             if len(letters) > 1:
-                name = f"let.components-centres-{ending}"
-                yield say(name, letters=letters, bodies=bodies, **slots)
+                yield say(several, letters=letters, bodies=bodies, **slots)
             else:
-                name = f"let.component-centres-{ending}"
-                yield say(name, letter=letters[0], body=bodies[0], **slots)
+                yield say(one, letter=letters[0], body=bodies[0], **slots)
         elif len(letters) > 1:
             yield say(
                 "let.components-centres",
@@ -402,12 +403,15 @@ class _Writer:
                 second=second,
             )
 
-    def _given_axis(self, event: Event, *, turned: bool) -> tuple[str, dict[str, Any]] | None:
+    def _given_axis(
+        self, event: Event, *, turned: bool
+    ) -> tuple[tuple[str, str], dict[str, Any]] | None:
         """The direction in which a line of centres is given, which need not be that of approach.
 
-        None where it is worked out: then it leads from the first body to the second.
+        The sentences for one letter and for several, and what they say; None where the line is
+        worked out: then it leads from the first body to the second.
         """
-        fact = self.derivation.fact(f"axis {event.number}")
+        fact = self.derivation.fact(" ".join(("axis", str(event.number))))
         if fact is None:
             return None
         axis = fact.relation.only[0].right
@@ -415,11 +419,11 @@ class _Writer:
             return None
         if isinstance(axis, Degrees | Letter):
             unit = self.naming.laid(Negate(Unit("i")) if turned else Unit("i"))
-            return "at", {"axis": self.naming.laid(axis), "unit": unit}
+            return _AT, {"axis": self.naming.laid(axis), "unit": unit}
         sense: Expression = axis
         if turned:
             sense = axis.operand if isinstance(axis, Negate) else Negate(axis)
-        return "towards", {"axis": self.naming.laid(sense)}
+        return _TOWARDS, {"axis": self.naming.laid(sense)}
 
     # --- components that stay -------------------------------------------------------------------
 

@@ -64,7 +64,9 @@ class Reasons:
             own = self._derivation.line(ref)
             if line.move.id != "reject" or own is None or not isinstance(own.relation, Relation):
                 return None
-            return None if self._offers(own.relation, line) else own.relation
+            # A law stands above: that a root contradicts it is told by what bounds the root.
+            known = own.move.id == "law" or self._offers(own.relation, line)
+            return None if known else own.relation
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None
