@@ -118,7 +118,9 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             for ref in line.premises
             if ref in ratios or (isinstance(ref, str) and ref not in facts)
         ]
-        if known and isinstance(line.relation, Relation):
+        # The range of an angle is needed wherever it is told by a ratio.
+        doubted = known and line.move.id not in ("inverse", "triangle")
+        if doubted and isinstance(line.relation, Relation):
             line = replace(line, premises=read.needed(line.number, known))
         lines.append(line)
     return replace(derivation, lines=tuple(lines))

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
 from restitution.expression.tree import Expression, letters
 from restitution.oracle import Oracle
+from restitution.planning import journeys
 from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
@@ -36,7 +39,7 @@ from restitution.problem import (
     Value,
 )
 from restitution.solve.letters import roles
-from restitution.solve.solution import PartSolution, Solution
+from restitution.solve.solution import ItemResult, PartSolution, Solution
 
 
 def plan(solution: Solution, route: int = 1) -> Derivation:
@@ -155,6 +158,8 @@ def _write_items(scene: Scene) -> None:
             case Value():
                 asked = staged(problem, item.expression, now)
                 write_item(scene, solver, asked, name)
+                if journeys.serves(asked):
+                    _require_form(scene, result)
                 _require_found(scene, asked)
 
 
@@ -165,6 +170,21 @@ def _require_found(scene: Scene, asked: Expression) -> None:
     for links in scene.desk.ends[-1].answer.options:
         if any(found & letters(link.right) for link in links):
             raise NotPlannedError(f"an answer with {', '.join(sorted(found))}")
+
+
+def _require_form(scene: Scene, result: ItemResult) -> None:
+    """Refuses a place or a length whose ratios of angles are not those of the answer."""
+    end = scene.desk.ends[-1]
+    values = {each.value for each in result.answers}
+    if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
+        return
+    (value,) = values
+    own = scene.scalar(end.answer.only[0].right)
+    if own != value and own.atoms(*_RATIOS) != value.atoms(*_RATIOS):
+        raise NotPlannedError("an answer in another form")
+
+
+_RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:

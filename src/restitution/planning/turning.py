@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
+from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
@@ -98,9 +99,12 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = _by_sum(scene, asked)
     else:
         right = own.angle or _angle_of(own)
+        named: tuple[Ref, ...] = ()
+        if isinstance(right, Binary) and isinstance(right.right, Letter):
+            named = (range_of(scene, right.right.name),)  # of 90° − α
         line = scene.desk.write(
             Move("inverse"),
-            together((own.line, own.extent), own.side),
+            together((own.line, own.extent), own.side, named),
             chain(Letter(own.letter), (right, None)),
         )
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
@@ -216,6 +220,8 @@ def _angle_of(own: Ratio) -> Expression:
         if isinstance(size, Degrees):
             return Degrees(straight.value - size.value)
         return difference(straight, size)
+    if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
+        return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 

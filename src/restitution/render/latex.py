@@ -203,5 +203,5 @@ def _unit_number(inside: Layout) -> str:
 
 
 def _phrase(items: tuple[Layout, ...], separator: str) -> str:
-    gap = r"\ " if separator == " " else rf"\text{{{escape(separator)}}}"
+    gap = {" ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{escape(separator)}}}")
     return gap.join(to_latex(each) for each in items)
