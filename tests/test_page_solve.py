@@ -649,7 +649,10 @@ def test_what_is_printed(open_):
 
 
 def test_no_equation_is_parted_from_its_group_on_paper(open_):
-    page = open_(CORNER)
+    page = open_(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+        "given tan(alpha) = 3/4\nfind speed(P)"
+    )
     page.emulate_media(media="print")
     groups = page.locator("#working .rows").all()
     assert any(group.locator("tr").count() > 1 for group in groups)

@@ -11,7 +11,7 @@ from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
-from restitution.expression.tree import Expression, letters
+from restitution.expression.tree import Apply, Expression, letters, walk
 from restitution.oracle import Oracle
 from restitution.planning import journeys
 from restitution.planning.axes import found_frame
@@ -49,6 +49,8 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
     fewer it is the last. Raises NotPlannedError for what is not planned, with the reason.
     """
     problem = solution.problem
+    if len(events_of(problem)) > _MOST_EVENTS:
+        raise NotPlannedError("a story of many events")
     desk = Desk(events_of(problem), facts_of(problem), route)
     try:
         for part in solution.parts.values():
@@ -179,12 +181,15 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
         return
     (value,) = values
-    own = scene.scalar(end.answer.only[0].right)
-    if own != value and own.atoms(*_RATIOS) != value.atoms(*_RATIOS):
+    kinds = {each.function for each in walk(end.answer.only[0].right) if isinstance(each, Apply)}
+    if kinds & _NAMES != {type(each).__name__ for each in value.atoms(*_RATIOS)}:
         raise NotPlannedError("an answer in another form")
 
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
+_NAMES = {"sin", "cos", "tan"}
+# A longer story is no exam question, and every pair of its events would be looked at.
+_MOST_EVENTS = 12
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:
