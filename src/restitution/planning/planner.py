@@ -11,7 +11,7 @@ from restitution.components import model, protected_letters
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
-from restitution.expression.tree import Apply, Expression, letters, walk
+from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
 from restitution.planning import journeys
 from restitution.planning.axes import found_frame
@@ -37,6 +37,7 @@ from restitution.problem import (
     Range,
     Show,
     Value,
+    trees,
 )
 from restitution.solve.letters import roles
 from restitution.solve.solution import ItemResult, PartSolution, Solution
@@ -49,8 +50,7 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
     fewer it is the last. Raises NotPlannedError for what is not planned, with the reason.
     """
     problem = solution.problem
-    if len(events_of(problem)) > _MOST_EVENTS:
-        raise NotPlannedError("a story of many events")
+    _require_plain(solution)
     desk = Desk(events_of(problem), facts_of(problem), route)
     try:
         for part in solution.parts.values():
@@ -69,6 +69,29 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
     )
     _require_closed(whole)
     return gathered(without_spare(without_idle(whole), Oracle(roles(problem))))
+
+
+def _require_plain(solution: Solution) -> None:
+    """Refuses what no one would work out line by line: long stories, and data that are tangles."""
+    problem = solution.problem
+    if len(events_of(problem)) > _MOST_EVENTS:
+        raise NotPlannedError("a story of many events")
+    if sum(len(each.items) for each in solution.parts.values()) > _MOST_ITEMS:
+        raise NotPlannedError("a question of many items")
+    for tree in trees(problem):
+        nodes = list(walk(tree))
+        if len(nodes) > _MOST_NODES or sum(isinstance(e, Apply) for e in nodes) > _MOST_FUNCTIONS:
+            raise NotPlannedError("an expression that is too long for a line")
+        for node in nodes:
+            if isinstance(node, Number) and max(node.value.as_integer_ratio()) > _LARGEST:
+                raise NotPlannedError("a number that is too long for a line")
+            if isinstance(node, Binary) and node.op == "^" and not _is_plain_power(node):
+                raise NotPlannedError("a power that no line would hold")
+
+
+def _is_plain_power(node: Binary) -> bool:
+    exponent = node.right.operand if isinstance(node.right, Negate) else node.right
+    return isinstance(exponent, Number) and exponent.value <= _MOST_POWER
 
 
 def _require_closed(derivation: Derivation) -> None:
@@ -190,6 +213,9 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 _NAMES = {"sin", "cos", "tan"}
 # A longer story is no exam question, and every pair of its events would be looked at.
 _MOST_EVENTS = 12
+_MOST_ITEMS = 24
+# Data of exam questions stay far below these.
+_MOST_NODES, _MOST_FUNCTIONS, _MOST_POWER, _LARGEST = 60, 6, 6, 10**12
 
 
 def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:
