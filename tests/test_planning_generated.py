@@ -17,7 +17,7 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.solve import solve
 
-MANY, NIGHTLY = 30, 2000
+MANY, NIGHTLY = 60, 2000
 REFUSED = 0.1
 """The share of workings that the follower may refuse; it is to be lowered as plans get better."""
 
