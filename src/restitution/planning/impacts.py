@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move
 from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
-from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
     factors,
@@ -369,8 +369,3 @@ def scene_value(
         lambda name: letters[name] if name in letters else scene.model.unknowns.letter(name),
     )
     return sp.sympify(evaluator.scalar(tree), strict=True)
-
-
-def link_of(left: Expression, right: Expression) -> Any:
-    """An equation as a link."""
-    return link(left, right)

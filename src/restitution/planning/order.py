@@ -572,10 +572,6 @@ class Solver:
         return _LAWS[law.kind](scene, scene.frame(law.number))
 
 
-def _is_velocity(tree: object) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
-
-
 def _two_by_two(
     residuals: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Expr]:

@@ -18,7 +18,6 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Polar,
-    Quantity,
     walk,
 )
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
@@ -324,10 +323,6 @@ class Scene:
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
         return tree_of(value)
-
-    def velocity_tree(self, body: str, stage: int) -> Quantity:
-        """The velocity of a body after so many events, by the last that changed it."""
-        return Quantity("velocity", (Name(body),), self.last_event(body, stage))
 
 
 def opposite(tree: Expression) -> Expression:

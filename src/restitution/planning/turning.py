@@ -29,6 +29,7 @@ from restitution.planning.forms import difference, product, square, swept, total
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
+    Formula,
     body_and_stage,
     formula,
     in_the_plane,
@@ -225,19 +226,19 @@ def _angle_of(own: Ratio) -> Expression:
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 
+def _tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
+    """The tangent of an angle by its definition: the line, and the letter of the angle."""
+    letter, meaning = _named(scene, asked)
+    refs = together(own.refs, (meaning,))
+    subject = Apply("tan", Letter(letter))
+    return _ratio_line(scene, move, refs, subject, own.right, own.value), letter
+
+
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     own = formula(scene, asked)
-    letter, meaning = _named(scene, asked)
     move = Move("define", "tan", own.move.event, own.move.bodies)
-    line = _ratio_line(
-        scene,
-        move,
-        together(own.refs, (meaning,)),
-        Apply("tan", Letter(letter)),
-        own.right,
-        own.value,
-    )
+    line, letter = _tangent_line(scene, asked, own, move)
     to_i_or_j = isinstance(asked.arguments[1], Unit)
     extent = _RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
@@ -250,15 +251,7 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     if scene.model.identically_zero(x.value):
         return _along_j(scene, asked, x, y)
     own = formula(scene, asked)
-    letter, meaning = _named(scene, asked)
-    line = _ratio_line(
-        scene,
-        own.move,
-        together(own.refs, (meaning,)),
-        Apply("tan", Letter(letter)),
-        own.right,
-        own.value,
-    )
+    line, letter = _tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
     value = own.value
     if scene.model.sign(x.value) > 0:
@@ -398,15 +391,7 @@ def _deflection(
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
     own = formula(scene, asked)
-    letter, meaning = _named(scene, asked)
-    line = _ratio_line(
-        scene,
-        own.move,
-        together(own.refs, (meaning,)),
-        Apply("tan", Letter(letter)),
-        own.right,
-        own.value,
-    )
+    line, letter = _tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
 
 
