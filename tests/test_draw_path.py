@@ -15,7 +15,6 @@ from restitution.draw.labels import place
 from restitution.draw.path import path_scene
 from restitution.draw.scene import Arrow, Disc, Dot, Label, RoundWall, Scene, StraightWall
 from restitution.language import parse
-from restitution.problem import Arrival, Impact, Kick
 from restitution.render.text import to_text
 from restitution.solve import solve
 from restitution.solve.story import Story
@@ -44,8 +43,7 @@ def drawn(path: Path) -> list[tuple[Story, Plan, Scene]]:
             if scene is None:
                 continue
             story = motion(solution, part, branch).story
-            own = [s for s in part.part.steps if isinstance(s, Impact | Kick | Arrival)]
-            plan = lay_out(story, len(story.happenings) - len(own))
+            plan = lay_out(story, len(story.happenings) - len(part.part.events))
             assert plan is not None
             found.append((story, plan, scene))
     return found

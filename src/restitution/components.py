@@ -39,7 +39,7 @@ from restitution.oracle import (
     holds_at,
 )
 from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
-from restitution.problem import Arrival, Find, Impact, Kick, Let, Part, Problem, Show, trees
+from restitution.problem import Arrival, Find, Impact, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, at, number_of, plain_sign
 from restitution.solve.solution import Branch
@@ -788,12 +788,8 @@ def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
     pool = [c for c in _COMPONENTS if c not in taken]
     given = _named_by_let(problem, spheres)
     names: dict[tuple[int, str], str] = {}
-    number = 0
     used = 0
-    for _, step in problem.steps():
-        if not isinstance(step, Impact | Kick | Arrival):
-            continue
-        number += 1
+    for number, step in enumerate(problem.events, 1):
         if not isinstance(step, Impact):
             continue
         bodies = [b for b in (step.first, step.second) if b in spheres]
@@ -813,14 +809,11 @@ def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
 def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], str]:
     """Components that the statement names itself: ``let v = along(velocity(A), i)``."""
     found: dict[tuple[int, str], str] = {}
-    number = 0
     latest: dict[str, tuple[int, Impact]] = {}
-    for _, step in problem.steps():
-        if isinstance(step, Impact | Kick | Arrival):
-            number += 1
-            if isinstance(step, Impact):
-                for body in (step.first, step.second):
-                    latest[body] = number, step
+    for step, number, _ in problem.timeline():
+        if isinstance(step, Impact):
+            for body in (step.first, step.second):
+                latest[body] = number, step
         elif isinstance(step, Let):
             tree = step.expression
             if not isinstance(tree, Quantity) or tree.kind != "along":

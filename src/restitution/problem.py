@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Name, Pair, Place, rational
@@ -288,6 +288,19 @@ class Part:
     steps: tuple[Step, ...]
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """The events of this part alone."""
+        return tuple(step for step in self.steps if isinstance(step, Event))
+
+
+class Moment(NamedTuple):
+    """A step of the story, the number of events up to it, and the part in which it stands."""
+
+    step: Step
+    events: int
+    part: Part
+
 
 @dataclass(frozen=True)
 class Problem:
@@ -309,11 +322,43 @@ class Problem:
         """The notes as texts, each with its place."""
         return tuple(map(str, self.notes))
 
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Every event of the story, in order."""
+        return tuple(event for part in self.parts for event in part.events)
+
     def steps(self) -> Iterator[tuple[Part, Step]]:
-        """Every step of the story with its part, in the order told."""
+        """Every step of the story with its part, in order."""
         for part in self.parts:
             for step in part.steps:
                 yield part, step
+
+    def timeline(self, part: Part | None = None) -> Iterator[Moment]:
+        """Every step of the story with the number of events up to it, that event included.
+
+        With a part, only what concerns it: the events of the parts up to it, the facts, names
+        and unknown letters in force in it, which are its own and those before the first ``part``
+        line, and its own questions. Raises ValueError for a part of another problem.
+        """
+        last = len(self.parts) - 1 if part is None else self.parts.index(part)
+        events = 0
+        for number, each in enumerate(self.parts[: last + 1]):
+            own = part is None or number == last
+            for step in each.steps:
+                if isinstance(step, Event):
+                    events += 1
+                elif not own and (each.label is not None or isinstance(step, Find | Show)):
+                    continue
+                yield Moment(step, events, each)
+
+    def asked(self, part: Part) -> Iterator[tuple[Item | Show, int]]:
+        """The items and shows of a part, each with the number of events before it."""
+        for step, events, _ in self.timeline(part):
+            if isinstance(step, Find):
+                for item in step.items:
+                    yield item, events
+            elif isinstance(step, Show):
+                yield step, events
 
 
 # --- what a problem speaks of ------------------------------------------------------------------

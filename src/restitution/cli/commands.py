@@ -514,14 +514,14 @@ def check(
 
 
 def _summary(problem: Problem) -> str:
-    from restitution.problem import Arrival, Find, Impact, Kick, Show
+    from restitution.problem import Find, Show
 
     steps = [step for _, step in problem.steps()]
     counts = [
         (len(problem.spheres), "sphere"),
         (len(problem.walls), "wall"),
         (len(problem.points), "point"),
-        (sum(isinstance(step, Impact | Kick | Arrival) for step in steps), "event"),
+        (len(problem.events), "event"),
     ]
     asked = sum(
         len(step.items) if isinstance(step, Find) else 1

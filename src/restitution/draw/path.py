@@ -32,7 +32,7 @@ from restitution.draw.scene import (
 )
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Binary, Degrees, Expression, Pair, Unit, walk
-from restitution.problem import Arrival, Impact, Kick, Problem
+from restitution.problem import Arrival, Impact, Problem
 from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Layout, Number
@@ -68,8 +68,7 @@ def path_scene(
     if not _is_plannable(solution):
         return None
     told = motion(solution, part, branch) if told is None else told
-    events = [step for step in part.part.steps if isinstance(step, Impact | Kick | Arrival)]
-    plan = lay_out(told.story, len(told.story.happenings) - len(events))
+    plan = lay_out(told.story, len(told.story.happenings) - len(part.part.events))
     if plan is None:
         return None
     values = Known(solution, part, branch, told)

@@ -149,31 +149,26 @@ def sayings(motion: Motion) -> Sayings:
 def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
     """Expressions of facts (equal ones together) and of questions, with the events told before."""
     problem, part = motion.told.problem, motion.told.part
-    now = 0
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        in_force = each.label is None or each is part
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif isinstance(step, Given) and in_force:
-                for relation in step.relations:
-                    if isinstance(relation, Compare) and set(relation.operators) == {"="}:
-                        for pair in zip(relation.operands, relation.operands[1:]):
-                            yield pair, now, True
-                    elif isinstance(relation, AtRest):
-                        velocity = Quantity("velocity", (relation.body,))
-                        yield (velocity, Number(Fraction(0))), now, True
-                    elif isinstance(relation, Compare | Aligned):
-                        yield tuple(trees_of_relation(relation)), now, False
-            elif isinstance(step, Let) and in_force:
-                yield (Letter(step.letter), step.expression), now, True
-            elif isinstance(step, Find) and each is part:
-                for item in step.items:
-                    yield (item.expression,), now, False
-            elif isinstance(step, Show) and each is part:
-                yield tuple(trees_of_relation(step.relation)), now, False
-                if isinstance(step.subject, Extremum):
-                    yield (step.subject.expression,), now, False
+    for step, now, _ in problem.timeline(part):
+        if isinstance(step, Given):
+            for relation in step.relations:
+                if isinstance(relation, Compare) and set(relation.operators) == {"="}:
+                    for pair in zip(relation.operands, relation.operands[1:]):
+                        yield pair, now, True
+                elif isinstance(relation, AtRest):
+                    velocity = Quantity("velocity", (relation.body,))
+                    yield (velocity, Number(Fraction(0))), now, True
+                elif isinstance(relation, Compare | Aligned):
+                    yield tuple(trees_of_relation(relation)), now, False
+        elif isinstance(step, Let):
+            yield (Letter(step.letter), step.expression), now, True
+        elif isinstance(step, Find):
+            for item in step.items:
+                yield (item.expression,), now, False
+        elif isinstance(step, Show):
+            yield tuple(trees_of_relation(step.relation)), now, False
+            if isinstance(step.subject, Extremum):
+                yield (step.subject.expression,), now, False
 
 
 class _Reader:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -43,13 +43,11 @@ from restitution.oracle import BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
 from restitution.problem import (
     Aligned,
-    Arrival,
     AtRest,
     Compare,
     Extremum,
     Find,
     Given,
-    Impact,
     Kick,
     Meets,
     Part,
@@ -70,20 +68,6 @@ if TYPE_CHECKING:
     from restitution.explain.working import Working
 
 
-def stages(problem: Problem, part: Part) -> Iterator[tuple[Any, int]]:
-    """The items and shows of a part, each with the number of events told before it."""
-    now = 0
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif each is part and isinstance(step, Find):
-                for item in step.items:
-                    yield item, now
-            elif each is part and isinstance(step, Show):
-                yield step, now
-
-
 def trees_of(item: Any) -> list[Expression]:
     """The expressions of an item."""
     if isinstance(item, Show):
@@ -97,19 +81,18 @@ def trees_of(item: Any) -> list[Expression]:
 def speaks_across(problem: Problem, part: Part) -> bool:
     """Whether anything asked or given rests on more than components along lines of centres."""
     pending: list[Expression] = []
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Given) and (each.label is None or each is part):
-                for relation in step.relations:
-                    pending += trees_of_relation(relation)
-                    if isinstance(relation, Aligned):
-                        return True
-            elif each is part and isinstance(step, Find | Show):
-                if isinstance(step, Show) and isinstance(step.relation, Aligned):
+    for step, _, _ in problem.timeline(part):
+        if isinstance(step, Given):
+            for relation in step.relations:
+                pending += trees_of_relation(relation)
+                if isinstance(relation, Aligned):
                     return True
-                items = step.items if isinstance(step, Find) else (step,)
-                for item in items:
-                    pending += trees_of(item)
+        elif isinstance(step, Find | Show):
+            if isinstance(step, Show) and isinstance(step.relation, Aligned):
+                return True
+            items = step.items if isinstance(step, Find) else (step,)
+            for item in items:
+                pending += trees_of(item)
     for tree in pending:
         for node in walk(tree):
             if not isinstance(node, Quantity) or node.kind not in WHOLE:
@@ -712,4 +695,4 @@ def _true_bound(work: Working, item: Show, true: Answer) -> Layout:
     return look(true.value, angle=true.angle)
 
 
-__all__ = ["explain_item", "put_in", "speaks_across", "stages", "trees_of"]
+__all__ = ["explain_item", "put_in", "speaks_across", "trees_of"]

@@ -14,7 +14,6 @@ from restitution.explain.asked import (
     coefficients_that_bind,
     explain_item,
     speaks_across,
-    stages,
     trees_of,
 )
 from restitution.explain.backwards import is_told_backwards, steps_backwards
@@ -295,7 +294,7 @@ def _worked(
     work.facts = fact_equations(work, problem, part.part, protected)
     _silent_letters(work)
     _take_over(work, carried)
-    listed = list(stages(problem, part.part))
+    listed = list(problem.asked(part.part))
     for item, now in listed:
         for tree in trees_of(item):
             try:

@@ -61,8 +61,7 @@ def events_of(problem: Problem) -> tuple[Event, ...]:
     """The events of a problem, in the order told."""
     walls = {each.name for each in problem.walls}
     found: list[Event] = []
-    for _, step in problem.steps():
-        number = len(found) + 1
+    for number, step in enumerate(problem.events, 1):
         match step:
             case Impact():
                 wall = step.second in walls
@@ -262,11 +261,7 @@ class _Facts:
 
     def _of_events(self) -> Iterator[Fact]:
         yield from self._start()
-        number = 0
-        for _, step in self.problem.steps():
-            if not isinstance(step, Impact | Kick | Arrival):
-                continue
-            number += 1
+        for number, step in enumerate(self.problem.events, 1):
             if isinstance(step, Kick):
                 impulse = Quantity("impulse", (Name(step.body),), number)
                 yield self._fact(f"impulse {number}", impulse, step.impulse, step.place)
@@ -334,11 +329,6 @@ class _Facts:
             return Degrees(along.value + right.value)
         return Binary("+", along, right)
 
-    def _impacts(self) -> Iterator[Any]:
-        for _, step in self.problem.steps():
-            if isinstance(step, Impact | Kick | Arrival):
-                yield step
-
     def _leads_away(self, body: str, number: int, normal: Expression) -> bool:
         """Whether a velocity before an event, where it is plain, is against a direction."""
         from restitution.explaining.algebra import NotComparableError
@@ -370,10 +360,10 @@ class _Facts:
 
         given = next(each.velocity for each in self.problem.spheres if each.name == body)
         value = world.value(given) if isinstance(given, Expression) else None
-        for event, step in enumerate(self._impacts(), 1):
+        for event, step in enumerate(self.problem.events, 1):
             if event == number or not isinstance(value, Plane):
                 break
-            if body not in self.events[event - 1].bodies:
+            if body not in self.events[event - 1].bodies or isinstance(step, Arrival):
                 continue
             if isinstance(step, Kick):
                 push = world.value(step.impulse)
@@ -393,10 +383,8 @@ class _Facts:
         return value if isinstance(value, Plane) else None
 
     def _given(self) -> Iterator[Fact]:
-        events = number = 0
-        for part, step in self.problem.steps():
-            if isinstance(step, Impact | Kick | Arrival):
-                events += 1
+        number = 0
+        for step, events, part in self.problem.timeline():
             if isinstance(step, Let):
                 quantity = self.settled(step.expression, events)
                 yield self._fact(f"let {step.letter}", quantity, Letter(step.letter), step.place)

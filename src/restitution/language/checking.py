@@ -126,8 +126,7 @@ def mistakes(problem: Problem, more_events: int = 0) -> Iterator[StatementError]
         if body.name in kinds:
             yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
         kinds.setdefault(body.name, _kind(body))
-    told = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
-    told += more_events
+    told = len(problem.events) + more_events
     named = frozenset(step.letter for _, step in problem.steps() if isinstance(step, Let))
     bodies = _Bodies(kinds, told, named)
     for sphere in problem.spheres:

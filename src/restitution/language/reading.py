@@ -48,6 +48,7 @@ from restitution.problem import (
     Arrival,
     AtRest,
     Compare,
+    Event,
     Extremum,
     Find,
     Given,
@@ -342,7 +343,7 @@ def _add(story: _Story, line: Line, reading: Reading, said: Any) -> None:
                 place.column,
             )
         return
-    if isinstance(said, Impact | Kick | Arrival):
+    if isinstance(said, Event):
         story.events += 1
         if story.events > MAX_EVENTS:
             raise StatementError(

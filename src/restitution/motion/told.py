@@ -20,7 +20,7 @@ from restitution.errors import RestitutionError, UnsupportedError
 from restitution.expression.tree import AtTime, Quantity, walk
 from restitution.motion.pieces import Motion
 from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered, settled
-from restitution.problem import Arrival, Impact, Kick, Problem, trees
+from restitution.problem import Problem, trees
 from restitution.solve.solution import Branch, PartSolution, Solution
 from restitution.solve.story import Story
 from restitution.staging import flights, values
@@ -130,7 +130,7 @@ def _all_numbers(motion: Motion) -> Iterator[float]:
 
 def _told(solution: Solution, part: PartSolution, branch: Branch) -> Iterator[Told]:
     told = values.motion(solution, part, branch)
-    own = sum(isinstance(step, Impact | Kick | Arrival) for step in part.part.steps)
+    own = len(part.part.events)
     since = len(told.story.happenings) - own
     timed = not any(
         name.startswith("_t_") and name not in branch.values for name in part.roles

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -27,13 +26,7 @@ from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.scene import Scene
 from restitution.planning.shows import write_show
 from restitution.problem import (
-    Arrival,
     Extremum,
-    Find,
-    Impact,
-    Kick,
-    Part,
-    Problem,
     Range,
     Show,
     Value,
@@ -163,7 +156,7 @@ def _write_items(scene: Scene) -> None:
     problem, part = scene.problem, scene.solution
     label = part.part.label
     for index, ((item, now), result) in enumerate(
-        zip(_asked(problem, part.part), part.items, strict=True), 1
+        zip(problem.asked(part.part), part.items, strict=True), 1
     ):
         name = f"{label or ''}{index}"
         scene.desk.item = name
@@ -216,18 +209,3 @@ _MOST_EVENTS = 12
 _MOST_ITEMS = 24
 # Data of exam questions stay far below these.
 _MOST_NODES, _MOST_FUNCTIONS, _MOST_POWER, _LARGEST = 60, 6, 6, 10**12
-
-
-def _asked(problem: Problem, part: Part) -> Sequence[tuple[object, int]]:
-    """The items and shows of a part, each with the number of events told before it."""
-    now = 0
-    found: list[tuple[object, int]] = []
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif each is part and isinstance(step, Find):
-                found += [(item, now) for item in step.items]
-            elif each is part and isinstance(step, Show):
-                found.append((step, now))
-    return found

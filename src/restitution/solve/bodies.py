@@ -98,9 +98,7 @@ def fixed_letters(problem: Problem, part: Part) -> frozenset[str]:
     """The letters that a fact in force equates with an expression of letters and numbers."""
     return frozenset(
         side.name
-        for each in problem.parts[: problem.parts.index(part) + 1]
-        if each.label is None or each is part
-        for step in each.steps
+        for step, _, _ in problem.timeline(part)
         if isinstance(step, Given)
         for relation in step.relations
         if isinstance(relation, Compare) and set(relation.operators) == {"="}

@@ -19,7 +19,7 @@ from restitution.errors import ImpossibleError, RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Letter, letters, line_and_column
 from restitution.expression.writing import write_expression
-from restitution.problem import Arrival, Event, Impact, Kick, Step
+from restitution.problem import Event, Impact, Step
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solve.bodies import coefficient_outside
@@ -144,7 +144,7 @@ def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
     for part in setting.problem.parts:
         steps: list[Step] = []
         for step in part.steps:
-            number += isinstance(step, Impact | Kick | Arrival)
+            number += isinstance(step, Event)
             if (
                 isinstance(step, Impact)
                 and number <= len(branch.numbers.happenings)

@@ -22,7 +22,7 @@ import sympy as sp
 
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name
-from restitution.problem import Arrival, Event, Impact, Kick, Part, Problem
+from restitution.problem import Arrival, Impact, Part, Problem
 from restitution.solve.conditions import Condition, Equation
 from restitution.vector import Vector
 
@@ -44,7 +44,7 @@ def ends_at_a_point(problem: Problem, part: Part) -> bool:
     by_root: set[str] = set()
     round_walls = {wall.name for wall in problem.walls if wall.centre is not None}
     spheres = {sphere.name for sphere in problem.spheres}
-    for step in _events(problem, part):
+    for step, _, _ in problem.timeline(part):
         if isinstance(step, Impact):
             free = step.second in spheres and step.along is None and step.offset is None
             if free or step.second in round_walls or step.first in by_root:
@@ -54,13 +54,6 @@ def ends_at_a_point(problem: Problem, part: Part) -> bool:
             if not (isinstance(step.target, Name) and step.target.name in walls):
                 return True
     return False
-
-
-def _events(problem: Problem, part: Part) -> Iterable[Event]:
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                yield step
 
 
 def rests_on(values: Iterable[Scalar], names: Collection[str]) -> bool:

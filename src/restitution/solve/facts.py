@@ -9,7 +9,6 @@ from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Expression, Letter, Name, Place
 from restitution.problem import (
     Aligned,
-    Arrival,
     AtRest,
     Compare,
     Given,
@@ -30,15 +29,7 @@ Requirement = Equation | Condition | AnyOf
 
 def givens(problem: Problem, part: Part) -> list[tuple[Given, int]]:
     """The lines of facts in force in a part, each with the number of events told before it."""
-    found = []
-    now = 0
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif isinstance(step, Given) and (each.label is None or each is part):
-                found.append((step, now))
-    return found
+    return [(step, now) for step, now, _ in problem.timeline(part) if isinstance(step, Given)]
 
 
 def requirements(

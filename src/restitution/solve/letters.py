@@ -49,7 +49,6 @@ from restitution.problem import (
     Given,
     Impact,
     Let,
-    Part,
     Problem,
     Relation,
     Show,
@@ -418,8 +417,3 @@ def _bounded(role: Role, bound: sp.Expr, op: str) -> Role:
         if role.high is not None and bool(bound >= role.high):
             role = replace(role, high=None if role.kind != "angle" else sp.pi)
     return role
-
-
-def parts_until(problem: Problem, part: Part) -> tuple[Part, ...]:
-    """The parts told up to and with a given one."""
-    return problem.parts[: problem.parts.index(part) + 1]

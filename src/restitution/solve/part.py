@@ -52,7 +52,6 @@ from restitution.solve.contacts import ends_at_a_point, rests_on
 from restitution.solve.facts import givens, requirements
 from restitution.solve.letters import (
     narrowed_by,
-    parts_until,
     roles,
 )
 from restitution.solve.numbers import (
@@ -664,9 +663,7 @@ def declared(problem: Problem, part: Part) -> frozenset[str]:
     """The letters that lines in force in a part declare unknown."""
     return frozenset(
         letter
-        for each in parts_until(problem, part)
-        if each.label is None or each is part
-        for step in each.steps
+        for step, _, _ in problem.timeline(part)
         if isinstance(step, Unknown)
         for letter in step.letters
     )

@@ -38,12 +38,9 @@ from restitution.expression.tree import (
 )
 from restitution.language.checking import check
 from restitution.problem import (
-    Arrival,
     Extremum,
     Find,
     Given,
-    Impact,
-    Kick,
     Let,
     Part,
     Problem,
@@ -228,15 +225,8 @@ class _Worker:
 
     def solve(self) -> PartSolution:
         results: list[ItemResult] = []
-        now = sum(
-            isinstance(step, Impact | Kick | Arrival)
-            for each in self.problem.parts[: self.problem.parts.index(self.part)]
-            for step in each.steps
-        )
-        for step in self.part.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif isinstance(step, Find):
+        for step, now, _ in self.problem.timeline(self.part):
+            if isinstance(step, Find):
                 for item in step.items:
                     results.append(self._kept(partial(self._item, item, now, step.in_terms_of)))
             elif isinstance(step, Show):

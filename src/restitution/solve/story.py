@@ -182,11 +182,9 @@ class Story:
         self._sizes()
         for sphere in problem.spheres:
             self._start(sphere)
-        parts = problem.parts[: problem.parts.index(part) + 1]
-        for each in parts:
-            for step in each.steps:
-                if isinstance(step, Impact | Kick | Arrival):
-                    self.tell(step)
+        for step, _, _ in problem.timeline(part):
+            if isinstance(step, Event):
+                self.tell(step)
 
     # --- reading expressions ------------------------------------------------------------------
 
@@ -767,12 +765,8 @@ def _in_lets(value: Any, lets: Mapping[str, object]) -> bool:
 
 def lets_of(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
     """The names in force in a part, each with the number of events told before its line."""
-    found: dict[str, tuple[Let, int]] = {}
-    now = 0
-    for each in problem.parts[: problem.parts.index(part) + 1]:
-        for step in each.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif isinstance(step, Let) and (each.label is None or each is part):
-                found[step.letter] = (step, now)
-    return found
+    return {
+        step.letter: (step, events)
+        for step, events, _ in problem.timeline(part)
+        if isinstance(step, Let)
+    }

@@ -12,7 +12,7 @@ from restitution.errors import RestitutionError, StatementError, TimeLimitError,
 from restitution.export import contract
 from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve
 from restitution.language import parse
-from restitution.problem import Arrival, Impact, Kick, Problem
+from restitution.problem import Problem
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
@@ -208,7 +208,7 @@ class _NoEventError(StatementError):
 
 
 def _require_event(problem: Problem, number: int | None) -> None:
-    events = sum(isinstance(step, Impact | Kick | Arrival) for _, step in problem.steps())
+    events = len(problem.events)
     if number is not None and not 1 <= number <= events:
         known = "1 event" if events == 1 else f"{events} events"
         raise _NoEventError(f"there is no event {_short(number)}: the statement tells of {known}")

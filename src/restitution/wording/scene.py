@@ -97,9 +97,8 @@ class Scene:
 
 def scene_of(problem: Problem) -> Scene:
     """The scene of a statement of which nothing is told yet."""
-    events = tuple(step for _, step in problem.steps() if isinstance(step, Impact | Kick | Arrival))
     placed, oriented = _placed(problem), _oriented(problem)
-    return Scene(problem, events, style_of(problem), placed, oriented, _taken(problem))
+    return Scene(problem, problem.events, style_of(problem), placed, oriented, _taken(problem))
 
 
 def _taken(problem: Problem) -> frozenset[str]:

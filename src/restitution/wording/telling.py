@@ -12,11 +12,9 @@ from restitution.expression.dimensions import LENGTH
 from restitution.expression.tree import Expression, Place, has_quantity
 from restitution.language import check
 from restitution.problem import (
-    Arrival,
+    Event,
     Find,
     Given,
-    Impact,
-    Kick,
     Let,
     Part,
     Point,
@@ -89,13 +87,10 @@ def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:
     _exact(problem)
     scene = scene_of(problem)
     found: dict[str | None, tuple[Words, ...]] = {}
-    now = 0
     for part in problem.parts:
         items: list[Words] = []
-        for step in part.steps:
-            if isinstance(step, Impact | Kick | Arrival):
-                now += 1
-            elif isinstance(step, Find | Show):
+        for step, now, own in problem.timeline(part):
+            if own is part and isinstance(step, Find | Show):
                 items += names_of(scene.at(now), step)
         found[part.label] = tuple(items)
     return found
@@ -187,7 +182,7 @@ def _numbering(problem: Problem) -> Any:
 class _Run:
     """What is said between one event and the next."""
 
-    event: Impact | Kick | Arrival | None
+    event: Event | None
     label: str | None
     lets: tuple[Let, ...]
     relations: tuple[Relation, ...]
@@ -201,7 +196,7 @@ def _runs(part: Part) -> list[_Run]:
     steps: list[Any] = []
     runs: list[_Run] = []
     for step in part.steps:
-        if isinstance(step, Impact | Kick | Arrival):
+        if isinstance(step, Event):
             runs.append(_run_of(part.label, event, steps))
             event, steps = step, []
         else:
