@@ -10,7 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
-from restitution.planning import journeys
+from restitution.planning import distances
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.quantities import formula, write_formula
@@ -40,7 +40,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         values[node] = _angle_tree(scene, source) if angle else tree_of(source.value)
         refs += source.refs
         if not isinstance(source.value, Vector):
-            ranges += journeys.ranges(scene, sp.sympify(source.value, strict=True))
+            ranges += distances.ranges(scene, sp.sympify(source.value, strict=True))
     if not refs:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
-from restitution.planning import journeys
+from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
@@ -101,7 +101,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _component(scene, each)
         if own.left.kind == "deflection":
             _decided(scene, own.left)
-        if not has_quantity(own.right) and not journeys.serves(own.left):
+        if not has_quantity(own.right) and not place_trees.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     match own.left:
         case Apply("tan", Quantity("angle") as angle) if not has_quantity(own.right):
@@ -283,7 +283,7 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 or node in values
             ):
                 continue
-            if journeys.serves(node):
+            if place_trees.serves(node):
                 number, value = journeys.write(scene, node)
                 values[node] = tree_of(value)
                 refs.append(number)

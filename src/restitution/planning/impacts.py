@@ -202,7 +202,7 @@ def blown(scene: Scene, body: str, number: int) -> Source:
         return known
     given = velocity_given(scene, body, number)
     if given is not None:
-        return Source(given[1], given[2])
+        return scene.desk.know(velocity, given[1], given[2])
     fact = scene.facts.get(f"impulse {number}")
     if fact is None:
         raise NotPlannedError(f"the velocity of {body} after event {number}")
@@ -219,12 +219,15 @@ def blown(scene: Scene, body: str, number: int) -> Source:
         if isinstance(each, Name) and f"wall {each.name}" in scene.facts
     ]
     change = difference(velocity, tree_of(early)) if any(early) else velocity
+    move = Move("law", "impulse-vector", number, (body,))
+    used = together((fact.id,), walls, refs, mass.refs, *(each.refs for each in parts))
+    change = swept(product(tree_of(mass.value), change))
+    if change == velocity:
+        # Of a mass of 1 at rest the impulse is the velocity.
+        line = scene.desk.write(move, used, chain(velocity, (tree_of(late), None)))
+        return scene.desk.know(velocity, late, (line,))
     left = tree_of(impulse) if refs or isinstance(right, Polar) else right
-    line = scene.desk.write(
-        Move("law", "impulse-vector", number, (body,)),
-        together((fact.id,), walls, refs, mass.refs, *(each.refs for each in parts)),
-        chain(left, (product(tree_of(mass.value), change), None)),
-    )
+    line = scene.desk.write(move, used, chain(left, (change, None)))
     line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
     return scene.desk.know(velocity, late, (line,))
 

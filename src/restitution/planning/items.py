@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
 from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, has_quantity
-from restitution.planning import journeys
+from restitution.planning import journeys, place_trees
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
@@ -26,7 +26,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
-    placed = journeys.serves(asked) or journeys.is_duration(asked)
+    placed = place_trees.serves(asked) or place_trees.is_duration(asked)
     if placed:
         solver.determine(journeys.goals(scene, asked))
     else:

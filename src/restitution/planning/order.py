@@ -16,7 +16,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
-from restitution.planning import journeys
+from restitution.planning import paths, place_trees, separations
 from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
 from restitution.planning.closing import close, with_known
@@ -68,7 +68,7 @@ class Solver:
         self.scene = scene
         self.laws = [*self._laws(), *self._across()]
         self.givens = {each.fact.id: each for each in scene.given}
-        self.paths = {each.candidate.id: each for each in journeys.paths(scene)}
+        self.paths = {each.candidate.id: each for each in paths.paths(scene)}
         self.used: set[str] = set()
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, Waiting] = {}
@@ -181,7 +181,7 @@ class Solver:
             symbol
             for number, frame in self.scene.model.frames.items()
             if frame.wall is None
-            and journeys.separation_known(self.scene, self.scene.frame(number)) is not None
+            and separations.separation_known(self.scene, self.scene.frame(number)) is not None
             for symbol in self._after(number)
         )
 
@@ -225,8 +225,8 @@ class Solver:
     def _of_given(self, each: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""
         own = candidate(each)
-        if each.link.sign == "=" and journeys.is_about_times(each.link):
-            return replace(own, residuals=journeys.residuals(self.scene, each.link))
+        if each.link.sign == "=" and place_trees.is_about_times(each.link):
+            return replace(own, residuals=paths.residuals(self.scene, each.link))
         match each.link:
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
@@ -485,7 +485,7 @@ class Solver:
             return False
         if not self._open(own) <= self._after(law.number).keys():
             return False
-        journeys.write_separation(self.scene, self.scene.frame(law.number))
+        separations.write_separation(self.scene, self.scene.frame(law.number))
         left.clear()
         return True
 
@@ -512,7 +512,7 @@ class Solver:
                 self.reasons.append(error)
                 return None
         if own.id in self.paths:
-            return journeys.write_path(self.scene, self.paths[own.id])
+            return paths.write_path(self.scene, self.paths[own.id])
         if law is None:
             return None
         if law.kind in _LAWS:

@@ -12,7 +12,7 @@ from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
-from restitution.planning import journeys
+from restitution.planning import place_trees
 from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
@@ -176,7 +176,7 @@ def _write_items(scene: Scene) -> None:
             case Value():
                 asked = staged(problem, item.expression, now)
                 write_item(scene, solver, asked, name)
-                if journeys.serves(asked):
+                if place_trees.serves(asked):
                     _require_form(scene, result)
                 _require_found(scene, asked)
 

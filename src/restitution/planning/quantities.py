@@ -21,7 +21,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning import journeys
+from restitution.planning import journeys, place_trees
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
@@ -70,7 +70,7 @@ def _itself(tree: Expression) -> Expression:
 
 def formula(scene: Scene, quantity: Quantity) -> Formula:
     """The definition by which a quantity is worked out. Raises NotPlannedError without one."""
-    if journeys.serves(quantity):
+    if place_trees.serves(quantity):
         return _of_journey(scene, quantity)
     own = _FORMULAS.get(quantity.kind)
     if own is None:

@@ -16,7 +16,6 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Polar,
     walk,
 )
@@ -323,8 +322,3 @@ class Scene:
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
         return tree_of(value)
-
-
-def opposite(tree: Expression) -> Expression:
-    """The other sense of a direction."""
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)

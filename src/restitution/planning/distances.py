@@ -1,0 +1,177 @@
+"""How far two things are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import Apply, AtTime, Expression, Name, Quantity, Unit
+from restitution.planning.angles import range_of
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.impacts import in_direction
+from restitution.planning.instants import piece, place_then, time_since
+from restitution.planning.place_trees import time_tree
+from restitution.planning.places import spot, time_of
+from restitution.planning.scene import Scene
+from restitution.planning.separations import separation_direction, separation_known
+from restitution.planning.whereabouts import standing, tidied
+
+
+def distance(scene: Scene, asked: Quantity) -> Source:
+    """A distance by the coordinates of both ends, or by the velocities since they were together."""
+    known = standing(scene, asked)
+    if known is not None:
+        return known
+    if isinstance(asked.stage, AtTime):
+        together_ = _distance_since_contact(scene, asked)
+        if together_ is not None:
+            return together_
+    ends = [_end(scene, each, asked.stage) for each in asked.arguments]
+    refs = together(*(each.refs for each in ends))
+    (a, b) = (each.value for each in ends)
+    return _write_distance(scene, asked, None, refs, [tidy(x) for x in a], [tidy(x) for x in b])
+
+
+def _write_distance(
+    scene: Scene,
+    asked: Quantity,
+    event: int | None,
+    refs: Sequence[Ref],
+    a: Sequence[sp.Expr],
+    b: Sequence[sp.Expr],
+    times: tuple[Expression, sp.Expr] | None = None,
+) -> Source:
+    gaps = []
+    for x, y in zip(a, b, strict=True):
+        gap = tidy(x - y)
+        if gap == 0:
+            continue
+        if scene.model.sign(gap) < 0:
+            x, y = y, x
+        gaps.append((difference(tree_of(x), tree_of(y)), gap))
+    if not gaps:
+        raise NotPlannedError("a distance that is nothing")
+    if len(gaps) == 1:
+        ((tree, gap),) = gaps
+        value = gap if scene.model.sign(gap) >= 0 else -gap
+    else:
+        tree = Apply("sqrt", total(square(each) for each, _ in gaps))
+        value = sp.sqrt(tidy(sp.expand(sum(gap**2 for _, gap in gaps))))
+    if times is not None:
+        tree = product(times[0], tree)
+        value = value * times[1]
+    value = sized(scene, tidy(value))
+    number = scene.desk.write(
+        Move("define", "distance", event),
+        together(refs, *(_signs(scene, gap) for _, gap in gaps)),
+        chain(asked, (swept(tree), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(asked, value, (number,))
+
+
+def sized(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value in which sizes are taken with the sign that they have."""
+    return tidy(
+        value.replace(sp.Abs, lambda inside: inside if scene.model.sign(inside) >= 0 else -inside)
+    )
+
+
+def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
+    """What tells the signs of the letters of a distance: ranges, and times that are positive."""
+    refs = [*ranges(scene, gap), *_orders(scene, gap)]
+    factors = sp.Mul.make_args(sp.factor(gap))
+    for letter in gap.free_symbols.intersection(factors):
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is None or role.kind != "real":
+            continue
+        for number in range(1, scene.events + 1):
+            time = scene.desk.known(time_tree(number))
+            if time is not None and not time.value.is_Add and time.value.has(letter):
+                refs += time.refs
+                break
+    return tuple(refs)
+
+
+def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
+    """The facts that tell of a difference in a value which of the two is the greater."""
+    factors = [each for each in sp.Mul.make_args(sp.factor(gap)) if each.is_Add]
+    for fact in scene.desk.facts:
+        if fact.kind != "range" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
+            continue
+        for own in fact.relation.only:
+            difference_ = sp.expand(scene.scalar(own.left) - scene.scalar(own.right))
+            if any(sp.expand(each**2 - difference_**2) == 0 for each in factors):
+                yield fact.id
+
+
+def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
+    """What may be known of the letters of a value that are not plainly positive."""
+    refs: list[Ref] = []
+    for letter in sorted(value.free_symbols, key=lambda each: each.name):
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is not None and role.kind == "restitution":
+            refs += [f"{letter.name} >= 0", f"{letter.name} <= 1"]
+        elif role is not None and role.kind == "angle":
+            refs.append(range_of(scene, letter.name))
+    return tuple(refs)
+
+
+def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
+    """One end of a distance: a point, or where a body is."""
+    match tree:
+        case Name(name) if f"point {name}" in scene.facts:
+            value = tidied(scene, scene.value(tree))
+            return Source(value, (f"point {name}",))
+        case Name(name):
+            return _end(scene, Quantity("position", (tree,), stage), stage)
+        case Quantity("position", (Name(body),), int(number)):
+            return spot(scene, body, number)
+        case Quantity("position", (Name(body),), AtTime()):
+            return place_then(scene, tree, body)
+    raise NotPlannedError("the end of a distance")
+
+
+def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
+    """How far apart two bodies are that met last, by their relative velocity and the time since.
+
+    None where they met others in between.
+    """
+    assert isinstance(asked.stage, AtTime)
+    names = [each.name for each in asked.arguments if isinstance(each, Name)]
+    pieces = {
+        piece(scene, each, asked.stage.time) for each in names if each in scene.model.story.spheres
+    }
+    if len(names) != 2 or len(pieces) != 1:
+        return None
+    (met,) = pieces
+    if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+        return None
+    frame = scene.frame(met)
+    early = time_of(scene, met)
+    flight, length, more = time_since(scene, asked.stage.time, met, early)
+    names = list(scene.bodies(met))
+    apart = separation_known(scene, frame)
+    across = [in_direction(scene, "across", each, met, frame) for each in names]
+    if apart is None:
+        along = [in_direction(scene, "along", each, met, frame) for each in names]
+    else:
+        along = [Source(sp.Integer(0)), apart]
+    a, b = ([x, y] for x, y in zip(along, across, strict=True))
+    named = [frame.component("across", names[0], met).arguments[-1]]
+    if apart is None:
+        named.append(frame.component("along", names[0], met).arguments[-1])
+    else:
+        named.append(separation_direction(frame))
+    used = together(
+        more,
+        (f"contact {met}",),
+        () if all(isinstance(each, Unit) for each in named) else frame.refs,
+        *(each.whole for each in (*a, *b)),
+    )
+    values = [[each.value for each in own] for own in (a, b)]
+    return _write_distance(scene, asked, met, used, values[0], values[1], (flight, length))

@@ -1,0 +1,49 @@
+"""Ways over speeds, as lines write them: positive as far as values tell."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.derivation import Ref
+from restitution.expression.tree import Binary, Expression
+from restitution.planning.closing import nonzero
+from restitution.planning.forms import difference, negative, product, swept, tree_of
+from restitution.planning.scene import Scene
+
+
+def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
+    """A way times a component, each written as a positive number as far as values tell."""
+    minus = False
+    if scene.model.sign(scene.model.in_data(last - first)) < 0:
+        last, first, minus = first, last, not minus
+    if scene.model.sign(scene.model.in_data(pace)) < 0:
+        pace, minus = -pace, not minus
+    tree = swept(product(difference(tree_of(last), tree_of(first)), tree_of(pace)))
+    return negative(tree) if minus else tree
+
+
+def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
+    """What tells that a speed is not zero: nothing, where the way plainly is not."""
+    if all(_is_plainly_not_zero(scene, each) for each in sp.Mul.make_args(sp.factor(way))):
+        return ()
+    return nonzero(scene, pace)
+
+
+def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:
+    """Whether a factor is a number, or made of positive letters and terms of one sign."""
+    base = factor.base if factor.is_Pow else factor
+    roles = scene.model.unknowns.roles
+    terms = sp.Add.make_args(base)
+    for letter in base.free_symbols:
+        role = roles.get(letter.name)
+        if role is None or role.kind != "positive":
+            return False
+    return len({sp.sign(each.as_coeff_Mul()[0]) for each in terms}) == 1
+
+
+def time_quotient(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
+    """A distance over a speed, both positive as far as their values tell."""
+    if scene.model.sign(pace) < 0:
+        last, first, pace = first, last, -pace
+    way = difference(tree_of(last), tree_of(first))
+    return Binary("/", way, tree_of(pace))

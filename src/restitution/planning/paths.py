@@ -1,0 +1,151 @@
+"""Equations of journeys: that a body comes to a point, and equations between times.
+
+Where something in the data is asked for because a body comes to a point, its path gives an
+equation, in which no time stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref
+from restitution.expression.tree import Expression, Quantity
+from restitution.planning.desk import chain, together
+from restitution.planning.flights import swept_product
+from restitution.planning.forms import difference, product, swept, tree_of
+from restitution.planning.place_trees import AXES, place_tree, time_tree
+from restitution.planning.places import coordinate, time_along, time_of
+from restitution.planning.routes import Candidate
+from restitution.planning.scene import Scene
+from restitution.planning.whereabouts import (
+    axis_for,
+    last_move,
+    of_contact_tree,
+    standing,
+    value_of_coordinate,
+    value_of_velocity,
+    velocity,
+)
+from restitution.problem import Arrival
+from restitution.solve.quantities import quantity as quantity_of
+from restitution.vector import Vector
+
+
+def without_walls(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value with the components after walls put in by those before them."""
+    changes: dict[sp.Basic, sp.Expr] = {}
+    for law in scene.model.laws:
+        if scene.model.frames[law.number].wall is not None:
+            body = scene.bodies(law.number)[0]
+            symbol = scene.model.components[law.number, body].symbol
+            changes[symbol] = (symbol - law.residual).xreplace(changes)
+    return value.xreplace(changes)
+
+
+def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
+    """An equation between times and places, each time by one direction as lines have it."""
+    story = scene.model.story
+
+    def value(tree: Quantity) -> Any:
+        match tree:
+            case Quantity("time", (), int(number)):
+                return _time_value(scene, number)
+        return quantity_of(story, tree, scene.events)
+
+    read = type(story.evaluator(scene.events))(
+        story.field, scene.model.unknowns.letter, value, story._named, story.wall_direction
+    )
+    gap = [read.scalar(each) for each in (own.left, own.right)]
+    return (tidy(without_walls(scene, gap[0] - gap[1])),)
+
+
+def _time_value(scene: Scene, number: int) -> sp.Expr:
+    """A time as lines come to it: at a point, by the direction that is the simplest."""
+    own = scene.value(time_tree(number))
+    if number == 0 or not isinstance(scene.model.happening(number).step, Arrival):
+        return own
+    body = scene.bodies(number)[0]
+    axis = axis_for(scene, body, number)
+    since = last_move(scene, body, number)
+    if axis is None:
+        return own
+    first, last = (value_of_coordinate(scene, body, each, axis) for each in (since, number))
+    pace = value_of_velocity(scene, body, since, axis)
+    early = _time_value(scene, since) if since else sp.Integer(0)
+    return early + (last - first) / pace
+
+
+@dataclass(frozen=True)
+class Path:
+    """That a body comes to a point, as an equation of a route."""
+
+    number: int
+    body: str
+    candidate: Candidate
+
+
+def paths(scene: Scene) -> Iterator[Path]:
+    """The equations of the paths to points, in which something unknown stands."""
+    for number in range(1, scene.events + 1):
+        step = scene.model.happening(number).step
+        if not isinstance(step, Arrival):
+            continue
+        body = step.body
+        since = last_move(scene, body, number)
+        if scene.model.story.place(body, since) is None:
+            continue
+        if any(of_contact_tree(scene, body, number, axis) is None for axis in AXES):
+            continue
+        place, end = (scene.value(place_tree(body, each)) for each in (since, number))
+        gap = Vector(end.x - place.x, end.y - place.y)
+        residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
+        if scene.unknown(residual):
+            yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)))
+
+
+def write_path(scene: Scene, path: Path) -> int:
+    """The line of a path, and its number: at the time at which the body comes there, else without.
+
+    Where one direction tells the time, the other gives the equation.
+    """
+    body, number = path.body, path.number
+    since = last_move(scene, body, number)
+    for axis, other in (AXES, AXES[::-1]):
+        pace = value_of_velocity(scene, body, since, axis)
+        first = value_of_coordinate(scene, body, since, axis)
+        last = value_of_coordinate(scene, body, number, axis)
+        when = scene.model.happening(since).time if since else sp.Integer(0)
+        values = [without_walls(scene, each) for each in (pace, first, last, when)]
+        if pace == 0 or any(scene.unknown(each) for each in values):
+            continue
+        known = standing(scene, time_tree(number)) or time_along(scene, body, number, axis)
+        ends = [coordinate(scene, body, each, other) for each in (since, number)]
+        speed, early = velocity(scene, body, since, other), time_of(scene, since)
+        flight = difference(tree_of(known.value), tree_of(early.value))
+        return scene.desk.write(
+            Move("define", "straight-line", number, (body,)),
+            together(*(each.refs for each in ends), speed.refs, early.refs, known.refs),
+            chain(
+                swept(difference(tree_of(ends[1].value), tree_of(ends[0].value))),
+                (swept(product(tree_of(speed.value), flight)), None),
+            ),
+        )
+    sides: list[Expression] = []
+    refs: list[Ref] = []
+    for axis in AXES:
+        coordinate(scene, body, since, axis)
+    paces = [velocity(scene, body, since, axis) for axis in AXES]
+    for axis, pace in zip(AXES, reversed(paces), strict=True):
+        ends = [coordinate(scene, body, each, axis) for each in (since, number)]
+        refs += [ref for each in (*ends, pace) for ref in each.refs]
+        sides.append(swept_product(scene, ends[1].value, ends[0].value, pace.value))
+    return scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        refs,
+        chain(sides[0], (sides[1], None)),
+    )

@@ -1,0 +1,52 @@
+"""Times, places and distances as trees, and which expressions are about them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from restitution.explaining.derivation import Link
+from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, walk
+
+Axis = Literal["i", "j"]
+AXES: tuple[Axis, Axis] = ("i", "j")
+KINDS = frozenset({"time", "position", "distance"})
+
+
+def time_tree(number: int) -> Quantity:
+    """The time of an event; of event 0, the start."""
+    return Quantity("time", (), number)
+
+
+def place_tree(body: str, stage: int) -> Quantity:
+    """Where a body is at an event."""
+    return Quantity("position", (Name(body),), stage)
+
+
+def coordinate_tree(body: str, stage: int, axis: Axis) -> Quantity:
+    """A coordinate of the place of a body at an event."""
+    return Quantity("along", (place_tree(body, stage), Unit(axis)))
+
+
+def serves(tree: Expression) -> bool:
+    """Whether a quantity is a time, a place, a coordinate or a distance."""
+    match tree:
+        case Quantity("along" | "across", (Quantity("position"), _)):
+            return True
+        case Quantity(kind):
+            return kind in KINDS
+    return False
+
+
+def is_duration(tree: Expression) -> bool:
+    """Whether an expression is the time between two events."""
+    match tree:
+        case Binary("-", Quantity("time", (), int()), Quantity("time", (), int())):
+            return True
+    return False
+
+
+def is_about_times(own: Link) -> bool:
+    """Whether an equation is one between times, and perhaps letters."""
+    nodes = [each for side in (own.left, own.right) for each in walk(side)]
+    kinds = {each.kind for each in nodes if isinstance(each, Quantity)}
+    return kinds == {"time"}
