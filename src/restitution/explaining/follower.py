@@ -10,11 +10,8 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from functools import lru_cache
 from typing import Literal
 
-from restitution.errors import StatementError
 from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import (
     Derivation,
@@ -26,11 +23,10 @@ from restitution.explaining.derivation import (
     Ref,
     Relation,
 )
-from restitution.explaining.moves import follows
-from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.signs import Signs
-from restitution.explaining.step import Cited, Known, Setting, Step
+from restitution.explaining.step import Cited, Setting, Step
 from restitution.explaining.trees import settled, trees_of
+from restitution.explaining.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -44,7 +40,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.oracle import All, Oracle, compared
+from restitution.oracle import Oracle
 
 Reason = Literal[
     "premise-unknown",
@@ -238,7 +234,7 @@ class _Reader:
     def _letters(self) -> Iterator[Complaint]:
         known = set(self.setting.roles)
         for fact in self.derivation.facts:
-            known |= _citedof(fact.relation)
+            known |= names_in(fact.relation)
         introduced: set[str] = set()
         quantities: dict[Expression, str] = {}
         for line in self.derivation.lines:
@@ -252,7 +248,7 @@ class _Reader:
                 introduced.add(meaning.letter)
                 missing = set(letters(meaning.quantity)) - known - introduced
             else:
-                missing = _citedof(line.relation) - known - introduced
+                missing = names_in(line.relation) - known - introduced
             for name in sorted(missing):
                 yield Complaint("letter-not-introduced", line.number, name)
 
@@ -367,50 +363,32 @@ class _Reader:
                 yield Complaint("does-not-follow", line.number)
             return
         try:
-            right = self._follows(line, line.premises)
+            right = self._trial(line).follows(line.move, line.premises, line.relation)
         except NotComparableError:
             yield Complaint("not-comparable", line.number)
             return
         if not right:
             yield Complaint("does-not-follow", line.number)
             return
-        for n, ref in enumerate(line.premises):
-            fewer = (*line.premises[:n], *line.premises[n + 1 :])
-            if self._without(line, fewer):
+        trial = self._trial(line)
+        for ref in line.premises:
+            if ref not in trial.needed(line.move, line.premises, line.relation, (ref,)):
                 yield Complaint("premise-not-needed", line.number, ref)
 
     def needed(self, number: int, doubted: Iterable[Ref]) -> tuple[Ref, ...]:
         """The premises of a line without those of the doubted ones without which it follows."""
         line = self.lines[number]
-        premises = line.premises
-        for ref in doubted:
-            fewer = tuple(each for each in premises if each != ref)
-            if self._without(line, fewer):
-                premises = fewer
-        return premises
-
-    def _without(self, line: Line, premises: tuple[Ref, ...]) -> bool:
-        try:
-            return self._follows(line, premises)
-        except NotComparableError:
-            return False
-
-    def _follows(self, line: Line, premises: tuple[Ref, ...]) -> bool:
         assert isinstance(line.relation, Relation)
+        return self._trial(line).needed(line.move, line.premises, line.relation, doubted)
+
+    def _trial(self, line: Line) -> Trial:
+        """What may be cited where a line stands."""
         options = self._options(line.number)
-        cited = tuple(
-            Cited(ref, self._cited(ref, options))
-            for ref in premises
-            if isinstance(ref, int) or ref in self.facts
-        )
-        known = tuple(
-            known
-            for ref in premises
-            if isinstance(ref, str)
-            and ref not in self.facts
-            and (known := known_of_letters(ref, self.setting)) is not None
-        )
-        return follows(Step(self.setting, line.move, cited, known), line.relation)
+
+        def cited(ref: Ref) -> Relation | Meaning | None:
+            return self._cited(ref, options) if isinstance(ref, int) or ref in self.facts else None
+
+        return Trial(self.setting, cited, lambda ref: known_of_letters(ref, self.setting))
 
     def _cited(self, ref: Ref, options: Mapping[int, AbstractSet[int]]) -> Relation | Meaning:
         """What a premise says: of a line of alternatives, the options that a line stands under."""
@@ -557,34 +535,6 @@ class _Reader:
                 yield Complaint("fact-not-used", None, fact.id)
 
 
-def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
-    """What all lines of a working share."""
-    names: dict[str, str] = {}
-    for event in derivation.events:
-        for position, body in enumerate(event.bodies):
-            names[body] = "wall" if event.wall and position else "sphere"
-    for fact in derivation.facts:
-        for tree in trees_of(fact.relation):
-            for each in walk(tree):
-                match each:
-                    case Quantity("mass" | "velocity" | "speed" | "energy", (Name(name), *_)):
-                        names.setdefault(name, "sphere")
-                    case Quantity("direction", (Name(name),), None):
-                        names.setdefault(name, "wall")
-                    case Name(name):
-                        names.setdefault(name, "point")
-    values = {
-        line.relation.only[0].left.name: line.relation.only[-1].right
-        for line in derivation.lines
-        if isinstance(line.relation, Relation)
-        and len(line.relation.options) == 1
-        and line.relation.only[0].sign == "="
-        and isinstance(line.relation.only[0].left, Letter)
-        and line.relation.only[0].left.name in derivation.meanings
-    }
-    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values)
-
-
 def _tells_an_axis(relation: Relation) -> bool:
     """Whether a relation is of a line of centres and a direction."""
     return any(
@@ -636,63 +586,6 @@ def _is_sense(meaning: Meaning) -> bool:
 
 def _is_direction(tree: Expression | None) -> bool:
     return tree is not None and not isinstance(tree, Number | Degrees)
-
-
-def known_of_letters(ref: str, setting: Setting) -> Known | None:
-    """What a premise such as ``acute: alpha`` or ``e <= 1`` says of letters.
-
-    None where their roles do not say so, or the text says nothing.
-    """
-    try:
-        return _known(ref, setting)
-    except (StatementError, NotComparableError, KeyError):
-        return None
-
-
-def _known(ref: str, setting: Setting) -> Known | None:
-    head, colon, text = ref.partition(":")
-    if colon and head.strip() == "acute":
-        angle = read_tree(text, setting.names)
-        zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
-        relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
-        names = letters(angle)
-    else:
-        relation = read_relation(ref, setting.names)
-        names = frozenset(_citedof(relation))
-    if not names or any(isinstance(e, Quantity) for t in trees_of(relation) for e in walk(t)):
-        return None
-    if not _by_roles(ref, relation, setting):
-        return None
-    return Known(ref, relation, names)
-
-
-def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
-    step = Step(setting, _NO_MOVE, (), ())
-    names = _citedof(relation)
-    roles = {name: setting.role(name) for name in sorted(names)}
-    formulas = []
-    for links in relation.options:
-        for link in links:
-            left, right = (step.world.scalar(each) for each in (link.left, link.right))
-            formulas.append(
-                compared(
-                    step.world.expression(left, roles),
-                    link.sign,
-                    step.world.expression(right, roles),
-                )
-            )
-    if len(relation.options) != 1:
-        return False
-    return _proved(tuple(roles.items()), All(tuple(formulas)))
-
-
-@lru_cache(maxsize=256)
-def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
-    return Oracle(dict(roles)).proves(claim)  # type: ignore[arg-type]
-
-
-def _citedof(relation: Relation | Meaning) -> set[str]:
-    return {name for tree in trees_of(relation) for name in letters(tree)}
 
 
 def _told(relation: Relation) -> frozenset[frozenset[object]]:

@@ -32,12 +32,13 @@ from restitution.explaining.derivation import (
     Relation,
     whole_of,
 )
-from restitution.explaining.follower import known_of_letters, setting_of, settled_derivation
+from restitution.explaining.follower import settled_derivation
 from restitution.explaining.moves import MOST_COMPARED, follows, records_of
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Known, Step, is_direction
 from restitution.explaining.trees import trees_of
+from restitution.explaining.trials import known_of_letters, setting_of
 from restitution.expression.tree import (
     Apply,
     Expression,

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import ONE, difference, in_tangents, product, swept, tree_of
 from restitution.planning.impacts import scene_value
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 
@@ -87,14 +87,14 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         value = tree_of(tidy(sp.tan(angle)))
         relation = Relation(((Link(Binary("/", above, below), "=", value),),))
         move = Move("identity", "sum-of-angles")
-    own_refs = needed(scene, move, (each.fact.id,), relation, ranges)
+    own_refs = scene.judge.enough(move, (each.fact.id,), relation, ranges)
     if own_refs is None:
         raise NotPlannedError("a sum of angles")
     number = scene.desk.write(move, own_refs, relation)
     values = dict(zip(subjects, tangents, strict=True))
     link = scene.desk.last_link(number)
     put = Relation(((Link(_with(link.left, values), "=", _with(link.right, values)),),))
-    premises = needed(scene, Move("put"), (number, *together(refs)), put, ranges)
+    premises = scene.judge.enough(Move("put"), (number, *together(refs)), put, ranges)
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)

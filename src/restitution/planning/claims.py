@@ -63,7 +63,7 @@ class Claims:
     _conditions: list[int] | None = None
 
     def __post_init__(self) -> None:
-        self.judge = Judge(self.scene)
+        self.judge = self.scene.judge
 
     def __enter__(self) -> Self:
         self.scene.free |= self._tied_letters()

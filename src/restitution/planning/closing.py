@@ -21,7 +21,7 @@ from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import residual, scene_value
-from restitution.planning.premises import background, needed, nonzero, not_negative
+from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
     divided_angle,
     even,
@@ -186,7 +186,7 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None
     relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
     move = Move("rearrange")
-    refs = needed(scene, move, (number,), relation, _background(scene, number))
+    refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
     if refs is None:
         return None
     return close(scene, scene.desk.write(move, refs, relation), symbol)
@@ -236,7 +236,7 @@ def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     relation = chain(Letter(symbol.name), (tree_of(value), None))
     for record in ("pythagoras", "double-angle"):
         move = Move("identity", record)
-        refs = needed(scene, move, (number,), relation, _background(scene, number))
+        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
         if refs is not None:
             return known_as(scene, symbol, value, scene.desk.write(move, refs, relation))
     return None
@@ -262,7 +262,7 @@ def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
     """A line in another form, with what makes the factor between them not zero."""
     for move in (Move("rearrange"), Move("cancel")):
-        refs = needed(scene, move, (number,), relation, _background(scene, number))
+        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     return None

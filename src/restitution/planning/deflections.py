@@ -14,7 +14,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Name, Polar, 
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.impacts import in_direction
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
 
 
@@ -78,7 +78,7 @@ def _written(
         for side in (each.left, each.right)
         for name in letters(side)
     }
-    own = needed(scene, move, refs, relation, (*axis, *background(scene, names)))
+    own = scene.judge.enough(move, refs, relation, (*axis, *background(scene, names)))
     if own is None:
         raise NotPlannedError("a deflection to either side")
     return scene.desk.write(move, own, relation)
@@ -147,7 +147,7 @@ def turned_at_a_wall(
         (replace(law, record="restitution-wall"), away, e.refs),
     ):
         pool = [each for each in together(refs, more) if each != turned.fact.id]
-        own = needed(scene, move, [source, fast.fact.id, fact.id, *more], relation, pool)
+        own = scene.judge.enough(move, [source, fast.fact.id, fact.id, *more], relation, pool)
         if own is None:
             return None
         lines.append(scene.desk.write(move, own, relation))

@@ -35,7 +35,6 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import scene_value
-from restitution.planning.premises import needed
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -176,7 +175,7 @@ def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
     assert isinstance(own.right, Binary)
     move = replace(own.move, record="perpendicular")
     relation = Relation(((link(own.right.right, ZERO),),))
-    refs = needed(scene, move, (each.fact.id,), relation, own.refs)
+    refs = scene.judge.enough(move, (each.fact.id,), relation, own.refs)
     if refs is None:
         raise NotPlannedError("a right angle")
     return scene.desk.write(move, refs, relation)

@@ -9,62 +9,73 @@ import sympy as sp
 
 from restitution.explaining.algebra import NotComparableError
 from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Ref, Relation
-from restitution.explaining.follower import known_of_letters, setting_of
-from restitution.explaining.moves import MOST_COMPARED, follows
-from restitution.explaining.step import Cited, Known, Setting, Step
+from restitution.explaining.moves import MOST_COMPARED
+from restitution.explaining.step import Known, Step
+from restitution.explaining.trials import Trial, known_of_letters, setting_of
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
+from restitution.planning.desk import Desk
 from restitution.planning.forms import ZERO
-from restitution.planning.scene import Scene
+from restitution.problem import Problem
 from restitution.solve.letters import roles
 
 
 @dataclass
 class Judge:
-    """Reads lines of a scene as the follower does."""
+    """Reads lines of a desk as the follower does."""
 
-    scene: Scene
-    _last: tuple[Line | None, Setting] | None = None
+    problem: Problem
+    desk: Desk
+    _last: tuple[Line | None, Trial] | None = None
     _known: dict[str, Known | None] = field(default_factory=dict)
 
-    def _setting(self) -> Setting:
-        desk = self.scene.desk
-        last = desk.lines[-1] if desk.lines else None
+    def __post_init__(self) -> None:
+        self.facts = {each.id: each for each in self.desk.facts}
+
+    # --- reading --------------------------------------------------------------------------------
+
+    def _trial(self) -> Trial:
+        """What may be cited of the lines that stand now."""
+        last = self.desk.lines[-1] if self.desk.lines else None
         if self._last is None or self._last[0] is not last:
-            start = Derivation(desk.facts, tuple(desk.lines), (), desk.events)
-            self._last = last, setting_of(start, Oracle(roles(self.scene.problem)))
+            start = Derivation(self.desk.facts, tuple(self.desk.lines), (), self.desk.events)
+            setting = setting_of(start, Oracle(roles(self.problem)))
+            if self._last is not None and self._last[1].setting.meanings != setting.meanings:
+                self._known.clear()
+            self._last = last, Trial(setting, self._cited, self._known_of)
         return self._last[1]
 
-    def _step(self, move: Move, refs: Sequence[Ref]) -> Step:
-        setting = self._setting()
-        cited: list[Cited] = []
-        known: list[Known] = []
-        for ref in refs:
-            if isinstance(ref, int):
-                cited.append(Cited(ref, self.scene.desk.line(ref).relation))
-            elif ref in self.scene.facts:
-                cited.append(Cited(ref, self.scene.facts[ref].relation))
-            else:
-                own = self._known_of(ref)
-                if own is not None:
-                    known.append(own)
-        return Step(setting, move, tuple(cited), tuple(known))
+    def _cited(self, ref: Ref) -> Relation | Meaning | None:
+        """What a premise says: of alternatives, the one under which the next lines stand."""
+        if isinstance(ref, str):
+            fact = self.facts.get(ref)
+            return None if fact is None else fact.relation
+        own = self.desk.line(ref).relation
+        for line, option in self.desk.splits:
+            if line == ref and isinstance(own, Relation):
+                return Relation((own.options[option],))
+        return own
 
     def _known_of(self, ref: str) -> Known | None:
         if ref not in self._known:
-            self._known[ref] = known_of_letters(ref, self._setting())
+            self._known[ref] = known_of_letters(ref, self._trial().setting)
         return self._known[ref]
 
-    def follows(self, move: Move, refs: Sequence[Ref], relation: Relation) -> bool:
+    def _says(self, ref: Ref) -> bool:
+        """Whether there is such a premise."""
+        return isinstance(ref, int) or ref in self.facts or self._known_of(ref) is not None
+
+    def follows(self, move: Move, refs: Iterable[Ref], relation: Relation) -> bool:
         """Whether the follower accepts a line."""
+        cited = tuple(refs)
         try:
-            return follows(self._step(move, refs), relation)
+            return all(map(self._says, cited)) and self._trial().follows(move, cited, relation)
         except (NotComparableError, BeyondError):
             return False
 
     def proves(self, refs: Sequence[Ref], relation: Relation) -> bool:
         """Whether what is cited makes a relation certain, however many premises that takes."""
-        step = self._step(Move("sign"), refs)
+        step: Step = self._trial().step(Move("sign"), refs)
         try:
             return step.oracle.proves(step.formula(relation))
         except (NotComparableError, BeyondError):
@@ -72,12 +83,13 @@ class Judge:
 
     def known(self, names: Iterable[str]) -> tuple[Ref, ...]:
         """What may be cited of the range of letters."""
-        return tuple(
-            ref
-            for name in sorted(names)
-            for ref in bounds_of(self.scene, name)
-            if ref in self.scene.facts or self._known_of(str(ref)) is not None
-        )
+        bounds = (ref for name in sorted(names) for ref in self.bounds(name))
+        return tuple(ref for ref in bounds if self._says(ref))
+
+    def _right(self, move: Move, refs: Sequence[Ref], relation: Relation) -> bool:
+        if move.id in _BY_ORACLE:
+            return self.proves(refs, relation)
+        return self.follows(move, refs, relation)
 
     def needed(
         self,
@@ -88,43 +100,54 @@ class Judge:
     ) -> tuple[Ref, ...] | None:
         """Premises of which a line needs every one; None where it does not follow from all.
 
-        Lines that are ``sure`` are not tried one by one.
+        Of the others, those that are named last are left out first. Lines that are ``sure`` are
+        not tried one by one, and where they are enough nothing else is tried.
         """
-        refs = list(dict.fromkeys(pool))
-        by_oracle = move.id in ("sign", "compare")
-
-        def right(some: Sequence[Ref]) -> bool:
-            if by_oracle:
-                return self.proves(some, relation)
-            return self.follows(move, some, relation)
-
-        if not right(refs):
+        refs = tuple(each for each in dict.fromkeys(pool) if self._says(each))
+        certain = {each for each in sure if not self._is_spare(each)}
+        if not self._right(move, refs, relation):
             return None
-        certain = {each for each in sure if isinstance(each, int) and not self._is_zero(each)}
-        for each in tuple(refs)[::-1]:
-            if each in certain:
-                continue
-            fewer = [ref for ref in refs if ref != each]
-            if right(fewer):
-                refs = fewer
-        if by_oracle and self._compared(refs) > MOST_COMPARED:
+        doubted = [each for each in reversed(refs) if each not in certain]
+        own = self._trial().needed(move, refs, relation, doubted, self._right)
+        if move.id in _BY_ORACLE and self._compared(own) > MOST_COMPARED:
             return None
-        return tuple(refs)
+        return own
 
-    def _is_zero(self, ref: Ref) -> bool:
-        """Whether a line says that something is zero, so that factors of it are not needed."""
-        own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
+    def enough(
+        self,
+        move: Move,
+        own: Iterable[Ref],
+        relation: Relation,
+        others: Iterable[Ref] = (),
+    ) -> tuple[Ref, ...] | None:
+        """Premises of its own with which a line follows, and as few of some others as it takes.
+
+        None where it does not follow from all of them.
+        """
+        first = tuple(dict.fromkeys(own))
+        if self.follows(move, first, relation):
+            return first
+        return self.needed(move, (*first, *others), relation, first)
+
+    def _is_spare(self, ref: Ref) -> bool:
+        """Whether a premise may be one too many wherever it is named.
+
+        What is known of letters may be; and a line that says that something is zero, of which no
+        factor is needed.
+        """
+        if isinstance(ref, str):
+            return True
+        own = self.desk.line(ref).relation
         return isinstance(own, Relation) and own.options[0][-1].right == ZERO
 
     def standing(self, relation: Relation) -> int | None:
         """The line in force that says a relation, if there is one."""
-        desk = self.scene.desk
-        lines = (each for each in desk.lines if each.relation == relation)
-        return next((each.number for each in lines if desk.holds(each.number)), None)
+        lines = (each for each in self.desk.lines if each.relation == relation)
+        return next((each.number for each in lines if self.desk.holds(each.number)), None)
 
     def _compared(self, refs: Sequence[Ref]) -> int:
         return sum(
-            not (isinstance(ref, int) and isinstance(self.scene.desk.line(ref).relation, Meaning))
+            not (isinstance(ref, int) and isinstance(self.desk.line(ref).relation, Meaning))
             for ref in refs
         )
 
@@ -146,33 +169,37 @@ class Judge:
         for move in moves:
             own = self.needed(move, refs, relation, sure)
             if own is not None:
-                return self.scene.desk.write(move, own, relation)
+                return self.desk.write(move, own, relation)
         return None
 
+    # --- bounds of letters ----------------------------------------------------------------------
 
-def bounds_of(scene: Scene, name: str) -> tuple[Ref, ...]:
-    """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
-    role = roles(scene.problem).get(name)
-    if role is None:
-        return ()
-    facts: list[Ref] = [
-        fact.id
-        for fact in scene.desk.facts
-        if fact.kind == "range"
-        and scene.desk.holds(fact.id)
-        and fact.id.startswith("given")
-        and name in _letters(fact.relation)
-    ]
-    if role.kind == "angle":
-        return (*facts, *_of_angle(name, role.low, role.high, role.closed))
-    refs: list[Ref] = []
-    for end, sign, closed in ((role.low, ">", role.closed[0]), (role.high, "<", role.closed[1])):
-        if end is None or (role.kind == "positive" and sign == ">" and end == 0):
-            continue
-        if not end.is_Rational:
-            continue
-        refs.append(f"{name} {sign}{'=' if closed else ''} {end}")
-    return (*facts, *refs)
+    def bounds(self, name: str) -> tuple[Ref, ...]:
+        """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
+        role = roles(self.problem).get(name)
+        if role is None:
+            return ()
+        facts: list[Ref] = [
+            fact.id
+            for fact in self.desk.facts
+            if fact.kind == "range"
+            and self.desk.holds(fact.id)
+            and fact.id.startswith("given")
+            and name in _letters(fact.relation)
+        ]
+        if role.kind == "angle":
+            return (*facts, *_of_angle(name, role.low, role.high, role.closed))
+        refs: list[Ref] = []
+        for end, sign, closed in (
+            (role.low, ">", role.closed[0]),
+            (role.high, "<", role.closed[1]),
+        ):
+            if end is None or (role.kind == "positive" and sign == ">" and end == 0):
+                continue
+            if not end.is_Rational:
+                continue
+            refs.append(f"{name} {sign}{'=' if closed else ''} {end}")
+        return (*facts, *refs)
 
 
 def _of_angle(
@@ -197,3 +224,7 @@ def _letters(relation: Relation) -> frozenset[str]:
         for side in (link.left, link.right)
         for name in letters(side)
     )
+
+
+# These ask what is certain, not what a step makes.
+_BY_ORACLE = ("sign", "compare")

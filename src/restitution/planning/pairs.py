@@ -19,7 +19,7 @@ from restitution.planning.closing import close, with_known
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import product, square, swept, tree_of
 from restitution.planning.impacts import residual
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background
 from restitution.planning.ratios import inside_functions
 from restitution.planning.roots import numerator
 from restitution.planning.scene import Scene
@@ -53,7 +53,7 @@ def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
 
 
 def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:
-    refs = needed(scene, move, lines, relation, _background(scene, lines))
+    refs = scene.judge.enough(move, lines, relation, _background(scene, lines))
     return None if refs is None else scene.desk.write(move, refs, relation)
 
 

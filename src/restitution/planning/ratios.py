@@ -23,7 +23,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
-from restitution.planning.premises import background, follows_from, needed
+from restitution.planning.premises import background
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
 from restitution.problem import Find, Value
@@ -101,7 +101,7 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
         value = tidy(-poly.nth(0) / poly.nth(1))
         relation = chain(subject, (tree_of(value), None))
         move = Move("rearrange")
-        refs = needed(scene, move, (line,), relation, _background(scene, line))
+        refs = scene.judge.enough(move, (line,), relation, _background(scene, line))
         if refs is None:
             return None
         known = scene.desk.write(move, refs, relation)
@@ -215,7 +215,7 @@ def _in_one_square(
 
 def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:
     move = Move("identity", record)
-    refs = needed(scene, move, (line, *others), relation, _background(scene, line))
+    refs = scene.judge.enough(move, (line, *others), relation, _background(scene, line))
     return None if refs is None else scene.desk.write(move, refs, relation)
 
 
@@ -388,7 +388,7 @@ def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
     value = scene.final(symbol)
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
-    if not known.startswith("acute") and not follows_from(scene, move, (line, known), relation):
+    if not known.startswith("acute") and not scene.judge.follows(move, (line, known), relation):
         raise NotPlannedError(f"{symbol} is not the only angle of its ratio")
     written = scene.desk.write(move, (line, known), relation)
     return known_as(scene, symbol, value, written)

@@ -14,7 +14,7 @@ from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import ZERO, product, square, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution
-from restitution.planning.premises import background, follows_from, needed
+from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 
 
@@ -65,7 +65,7 @@ def by_roots(
     number = _in_standard_form(scene, number, above, generator, subject)
     alternatives = Relation(tuple(_option(subject, each) for each in roots))
     names = {each.name for each in above.free_symbols}
-    refs = needed(scene, Move("roots"), (number,), alternatives, background(scene, names))
+    refs = scene.judge.enough(Move("roots"), (number,), alternatives, background(scene, names))
     if refs is None:
         return None
     line = scene.desk.write(Move("roots"), refs, alternatives)
@@ -127,7 +127,7 @@ def _in_standard_form(
         return number
     move = Move("rearrange")
     names_ = {each.name for each in residual(scene, number).free_symbols}
-    refs = needed(scene, move, (number,), relation, background(scene, names_))
+    refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
 
 
@@ -177,11 +177,11 @@ def _rejected(
     own = background(scene, {symbol.name})
     component = _is_component(scene, symbol)
     bare = _likely(scene, symbol, own)
-    if not component and follows_from(scene, move, (line, *bare), relation):
+    if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
     senses = _senses(scene, symbol)
     if senses:
-        refs = needed(scene, move, (line,), relation, (*senses, *own))
+        refs = scene.judge.enough(move, (line,), relation, (*senses, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
@@ -192,9 +192,9 @@ def _rejected(
         names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
     rest = [each for each in background(scene, names) if each not in own]
     for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
-        if follows_from(scene, move, (line, *premises), relation):
+        if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
-    refs = needed(scene, move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
+    refs = scene.judge.enough(move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
+from restitution.planning.judging import Judge
 from restitution.problem import Arrival, Part, Problem
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation
@@ -69,6 +70,11 @@ class Scene:
     def facts(self) -> dict[str, Fact]:
         """The facts of the question by id."""
         return {each.id: each for each in self.desk.facts}
+
+    @cached_property
+    def judge(self) -> Judge:
+        """Who reads the lines as the follower does."""
+        return Judge(self.problem, self.desk)
 
     @property
     def events(self) -> int:

@@ -1,0 +1,160 @@
+"""Lines read one by one: whether one follows from what it cites, and what of that it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+
+from restitution.errors import StatementError
+from restitution.explaining.algebra import NotComparableError
+from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.moves import follows
+from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.step import Cited, Known, Setting, Step
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Degrees, Letter, Name, Quantity, letters, walk
+from restitution.oracle import All, Oracle, compared
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a working says so far, and what may be cited of it.
+
+    ``cited`` gives what a line or a fact says, and None for what is neither; ``known`` what is
+    known of letters.
+    """
+
+    setting: Setting
+    cited: Callable[[Ref], Relation | Meaning | None]
+    known: Callable[[str], Known | None]
+
+    def step(self, move: Move, premises: Iterable[Ref]) -> Step:
+        """A move with its premises; what says nothing is left out."""
+        cited: list[Cited] = []
+        known: list[Known] = []
+        for ref in premises:
+            told = self.cited(ref)
+            if told is not None:
+                cited.append(Cited(ref, told))
+            elif isinstance(ref, str) and (own := self.known(ref)) is not None:
+                known.append(own)
+        return Step(self.setting, move, tuple(cited), tuple(known))
+
+    def follows(self, move: Move, premises: Iterable[Ref], relation: Relation) -> bool:
+        """Whether a move makes a relation of some premises.
+
+        Raises NotComparableError where that is beyond what is compared.
+        """
+        return follows(self.step(move, premises), relation)
+
+    def needed(
+        self,
+        move: Move,
+        premises: Sequence[Ref],
+        relation: Relation,
+        doubted: Iterable[Ref],
+        right: Callable[[Move, Sequence[Ref], Relation], bool] | None = None,
+    ) -> tuple[Ref, ...]:
+        """The premises of a line that follows, without those of the doubted ones it can do without.
+
+        They are tried in the order in which they stand. ``right`` says whether a line follows,
+        where that is not for the move alone to say.
+        """
+        right = right or self.follows
+        kept = tuple(premises)
+        for ref in doubted:
+            fewer = tuple(each for each in kept if each != ref)
+            try:
+                if right(move, fewer, relation):
+                    kept = fewer
+            except NotComparableError:
+                continue
+        return kept
+
+
+def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
+    """What all lines of a working share."""
+    names: dict[str, str] = {}
+    for event in derivation.events:
+        for position, body in enumerate(event.bodies):
+            names[body] = "wall" if event.wall and position else "sphere"
+    for fact in derivation.facts:
+        for tree in trees_of(fact.relation):
+            for each in walk(tree):
+                match each:
+                    case Quantity("mass" | "velocity" | "speed" | "energy", (Name(name), *_)):
+                        names.setdefault(name, "sphere")
+                    case Quantity("direction", (Name(name),), None):
+                        names.setdefault(name, "wall")
+                    case Name(name):
+                        names.setdefault(name, "point")
+    values = {
+        line.relation.only[0].left.name: line.relation.only[-1].right
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and line.relation.only[0].sign == "="
+        and isinstance(line.relation.only[0].left, Letter)
+        and line.relation.only[0].left.name in derivation.meanings
+    }
+    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values)
+
+
+def known_of_letters(ref: str, setting: Setting) -> Known | None:
+    """What a premise such as ``acute: alpha`` or ``e <= 1`` says of letters.
+
+    None where their roles do not say so, or the text says nothing.
+    """
+    try:
+        return _known(ref, setting)
+    except (StatementError, NotComparableError, KeyError):
+        return None
+
+
+def _known(ref: str, setting: Setting) -> Known | None:
+    head, colon, text = ref.partition(":")
+    if colon and head.strip() == "acute":
+        angle = read_tree(text, setting.names)
+        zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
+        relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
+        names = letters(angle)
+    else:
+        relation = read_relation(ref, setting.names)
+        names = frozenset(names_in(relation))
+    if not names or any(isinstance(e, Quantity) for t in trees_of(relation) for e in walk(t)):
+        return None
+    if not _by_roles(ref, relation, setting):
+        return None
+    return Known(ref, relation, names)
+
+
+def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
+    step = Step(setting, Move("let"), (), ())
+    names = names_in(relation)
+    roles = {name: setting.role(name) for name in sorted(names)}
+    formulas = []
+    for links in relation.options:
+        for link in links:
+            left, right = (step.world.scalar(each) for each in (link.left, link.right))
+            formulas.append(
+                compared(
+                    step.world.expression(left, roles),
+                    link.sign,
+                    step.world.expression(right, roles),
+                )
+            )
+    if len(relation.options) != 1:
+        return False
+    return _proved(tuple(roles.items()), All(tuple(formulas)))
+
+
+@lru_cache(maxsize=256)
+def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
+    return Oracle(dict(roles)).proves(claim)  # type: ignore[arg-type]
+
+
+def names_in(relation: Relation | Meaning) -> set[str]:
+    """The letters of which a relation speaks."""
+    return {name for tree in trees_of(relation) for name in letters(tree)}
