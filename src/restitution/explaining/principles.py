@@ -15,6 +15,9 @@ from typing import Literal
 
 from restitution.explaining.derivation import Event, Relation
 from restitution.explaining.notation import read_relation
+from restitution.explaining.saying import topic_of
+from restitution.explaining.sentences import SentenceId
+from restitution.explaining.titles import title_of
 from restitution.explaining.trees import renamed, trees_of
 from restitution.expression.tree import Quantity, walk
 
@@ -65,13 +68,17 @@ class Record:
             if isinstance(node, Quantity)
         )
 
+    def title(self, event: Event | None = None) -> SentenceId | None:
+        """The sentence that names the record above its lines; None where it has no name."""
+        return title_of(self.id, event)
+
     def topic(self, event: Event | None = None) -> str | None:
         """The topic of the sentences on why the record holds, and on the usual mistakes.
 
         None where a reader may not ask.
         """
-        wall = event is not None and event.wall
-        return _TOPICS.get(self.id, (None, None))[0 if wall else 1]
+        title = self.title(event)
+        return None if title is None else topic_of(title)
 
     def serves(self, event: Event | None) -> bool:
         """Whether the record is about such an event."""
@@ -87,27 +94,6 @@ class Record:
         Forms that speak of more bodies than there are are left out.
         """
         return _relations(self.templates, event, bodies)
-
-
-# Of each record: at a wall, and between spheres.
-_TOPICS: Mapping[str, tuple[str | None, str | None]] = {
-    "unchanged": ("unchanged-wall", "unchanged"),
-    "restitution-wall": ("restitution", None),
-    "momentum": (None, "momentum"),
-    "restitution": (None, "restitution"),
-    "momentum-vector": (None, "momentum"),
-    "impulse-vector": ("impulse", "impulse"),
-    "impulse": ("impulse-wall", "impulse-spheres"),
-    "across-the-impulse": ("impulse-normal", "impulse-line"),
-    "along-the-change": ("impulse-normal", "impulse-line"),
-    "component": ("resolved-wall", "resolved-spheres"),
-    "sum": ("turned-wall", "turned"),
-    "difference": ("turned-wall", "turned"),
-    "scalar-angle": ("turned", "turned"),
-    "tan-deflection": ("turned", "turned"),
-    "energy-lost": ("loss-wall", "loss-spheres"),
-    "straight-line": ("flight", "flight"),
-}
 
 
 @cache

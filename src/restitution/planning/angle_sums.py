@@ -36,7 +36,7 @@ def is_sum(scene: Scene, each: GivenEquation) -> bool:
 def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
     """Two letters, the sign of the second (the first has +), and what the sum is worth."""
     sides = (each.link.left, each.link.right)
-    names = list(dict.fromkeys(name for side in sides for name in letters(side)))
+    names = list(dict.fromkeys(name for side in sides for name in sorted(letters(side))))
     if len(names) != 2 or any(has_quantity(side) for side in sides):
         return None
     if not any(_quantity(scene, own) is not None for own in names):

@@ -1,0 +1,81 @@
+"""What a working leads to: its items as they were asked, and the lines in which they end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, ItemEnd, Line
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Quantity
+from restitution.problem import Find, Item, Meets, Problem, Show, Value
+
+
+class Ends:
+    """The items of one derivation, and the lines in which they end."""
+
+    def __init__(self, derivation: Derivation, problem: Problem, naming: Naming) -> None:
+        self._naming = naming
+        self._ends = {each.line: each for each in derivation.items}
+        self._parts = {each.item: each.part for each in derivation.items}
+        self._places = {
+            each: [e for e in self._parts if self._parts[e] == self._parts[each]].index(each)
+            for each in self._parts
+        }
+        asked = [each for _, step in problem.steps() for each in _asked(step)]
+        self._asked: Mapping[str, Item | Show] = (
+            dict(zip(self._parts, asked, strict=True)) if len(asked) == len(self._parts) else {}
+        )
+
+    def part(self, line: Line) -> str | None:
+        """The label of the part to which a line belongs."""
+        return self._parts.get(line.item or "")
+
+    def place(self, line: Line) -> int | None:
+        """Which item of its part a line belongs to, counted from 0."""
+        return self._places.get(line.item or "")
+
+    def of(self, line: Line) -> ItemEnd | None:
+        """The end of an item in a line; None where none ends."""
+        return self._ends.get(line.number)
+
+    def asked(self, line: Line) -> Item | Show | None:
+        """What was asked, in the line that ends it."""
+        end = self.of(line)
+        return None if end is None else self._asked.get(end.item)
+
+    def text(self, item: str) -> str:
+        """An item as it was typed."""
+        known = self._asked.get(item)
+        return known.text if known is not None and known.text else item
+
+    def is_place(self, line: Line) -> bool:
+        """Whether it is a place that was asked."""
+        match self.asked(line):
+            case Value(expression=Quantity("position", _, _)):
+                return True
+        return False
+
+    def claim(self, line: Line) -> Sentence | None:
+        """What was to be shown, where it is a meeting and no equation."""
+        asked = self.asked(line)
+        if not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            return None
+        one, other = asked.relation.first.name, asked.relation.second.name
+        again = say("again") if asked.relation.again else ""
+        happens = asked.relation.happens
+        if self._naming.bodies.get(other) == "wall":
+            if happens:
+                return say("claim.will-hit", body=one, wall=other, again=again)
+            return say("claim.will-not-hit", body=one, wall=other, again=again)
+        if happens:
+            return say("claim.will-collide", one=one, other=other, again=again)
+        return say("claim.will-not-collide", one=one, other=other, again=again)
+
+
+def _asked(step: Any) -> Iterator[Item | Show]:
+    if isinstance(step, Find):
+        yield from step.items
+    elif isinstance(step, Show):
+        yield step

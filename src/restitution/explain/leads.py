@@ -1,0 +1,180 @@
+"""What stands before the rows of a line: its title, and how it comes from the lines above."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explain.naming import Naming
+from restitution.explain.sources import Source, Sources
+from restitution.explaining.definitions import tie_of
+from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.notation import read_tree
+from restitution.explaining.principles import RECORDS
+from restitution.explaining.saying import Sentence, say, slots_of
+from restitution.expression.tree import Expression, Letter, Number, Quantity
+from restitution.render import layout as lay
+
+TITLED = frozenset({"law", "define"})
+_BY = {
+    "pythagoras": "derived.pythagoras",
+    "double-angle": "derived.double-angle",
+    "half-angle": "derived.half-angle",
+    "sum-of-angles": "derived.sum-of-angles",
+    "complement": "derived.complement",
+}
+
+
+class Leads:
+    """The words before the rows of one derivation, written from the top."""
+
+    def __init__(self, derivation: Derivation, naming: Naming, sources: Sources) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._sources = sources
+        self._given: set[str] = set()
+
+    def given(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that a definition turns into an equation."""
+        if line.move.id != "define":
+            return ()
+        facts = [
+            fact
+            for ref in line.premises
+            if isinstance(ref, str)
+            and (fact := self._derivation.fact(ref)) is not None
+            and fact.kind == "given"
+            and fact.id not in self._given
+        ]
+        if line.move.record in ("perpendicular", "parallel"):
+            # What else is given is a value that is put in.
+            facts = [each for each in facts if tie_of(each.relation.only[0]) is not None]
+        if len(facts) != 1:
+            return ()
+        self._given |= {each.id for each in facts}
+        told = self._naming.fact(facts[0])
+        assert isinstance(line.relation, Relation)
+        if isinstance(line.relation.options[0][0].left, Letter):
+            return (say("given.fact", fact=told),)
+        nothing = _is_nothing(line.relation.options[0][-1].right)
+        if line.move.record == "perpendicular" and nothing:
+            match line.relation.options[0][0].left:
+                case Quantity("along" | "across"):
+                    pass
+                case _:
+                    return (say("given.product", fact=told),)
+        if line.move.record == "parallel":
+            return (say("given.proportion", fact=told),)
+        return (say("given.fact", fact=told),)
+
+    def title(self, line: Line) -> Sentence | None:
+        """The principle or definition of a line; None where the line speaks for itself."""
+        record = RECORDS.get(line.move.record or "")
+        if line.move.id not in TITLED or record is None or record.id == "component":
+            return None
+        event = self._naming.events.get(line.move.event or 0)
+        bodies = line.move.bodies or (() if event is None else event.bodies)
+        assert isinstance(line.relation, Relation)
+        first, last = line.relation.options[0][0], line.relation.options[0][-1]
+        name = record.title(event)
+        match record.id, first.left:
+            case "straight-line", _ if line.move.bodies and self._naming.movers > 1:
+                name = "flight.title-of"
+            case "assemble", Quantity("position", _, _):
+                name = "derived-place.title"
+            case "perpendicular", _ if not _is_nothing(last.right):
+                return None
+        if name is None:
+            return None
+        slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
+        return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def of(self, line: Line, above: Sentence | None) -> Iterator[Sentence]:
+        """What is said before the rows of a line, under a title ``above``."""
+        source = self._sources.of(line)
+        if line.move.id == "fact":
+            given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+            if given and isinstance(words := self._naming.fact(given[0]), Sentence):
+                yield say("given.fact", fact=words)
+            else:
+                yield say("given.data")
+            return
+        if line.move.record == "component" and line.move.id == "define":
+            title = self.resolved(line)
+            if title is not None and title != above:
+                yield title
+            return
+        if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
+            yield say("so")
+            return
+        if source is not None:
+            yield from self._source(source)
+        if line.move.id == "identity" and line.move.record in _BY:
+            yield say(_BY[line.move.record])
+
+    def resolved(self, line: Line) -> Sentence | None:
+        """What is said before components: of which time they are, and in which directions."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
+                event = self._naming.event_of_axis(axis)
+            case _:
+                return None
+        if event is None:
+            return None
+        if event.wall and stage < event.number:
+            return say("resolved-wall.before", wall=event.bodies[1])
+        if event.wall:
+            return say("resolved-wall.after", wall=event.bodies[1])
+        if stage < event.number:
+            return say("resolved-spheres.before")
+        return say("resolved-spheres.after")
+
+    def _source(self, source: Source) -> Iterator[Sentence]:
+        equations = tuple(self._number(each) for each in source.numbered)
+        match source.kind:
+            case "combine":
+                letter = self._naming.laid(read_tree(source.eliminated, self._naming.bodies))
+                yield say("derived.combine", letter=letter, equations=equations)
+            case "compare" if not equations:
+                yield say("given.compare")
+            case "divide":
+                first, second = equations
+                yield say("derived.divide", first=first, second=second)
+            case "square-add":
+                yield say("derived.square-add", equations=equations)
+            case "put":
+                letters = tuple(self._naming.laid(each) for each in source.letters)
+                facts = tuple(self._fact(each) for each in source.facts)
+                told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+                if len(facts) == 1 and told:
+                    yield say("given.fact", fact=facts[0])
+                elif facts and letters and not source.last and not equations:
+                    yield say("derived.since-put", facts=facts, letters=letters)
+                elif facts and equations:
+                    yield say("derived.since-in", facts=facts, equation=equations[0])
+                elif facts:
+                    yield say("derived.since", facts=facts)
+                elif letters and equations and source.last:
+                    yield say("derived.put-last", equation=equations[0])
+                elif letters and equations:
+                    yield say("derived.put-in", letters=letters, equation=equations[0])
+                elif letters and not source.last:
+                    yield say("derived.put", letters=letters)
+                elif equations:
+                    yield say("derived.add", equations=equations)
+            case _:
+                if equations:
+                    yield say("derived.add", equations=equations)
+
+    def _number(self, ref: int) -> Sentence:
+        return say("derived.number", number=str(self._sources.numbers[ref]))
+
+    def _fact(self, name: str) -> Sentence | lay.Layout:
+        fact = self._derivation.fact(name)
+        assert fact is not None
+        return self._naming.fact(fact)
+
+
+def _is_nothing(tree: Expression) -> bool:
+    """Whether a side is the number 0."""
+    return isinstance(tree, Number) and not tree.value

@@ -1,0 +1,296 @@
+"""The lines of a working as rows: chains with names, units and decimals at their ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from restitution.explain.ends import Ends
+from restitution.explain.measured import (
+    Measures,
+    as_answer,
+    as_decimal,
+    is_plain,
+    percentage,
+    rounded,
+    to_three_figures,
+    with_unit,
+)
+from restitution.explain.naming import Naming
+from restitution.explain.steps import REQUIRED, Row
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.layouts import chains
+from restitution.explaining.saying import Sentence, operand, say
+from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.problem import Value
+from restitution.render import layout as lay
+
+# In these the second line of an equation leaves out the side that stays.
+_GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
+# So many lines after a letter was introduced a reader still knows what it stands for.
+_REMEMBERED = 3
+_WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
+
+
+class Rows:
+    """The rows of one derivation, written from the top."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, measures: Measures, ends: Ends
+    ) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._measures = measures
+        self._ends = ends
+        # The left side of the row above, and the item to which it belongs.
+        self._left: tuple[Expression, str | None] | None = None
+
+    def afresh(self) -> None:
+        """The next row goes on from none."""
+        self._left = None
+
+    def of(self, line: Line, waiting: Sequence[Line], fresh: bool) -> Iterator[Row]:
+        assert isinstance(line.relation, Relation)
+        options = line.relation.options
+        (left, item), self._left = self._left or (None, None), None
+        left = left if item == line.item else None
+        place = self._reached(options)
+        if place is not None:
+            value, where = place
+            row = self._chain(line, value)
+            yield replace(row, reasons=(say("derived.for", place=where),))
+            return
+        if len(options) > 1:
+            yield self._alternatives(options, self._ends.of(line) is not None)
+            return
+        if line.move.record in ("greatest", "least") and line.move.id == "answer":
+            yield self._extreme(line)
+            return
+        groups = chains(options[0])
+        for index, links in enumerate(groups):
+            whole = links
+            if waiting and not index:
+                whole = self._with(waiting, links)
+            row = self._chain(line, whole, last=index == len(groups) - 1)
+            same = left is not None and not fresh and whole[0].left == left
+            goes_on = line.move.id in _GOES_ON and whole[0].sign in ("=", "≈") and row.signs
+            if same and goes_on:
+                row = replace(row, operands=(None, *row.operands[1:]))
+            yield row
+            if whole[0].sign == "=" and len(whole) == 1:
+                self._left = (whole[0].left, line.item)
+            fresh = False
+
+    def asides(self, line: Line) -> Iterator[Sentence]:
+        """What stands behind a row in brackets: that it was to be shown."""
+        end = self._ends.of(line)
+        if end is not None and end.shown:
+            if self._ends.claim(line) is None:
+                yield from REQUIRED
+        elif end is not None and isinstance(line.relation, Relation):
+            called = self._called(line)
+            if called is not None:
+                yield called
+            decimals = self._decimal_range(line.relation)
+            if decimals is not None:
+                yield say("derived.value", value=decimals)
+
+    @staticmethod
+    def _with(waiting: Sequence[Line], links: tuple[Link, ...]) -> tuple[Link, ...]:
+        """A chain that takes up lines written within it."""
+        whole = list(links)
+        for line in reversed(waiting):
+            assert isinstance(line.relation, Relation)
+            before = line.relation.options[0]
+            if before[0].left == whole[0].left:
+                first = Link(before[-1].right, whole[0].sign, whole[0].right, whole[0].by)
+                whole = [*before, first, *whole[1:]]
+            else:
+                whole = [*before, *whole]
+        return tuple(whole)
+
+    def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
+        """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
+        words = _WORDS.get(links[0].sign)
+        if words is not None:
+            left, right = map(self._naming.side, (links[0].left, links[0].right))
+            return Row((operand(say(words, left=left, right=right)),), ())
+        trees = [links[0].left, *(each.right for each in links)]
+        if self._measures.decimals and self._measures.unit(links[0].left):
+            trees[1:] = map(as_decimal, trees[1:])
+        sides_ = [self._laid(line, each, n) for n, each in enumerate(trees)]
+        for n, each in enumerate(links, 1):
+            if each.sign == "≈":
+                sides_[n] = to_three_figures(trees[n]) or sides_[n]
+        signs = [_sign(each) for each in links]
+        for n in range(len(sides_) - 1, 1, -1):
+            if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
+                del sides_[n], signs[n - 1]
+        if self._towards(line, links, sides_):
+            sides_[0] = self._away(links[0].left)
+            sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
+        if signs[-1] in ("=", "≈") and last:
+            self._ended(line, links, sides_, signs)
+        return Row(tuple(sides_), tuple(signs))
+
+    def _laid(self, line: Line, tree: Expression, index: int) -> lay.Layout:
+        """An operand; a component that is resolved is called by its direction alone."""
+        if not index and line.move.id == "define" and line.move.record == "component":
+            match tree:
+                case Quantity(
+                    "along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)
+                ):
+                    event = self._naming.event_of_axis(axis)
+                    if event is not None and event.wall:
+                        name = "operand.towards" if kind == "along" else "operand.parallel"
+                        return operand(say(name, wall=event.bodies[1]))
+                    if event is not None:
+                        name = "operand.along" if kind == "along" else "operand.across"
+                        return operand(say(name, body=body))
+        return self._naming.laid(tree)
+
+    def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
+        """Whether a row gives a rebound as a negative component towards a wall."""
+        if self._ends.of(line) is not None:
+            return False
+        match links[0].left:
+            case Quantity("along", (Quantity("velocity", _), axis)):
+                event = self._naming.event_of_axis(axis)
+                return (
+                    event is not None
+                    and event.wall
+                    and all(lay.split_sign(each)[0] == "-" for each in sides[1:])
+                )
+        return False
+
+    def _away(self, tree: Expression) -> lay.Layout:
+        assert isinstance(tree, Quantity)
+        vector, axis = tree.arguments
+        event = self._naming.event_of_axis(axis)
+        assert event is not None
+        body = vector.arguments[0]  # type: ignore[union-attr]
+        assert isinstance(body, Name)
+        return operand(
+            say("derived.component-away", of=lay.Bold("v", body.name), wall=event.bodies[1])
+        )
+
+    def _ended(
+        self,
+        line: Line,
+        links: tuple[Link, ...],
+        sides: list[lay.Layout],
+        signs: list[str],
+    ) -> None:
+        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
+        left, right = links[0].left, links[-1].right
+        end = self._ends.of(line)
+        unit = self._measures.unit(left) if _is_value(left) else ""
+        asked = self._ends.asked(line)
+        if end is not None and not end.shown:
+            if isinstance(asked, Value) and asked.percentage:
+                hundred = percentage(right)
+                if hundred is not None:
+                    sides.append(hundred)
+                    signs.append("=")
+                return
+            place = self._ends.is_place(line)
+            for side, sign in as_answer(right, place) if links[-1].sign == "=" else ():
+                if place and sign == "=" and len(sides) == len(links) + 1:
+                    sides[-1] = side  # a place is told by its coordinates
+                elif side != sides[-1]:
+                    sides.append(side)
+                    signs.append(sign)
+        nothing = sides[-1] == lay.Number("0")
+        if unit and (end is not None or (is_plain(sides[-1]) and not nothing)):
+            sides[-1] = with_unit(sides[-1], unit)
+
+    def _called(self, line: Line) -> Sentence | None:
+        """What a letter stands for that was introduced a while ago, where it is what was asked."""
+        asked = self._ends.asked(line)
+        if not isinstance(asked, Value) or not isinstance(asked.expression, Quantity):
+            return None
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Letter) or left.name not in self._naming.meanings:
+            return None
+        meaning = self._naming.meanings[left.name]
+        numbers = [each.number for each in self._derivation.lines]
+        since = next(e.number for e in self._derivation.lines if e.relation == meaning)
+        if numbers.index(line.number) - numbers.index(since) <= _REMEMBERED:
+            return None
+        return say("derived.called", quantity=self._naming.quantity(meaning.quantity))
+
+    def _decimal_range(self, relation: Relation) -> lay.Layout | None:
+        """A range with its ends to three figures, where they are no plain numbers."""
+        if len(relation.options) != 1 or len(chains(relation.only)) != 1:
+            return None
+        links = relation.only
+        if all(each.sign in ("=", "≈") for each in links) or any(
+            each.sign not in ("<", "<=", ">", ">=") for each in links
+        ):
+            return None
+        sides = [links[0].left, *(each.right for each in links)]
+        decimals = [rounded(each) for each in sides]
+        if not any(decimals):
+            return None
+        laid = [new or self._naming.laid(each) for new, each in zip(decimals, sides, strict=True)]
+        return lay.Relation(tuple(laid), tuple(_sign(each) for each in links))
+
+    def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
+        """``t = 1 or t = −1``, set at the first sign."""
+        first, *rest = options
+        laid = self._bare(first, asked)
+        others = [self._bare(each, asked) for each in rest]
+        final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
+        return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
+
+    def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
+        trees = [links[0].left, *(each.right for each in links)]
+        sides = [self._naming.laid(each) for each in trees]
+        signs = [_sign(each) for each in links]
+        for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
+            sides.append(side)
+            signs.append(sign)
+        if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
+            sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
+        return lay.Relation(tuple(sides), tuple(signs))
+
+    def _reached(
+        self, options: tuple[tuple[Link, ...], ...]
+    ) -> tuple[tuple[Link, ...], lay.Layout] | None:
+        """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
+        if len(options) != 2:
+            return None
+        (where, *_), value = options
+        if where.sign != "!=" or len(options[0]) != 1:
+            return None
+        place = Relation(((Link(where.left, "=", where.right),),))
+        return value, self._naming.relation(place)
+
+    def _extreme(self, line: Line) -> Row:
+        """The greatest or the least value, and where it is reached."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[-1]
+        name = "derived.greatest" if line.move.record == "greatest" else "derived.least"
+        called = operand(say(name, quantity=self._naming.laid(link.left)))
+        sides, signs = [called, self._naming.laid(link.right)], ["="]
+        self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
+        places = [
+            reached[1]
+            for ref in line.premises
+            if isinstance(ref, int)
+            and (behind := self._derivation.line(ref)) is not None
+            and isinstance(behind.relation, Relation)
+            and (reached := self._reached(behind.relation.options)) is not None
+        ]
+        reasons = tuple(say("derived.for", place=each) for each in places)
+        return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+
+def _is_value(tree: Expression) -> bool:
+    """Whether a side names one quantity, whose dimension is known."""
+    return isinstance(tree, Letter | Quantity)
+
+
+def _sign(link: Link) -> str:
+    return lay.SIGNS.get(link.sign, link.sign)

@@ -1,0 +1,91 @@
+"""Components that an impact does not change, said as one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from restitution.explain.ends import Ends
+from restitution.explain.measured import Measures, is_plain, with_unit
+from restitution.explain.naming import Naming
+from restitution.explain.sources import Sources
+from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.layouts import chains
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Number, Quantity
+from restitution.render import layout as lay
+
+
+class Staying:
+    """The lines of one derivation that tell of a component that stays, and of nothing more."""
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        measures: Measures,
+        sources: Sources,
+        ends: Ends,
+    ) -> None:
+        self._naming = naming
+        self._measures = measures
+        self._sources = sources
+        self._ends = ends
+        self._cases = {n: each.number for each in derivation.cases for n in each.lines}
+
+    def stays(self, line: Line) -> bool:
+        """Whether a line tells of a component that stays, and no more than that."""
+        if line.move.id != "law" or line.move.record != "unchanged" or line.shown != "line":
+            return False
+        if line.number in self._sources.numbers or self._ends.of(line) is not None:
+            return False
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and len(relation.options) == 1
+            and isinstance(relation.only[0].left, Quantity)
+            and all(each.sign == "=" for each in relation.only)
+            and len(chains(relation.only)) == 1
+        )
+
+    def together(self, line: Line, other: Line) -> bool:
+        """Whether two such lines are about one impact, in one case."""
+        one, two = (self._cases.get(each.number) for each in (line, other))
+        return line.move.event == other.move.event and one == two
+
+    @staticmethod
+    def is_idle(line: Line) -> bool:
+        """Whether a line says that a component stays 0, and earns nothing."""
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and relation.only[-1].right == Number(Fraction(0))
+            and not line.marks
+        )
+
+    def said(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
+        """The components that stay as a title and a sentence."""
+        event = self._naming.events[lines[0].move.event or 1]
+        values: list[tuple[str, lay.Layout]] = []
+        for line in lines:
+            assert isinstance(line.relation, Relation)
+            sides = [self._naming.laid(each.right) for each in line.relation.only]
+            unit = self._measures.unit(line.relation.only[0].left)
+            if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
+                sides[-1] = with_unit(sides[-1], unit)
+            body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
+            whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
+            values.append((body, whole if len(sides) > 1 else sides[0]))
+        title: Sentence = (
+            say("unchanged-wall.title", wall=event.bodies[1])
+            if event.wall
+            else say("unchanged.title")
+        )
+        if event.wall:
+            said = say("unchanged-wall.component", value=values[0][1])
+        elif len(values) == 1:
+            said = say("derived.stays", of=values[0][0], value=values[0][1])
+        else:
+            components = [say("unchanged.component", value=v, body=b) for b, v in values]
+            said = say("unchanged.components", components=components)
+        return title, said
