@@ -16,7 +16,7 @@ from plain_physics import number as precise
 
 from restitution import problem as p
 from restitution.draw import scene as scenes
-from restitution.expression.quantities import SIGNATURES
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     FUNCTIONS,
     Apply,
@@ -208,7 +208,7 @@ def stages(events: int, first: int = 0) -> st.SearchStrategy[Any]:
 
 
 def _of_a_sphere(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quantity]:
-    if SIGNATURES[kind].before:
+    if KINDS[kind].before:
         stage = st.one_of(stage, st.just("before"))
     return st.builds(lambda name, s: Quantity(kind, (Name(name),), s), sphere_names, stage)
 

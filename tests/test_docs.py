@@ -12,7 +12,7 @@ import pytest
 import restitution
 from restitution.export.answers import answers
 from restitution.expression import limits
-from restitution.expression.tree import QUANTITIES
+from restitution.expression.quantities import QUANTITIES
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]

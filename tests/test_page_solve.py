@@ -15,7 +15,7 @@ from playwright.sync_api import expect
 
 from restitution import parse, solve
 from restitution.examples.topics import TOPICS
-from restitution.expression.tree import QUANTITIES
+from restitution.expression.quantities import QUANTITIES
 from restitution.expression.words import PROPERTY_WORDS
 from restitution.web.pages import GHOST
 from restitution.web.words import vocabulary

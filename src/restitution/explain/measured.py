@@ -10,8 +10,9 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Meaning
-from restitution.expression.dimensions import Dimension, dimension_of
+from restitution.expression.dimensions import Dimension
 from restitution.expression.evaluate import evaluate
+from restitution.expression.quantities import dimension_of
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from restitution.expression.quantities import SIGNATURES
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     AtTime,
     Binary,
@@ -262,7 +262,7 @@ class _Told:
             if each.name not in ("place", "stage")
         }
         made = replace(value, **changes)
-        if not isinstance(made, Quantity) or not SIGNATURES[made.kind].staged:
+        if not isinstance(made, Quantity) or not KINDS[made.kind].staged:
             return made
         if any(isinstance(n, Name) and n.name not in self._bodies for n in made.arguments):
             return made  # the direction of a wall

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.expression.dimensions import dimension_of
+from restitution.expression.quantities import dimension_of
 from restitution.language.measuring import dimensions_of_letters
 from restitution.problem import Value
 from restitution.solve.solution import ItemResult, Solution

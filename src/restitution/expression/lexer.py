@@ -18,8 +18,8 @@ from lark import Token
 
 from restitution.errors import StatementError
 from restitution.expression.limits import MAX_DIGITS, MAX_NESTING, MAX_TOKENS_PER_LINE
-from restitution.expression.quantities import stands_alone
-from restitution.expression.tree import FUNCTIONS, QUANTITIES, Place
+from restitution.expression.quantities import KINDS, QUANTITIES
+from restitution.expression.tree import FUNCTIONS, Place
 from restitution.expression.units import at_the_end, measure
 from restitution.expression.words import (
     FRAGMENTS,
@@ -536,7 +536,7 @@ def _property_stands_here(before: list[Token]) -> bool:
 
 def _quantity(source: Source, kind: str, start: int, end: int) -> Token:
     call = source.plain.startswith("(", end)
-    if not stands_alone(kind):
+    if not KINDS[kind].stands_alone:
         # A blank before the bracket is harmless here: without arguments it means nothing.
         call = call or _next_character(source.plain, end) == "("
     return _token(source, "QUANTITY_CALL" if call else "QUANTITY", kind, start, end)

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from restitution.expression.dimensions import NONE, TIME, Dimension, dimension_of_any
+from restitution.expression.dimensions import NONE, TIME, Dimension
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import (
     Apply,
     AtTime,

@@ -1,62 +1,312 @@
-"""The quantities of the language: how many arguments each takes, and which stages."""
+"""The quantities of the language: how each is written, what it is, and what measures it.
+
+One record a quantity: the grammar, the help, the completion of the page, the dimensions and the
+units are read from it. How it is worked out from a story stands in ``solve.quantities``.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal
+
+from restitution.expression.dimensions import (
+    ENERGY,
+    IMPULSE,
+    LENGTH,
+    MASS,
+    NONE,
+    SPEED,
+    TIME,
+    Dimension,
+    times,
+)
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+)
+
+Nature = Literal["scalar", "vector", "angle"]
 
 
 @dataclass(frozen=True)
-class Signature:
-    """How a quantity is written: its numbers of arguments, its stages, and an example."""
+class Kind:
+    """A kind of quantity.
 
-    fewest: int
-    most: int
+    ``usage`` is how it is written, ``about`` what it is in a few words, ``arguments`` the fewest
+    and the most that it takes. ``nature`` is what its value is, and ``alone`` what it is without
+    arguments where that is another. ``dimension`` is None where the arguments give it.
+
+    A ``staged`` quantity takes the number of an event, or with ``before`` that word, or with
+    ``at_time`` a time; with ``stage_needed`` it cannot do without. One ``of_an_event`` has none
+    at the start. ``names`` are the bodies whose names may be arguments. ``in_statements`` is
+    False where only the lines of a working speak of it.
+    """
+
+    word: str
+    about: str
     usage: str
+    arguments: tuple[int, int]
+    nature: Nature
+    dimension: Dimension | None
+    alone: Nature | None = None
     staged: bool = False
     before: bool = False
     at_time: bool = False
     stage_needed: bool = False
+    of_an_event: bool = False
+    names: frozenset[str] = frozenset({"sphere"})
+    in_statements: bool = True
+
+    @property
+    def stands_alone(self) -> bool:
+        """Whether it may be written without arguments."""
+        return self.arguments[0] == 0 and not self.stage_needed
+
+    def nature_of(self, arguments: tuple[Expression, ...]) -> Nature:
+        """What its value is, with these arguments."""
+        return self.nature if arguments or self.alone is None else self.alone
 
 
-SIGNATURES: Mapping[str, Signature] = {
-    "velocity": Signature(1, 1, "velocity(A) or velocity(A, n)", staged=True, before=True),
-    "speed": Signature(1, 1, "speed(A) or speed(A, n)", staged=True, before=True),
-    "direction": Signature(1, 1, "direction(A) or direction(A, n)", staged=True, before=True),
-    "along": Signature(2, 2, "along(V, D)"),
-    "across": Signature(2, 2, "across(V, D)"),
-    "angle": Signature(2, 2, "angle(X, Y)"),
-    "deflection": Signature(1, 1, "deflection(A) or deflection(A, n)", staged=True),
-    "impulse": Signature(0, 1, "impulse, impulse(n), impulse(A) or impulse(A, n)", staged=True),
-    "energy": Signature(
-        0, 1, "energy, energy(n), energy(A) or energy(A, n)", staged=True, before=True
-    ),
-    "energy_lost": Signature(0, 0, "energy_lost or energy_lost(n)", staged=True),
-    "total_energy_lost": Signature(0, 0, "total_energy_lost", staged=True),
-    "momentum": Signature(
-        0, 1, "momentum, momentum(A) or momentum(A, n)", staged=True, before=True
-    ),
-    "line_of_centres": Signature(0, 0, "line_of_centres or line_of_centres(n)", staged=True),
-    "mass": Signature(1, 1, "mass(A)"),
-    "position": Signature(
-        1,
-        1,
-        "position(A), position(A, n) or position(A, at t)",
-        staged=True,
-        before=True,
-        at_time=True,
-    ),
-    "time": Signature(0, 0, "time(n)", staged=True, stage_needed=True),
-    "distance": Signature(
-        2, 2, "distance(X, Y) or distance(A, B, at t)", staged=True, at_time=True
-    ),
-    "dot": Signature(2, 2, "dot(V, W)"),
-    # Lines of a working alone speak of it: a statement gives e with the impact.
-    "restitution": Signature(0, 0, "restitution(n)", staged=True, stage_needed=True),
+KINDS: Mapping[str, Kind] = {
+    kind.word: kind
+    for kind in (
+        Kind(
+            "velocity",
+            "the velocity, a vector",
+            "velocity(A) or velocity(A, n)",
+            (1, 1),
+            "vector",
+            SPEED,
+            staged=True,
+            before=True,
+        ),
+        Kind(
+            "speed",
+            "the size of the velocity",
+            "speed(A) or speed(A, n)",
+            (1, 1),
+            "scalar",
+            SPEED,
+            staged=True,
+            before=True,
+        ),
+        Kind(
+            "direction",
+            "the angle of the velocity from i",
+            "direction(A) or direction(A, n)",
+            (1, 1),
+            "angle",
+            NONE,
+            staged=True,
+            before=True,
+            names=frozenset({"sphere", "wall"}),
+        ),
+        Kind(
+            "along",
+            "the component of V along D",
+            "along(V, D)",
+            (2, 2),
+            "scalar",
+            None,
+            names=frozenset({"wall"}),
+        ),
+        Kind(
+            "across",
+            "the component of V perpendicular to D",
+            "across(V, D)",
+            (2, 2),
+            "scalar",
+            None,
+            names=frozenset({"wall"}),
+        ),
+        Kind(
+            "angle",
+            "the angle between two vectors or with a wall",
+            "angle(X, Y)",
+            (2, 2),
+            "angle",
+            NONE,
+            names=frozenset({"wall"}),
+        ),
+        Kind(
+            "deflection",
+            "the angle of deflection in the latest event",
+            "deflection(A) or deflection(A, n)",
+            (1, 1),
+            "angle",
+            NONE,
+            staged=True,
+            of_an_event=True,
+        ),
+        Kind(
+            "impulse",
+            "the size of the latest impulse; impulse(A) is a vector",
+            "impulse, impulse(n), impulse(A) or impulse(A, n)",
+            (0, 1),
+            "vector",
+            IMPULSE,
+            alone="scalar",
+            staged=True,
+            of_an_event=True,
+        ),
+        Kind(
+            "energy",
+            "the kinetic energy of A, or of all spheres",
+            "energy, energy(n), energy(A) or energy(A, n)",
+            (0, 1),
+            "scalar",
+            ENERGY,
+            staged=True,
+            before=True,
+        ),
+        Kind(
+            "energy_lost",
+            "the kinetic energy lost in the latest event",
+            "energy_lost or energy_lost(n)",
+            (0, 0),
+            "scalar",
+            ENERGY,
+            staged=True,
+            of_an_event=True,
+        ),
+        Kind(
+            "total_energy_lost",
+            "the kinetic energy lost since the start",
+            "total_energy_lost",
+            (0, 0),
+            "scalar",
+            ENERGY,
+            staged=True,
+        ),
+        Kind(
+            "momentum",
+            "the momentum of A, or of all spheres",
+            "momentum, momentum(A) or momentum(A, n)",
+            (0, 1),
+            "vector",
+            IMPULSE,
+            staged=True,
+            before=True,
+        ),
+        Kind(
+            "line_of_centres",
+            "the unit vector along the line of centres",
+            "line_of_centres or line_of_centres(n)",
+            (0, 0),
+            "vector",
+            NONE,
+            staged=True,
+            of_an_event=True,
+        ),
+        Kind("mass", "the mass of A", "mass(A)", (1, 1), "scalar", MASS),
+        Kind(
+            "position",
+            "where the centre of A is",
+            "position(A), position(A, n) or position(A, at t)",
+            (1, 1),
+            "vector",
+            LENGTH,
+            staged=True,
+            before=True,
+            at_time=True,
+        ),
+        Kind(
+            "time",
+            "the time of event n",
+            "time(n)",
+            (0, 0),
+            "scalar",
+            TIME,
+            staged=True,
+            stage_needed=True,
+            of_an_event=True,
+        ),
+        Kind(
+            "distance",
+            "between points or centres",
+            "distance(X, Y) or distance(A, B, at t)",
+            (2, 2),
+            "scalar",
+            LENGTH,
+            staged=True,
+            at_time=True,
+            names=frozenset({"sphere", "point"}),
+        ),
+        Kind("dot", "the scalar product", "dot(V, W)", (2, 2), "scalar", None, names=frozenset()),
+        # A statement gives e with the impact.
+        Kind(
+            "restitution",
+            "the coefficient of restitution of event n",
+            "restitution(n)",
+            (0, 0),
+            "scalar",
+            NONE,
+            staged=True,
+            stage_needed=True,
+            in_statements=False,
+        ),
+    )
 }
 
+# The words that a statement may hold.
+QUANTITIES = tuple(word for word, kind in KINDS.items() if kind.in_statements)
 
-def stands_alone(kind: str) -> bool:
-    """Whether a quantity may be written without arguments."""
-    signature = SIGNATURES[kind]
-    return signature.fewest == 0 and not signature.stage_needed
+_NOTHING: Mapping[str, Dimension] = {}
+
+
+def dimension_of(
+    tree: Expression, of_letters: Mapping[str, Dimension] = _NOTHING
+) -> Dimension | None:
+    """The dimension of an expression of quantities; None where its quantities do not tell it.
+
+    ``of_letters`` are the dimensions of the letters for which they are known.
+    """
+    match tree:
+        case Quantity(kind, arguments):
+            if kind in ("along", "across"):
+                return dimension_of(arguments[0], of_letters)
+            if kind == "dot":
+                first, second = (dimension_of(each, of_letters) for each in arguments)
+                return times(first, second, 1)
+            return KINDS[kind].dimension if kind in KINDS else NONE
+        case Letter(name) if name in of_letters:
+            return of_letters[name]
+        case Apply("abs", argument):
+            return dimension_of(argument, of_letters)
+        case Apply("sqrt", _):
+            return None
+        case Negate(operand):
+            return dimension_of(operand, of_letters)
+        case Binary("+" | "-", left, right):
+            return dimension_of_any((left, right), of_letters)
+        case Binary("*" | "/" as op, left, right):
+            first, second = dimension_of(left, of_letters), dimension_of(right, of_letters)
+            return times(first, second, 1 if op == "*" else -1)
+        case Binary("^", base, Number(exponent)) if exponent.denominator == 1:
+            found = dimension_of(base, of_letters)
+            if found is None:
+                return None
+            a, b, c = found
+            power = int(exponent)
+            return (a * power, b * power, c * power)
+    return None if letters(tree) else NONE
+
+
+def dimension_of_any(
+    operands: Iterable[Expression], of_letters: Mapping[str, Dimension] = _NOTHING
+) -> Dimension | None:
+    """The dimension of the first operand whose quantities, or known letters, tell it."""
+    for each in operands:
+        if has_quantity(each) or letters(each) & of_letters.keys():
+            found = dimension_of(each, of_letters)
+            if found is not None:
+                return found
+    return None

@@ -17,7 +17,7 @@ from restitution.expression.lexer import Scan, Source, scan, unit_refused
 from restitution.expression.limits import MAX_DIGITS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
 from restitution.expression.measured import NOWHERE, Slot, product_with, without_units
 from restitution.expression.parsers import make_parser
-from restitution.expression.quantities import SIGNATURES, stands_alone
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -202,9 +202,9 @@ def _leaf(token: Token) -> Any:
         case "NAME":
             return Name(text, place=place)
         case "QUANTITY":
-            if not stands_alone(text):
+            if not KINDS[text].stands_alone:
                 raise StatementError(
-                    f"'{text}' needs brackets: {SIGNATURES[text].usage}", place.line, place.column
+                    f"'{text}' needs brackets: {KINDS[text].usage}", place.line, place.column
                 )
             return Quantity(text, place=place)
     return token
@@ -363,7 +363,7 @@ def _at_time(reading: Reading, node: Tree[Token], spans: list[Span]) -> AtTime:
 
 def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Expression:
     kind = str(spans[0].value)
-    signature = SIGNATURES[kind]
+    record = KINDS[kind]
     place = spans[0].place
     given = spans[2:-1:2]
     last = given[-1].value
@@ -372,7 +372,7 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         stage = last
         given = given[:-1]
     elif (
-        signature.staged
+        record.staged
         and isinstance(last, Number)
         and last.value.denominator == 1
         and "%" not in str(given[-1].last)
@@ -385,14 +385,15 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
     for span in given:
         if span.value == "before" or isinstance(span.value, AtTime):
             raise reading.error("a stage stands last, after what it is the stage of", span.place)
-    if not signature.fewest <= len(given) <= signature.most:
-        raise reading.error(f"'{kind}' is written {signature.usage}", place)
-    if signature.stage_needed and stage is None:
-        raise reading.error(f"'{kind}' is written {signature.usage}", place)
-    if stage == "before" and not (signature.before and given):
-        raise reading.error(f"'{kind}' takes no 'before': it is written {signature.usage}", place)
-    if isinstance(stage, AtTime) and not signature.at_time:
-        raise reading.error(f"'{kind}' takes no time: it is written {signature.usage}", place)
+    fewest, most = record.arguments
+    if not fewest <= len(given) <= most:
+        raise reading.error(f"'{kind}' is written {record.usage}", place)
+    if record.stage_needed and stage is None:
+        raise reading.error(f"'{kind}' is written {record.usage}", place)
+    if stage == "before" and not (record.before and given):
+        raise reading.error(f"'{kind}' takes no 'before': it is written {record.usage}", place)
+    if isinstance(stage, AtTime) and not record.at_time:
+        raise reading.error(f"'{kind}' takes no time: it is written {record.usage}", place)
     return Quantity(kind, tuple(span.value for span in given), stage, place=place)
 
 

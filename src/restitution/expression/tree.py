@@ -179,27 +179,6 @@ FUNCTIONS = (
     "abs",
 )
 
-QUANTITIES = (
-    "velocity",
-    "speed",
-    "direction",
-    "along",
-    "across",
-    "angle",
-    "deflection",
-    "impulse",
-    "energy",
-    "energy_lost",
-    "total_energy_lost",
-    "momentum",
-    "line_of_centres",
-    "mass",
-    "position",
-    "time",
-    "distance",
-    "dot",
-)
-
 GREEK = (
     "alpha",
     "beta",

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
-from restitution.expression.tree import FUNCTIONS, GREEK, QUANTITIES
+from restitution.expression.quantities import QUANTITIES
+from restitution.expression.tree import FUNCTIONS, GREEK
 
 NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 """The name of a body, a wall or a point."""

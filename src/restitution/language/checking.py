@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from restitution.errors import StatementError
-from restitution.expression.quantities import SIGNATURES
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -56,23 +56,7 @@ from restitution.problem import (
 _POINT = frozenset(("point",))
 _WALL = frozenset(("wall",))
 _NOTHING: frozenset[str] = frozenset()
-
-# What the name may be that stands as an argument of a quantity.
-_ARGUMENTS: Mapping[str, AbstractSet[str]] = {
-    "direction": frozenset(("sphere", "wall")),
-    "along": _WALL,
-    "across": _WALL,
-    "angle": _WALL,
-    "dot": _NOTHING,
-    "distance": frozenset(("sphere", "point")),
-}
 _SPHERE = frozenset(("sphere",))
-
-# Quantities of vectors, for which the name of a sphere stands as that of its velocity.
-_OF_VECTORS = frozenset(("angle", "along", "across", "dot"))
-
-# Quantities of one event: they need at least event 1.
-_OF_AN_EVENT = frozenset(("deflection", "impulse", "energy_lost", "line_of_centres", "time"))
 
 
 @dataclass(frozen=True)
@@ -400,7 +384,8 @@ def _allowed(parent: Expression, child: Expression) -> AbstractSet[str]:
     """What a name may be that stands directly inside ``parent``."""
     match parent:
         case Quantity(kind, arguments):
-            return _ARGUMENTS.get(kind, _SPHERE) if child in arguments else _NOTHING
+            allowed = KINDS[kind].names if kind in KINDS else _SPHERE
+            return allowed if child in arguments else _NOTHING
         case Polar():
             return _WALL if child is parent.wall else _NOTHING
         case Binary() | Negate():
@@ -416,12 +401,13 @@ def _name(
     if kind is None:
         yield _unknown_name(bodies, node.name, node.place)
     elif kind not in allowed:
+        of_vectors = kind == "sphere" and isinstance(parent, Quantity) and parent.kind in KINDS
         if isinstance(parent, Polar) and parent.origin is node and kind == "wall":
             said = f"to measure an angle to a wall, write 'to {node.name}'"
-        elif isinstance(parent, Quantity) and parent.kind in _ARGUMENTS and kind == "sphere":
+        elif of_vectors and isinstance(parent, Quantity):
             said = (
                 f"'{parent.kind}' takes no sphere itself: perhaps velocity({node.name}); "
-                f"it is written {SIGNATURES[parent.kind].usage}"
+                f"it is written {KINDS[parent.kind].usage}"
             )
         elif isinstance(parent, Quantity):
             wanted = " or a ".join(sorted(allowed)) or "vector"
@@ -436,8 +422,7 @@ def _name(
                 f"'{node.name}' is the name of a {kind} and cannot stand for a letter or a vector"
             )
         mistake = _error(said, node.place)
-        of_vectors = isinstance(parent, Quantity) and parent.kind in _OF_VECTORS
-        if of_vectors and kind == "sphere" and node.place is not None:
+        if of_vectors and node.place is not None:
             line, column = node.place.line, node.place.column
             edit = Edit(line, column, line, column + len(node.name), f"velocity({node.name})")
             mistake.fixes = (Fix(f"Write velocity({node.name})", (edit,)),)
@@ -446,7 +431,10 @@ def _name(
 
 def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
     """The arguments that must be bodies, and the event that must have been told."""
-    takes_a_body = node.kind not in _ARGUMENTS or node.kind == "direction"
+    record = KINDS.get(node.kind)
+    takes_a_body = record is None or (
+        record.names <= {"sphere", "wall"} and "sphere" in record.names
+    )
     for argument in node.arguments if takes_a_body else ():
         if isinstance(argument, Letter) and (
             argument.name[0].isupper() or argument.name.capitalize() in bodies.kinds
@@ -454,8 +442,8 @@ def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
             yield _unknown_name(bodies, argument.name.replace("_", ""), argument.place)
         elif not isinstance(argument, Name):
             yield _error(
-                f"expected the name of a sphere: {SIGNATURES[node.kind].usage}"
-                if node.kind in SIGNATURES
+                f"expected the name of a sphere: {KINDS[node.kind].usage}"
+                if node.kind in KINDS
                 else "expected the name of a sphere",
                 _place_of(argument) or node.place,
             )
@@ -463,5 +451,5 @@ def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
         if node.stage > bodies.events:
             told = f"{bodies.events} {'event is' if bodies.events == 1 else 'events are'} told"
             yield _error(f"there is no event {node.stage}: {told}", node.place)
-        elif node.stage == 0 and node.kind in _OF_AN_EVENT:
+        elif node.stage == 0 and record is not None and record.of_an_event:
             yield _error(f"events are numbered from 1: there is no {node.kind} at 0", node.place)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import takewhile
 
 from restitution.errors import StatementError
-from restitution.expression.tree import QUANTITIES
+from restitution.expression.quantities import QUANTITIES
 from restitution.expression.words import FRAGMENTS, NAME, WORDS
 from restitution.language.lines import Line, declared_names, logical_lines
 from restitution.mending import Edit, Fix, mended

@@ -24,8 +24,6 @@ from restitution.expression.dimensions import (
     SPEED,
     TIME,
     Dimension,
-    dimension_of,
-    dimension_of_any,
 )
 from restitution.expression.measured import (
     ANGLE,
@@ -36,6 +34,7 @@ from restitution.expression.measured import (
     scaled,
     without_units,
 )
+from restitution.expression.quantities import dimension_of, dimension_of_any
 from restitution.expression.tree import (
     Apply,
     AtTime,

@@ -15,7 +15,7 @@ from typing import Any
 from lark import Lark, Token, Tree
 
 from restitution.errors import StatementError
-from restitution.expression.dimensions import NONE, dimension_of_any
+from restitution.expression.dimensions import NONE
 from restitution.expression.lexer import scan
 from restitution.expression.limits import (
     MAX_BODIES,
@@ -24,6 +24,7 @@ from restitution.expression.limits import (
     MAX_TEXT_BYTES,
 )
 from restitution.expression.parsers import make_parser
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.reading import (
     BUILDERS,
     Builder,

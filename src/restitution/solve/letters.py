@@ -15,6 +15,7 @@ import sympy as sp
 
 from restitution.errors import StatementError
 from restitution.expression.evaluate import evaluate
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -58,8 +59,6 @@ from restitution.problem import (
 )
 
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
-VECTOR_QUANTITIES = frozenset({"velocity", "momentum", "line_of_centres", "position"})
-ANGLE_QUANTITIES = frozenset({"angle", "deflection"})
 
 
 def roles(problem: Problem) -> dict[str, Role]:
@@ -108,11 +107,9 @@ def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
         case Unit() | Pair() | Polar() | Name():
             return True
         case Quantity(kind, arguments):
-            if kind == "impulse":
-                return bool(arguments)
             if kind == "direction":
                 return bool(arguments) and _name(arguments[0]) in walls
-            return kind in VECTOR_QUANTITIES
+            return kind in KINDS and KINDS[kind].nature_of(arguments) == "vector"
         case Negate(operand):
             return is_vector(operand, walls)
         case Binary(op, left, right):
@@ -196,7 +193,7 @@ def is_angle(tree: Expression, angles: set[str], walls: frozenset[str]) -> bool:
         case Quantity(kind, arguments):
             if kind == "direction":
                 return not (arguments and _name(arguments[0]) in walls)
-            return kind in ANGLE_QUANTITIES
+            return kind in KINDS and KINDS[kind].nature == "angle"
         case Apply(function):
             return function.startswith("arc")
         case Negate(operand):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from restitution.expression.quantities import SIGNATURES, stands_alone
-from restitution.expression.tree import FUNCTIONS, QUANTITIES
+from restitution.expression.quantities import KINDS
+from restitution.expression.tree import FUNCTIONS
 from restitution.expression.words import (
     EVENT_WORDS,
     GREEK_BY_NAME,
@@ -67,27 +67,6 @@ _PROPERTIES: Mapping[str, Mapping[str, str]] = {
         "along": "the line of centres: a vector or an angle",
         "offset": "how far B's centre lies from A's path, to the left",
     },
-}
-
-_QUANTITIES: Mapping[str, str] = {
-    "velocity": "the velocity, a vector",
-    "speed": "the size of the velocity",
-    "direction": "the angle of the velocity from i",
-    "along": "the component of V along D",
-    "across": "the component of V perpendicular to D",
-    "angle": "the angle between two vectors or with a wall",
-    "deflection": "the angle of deflection in the latest event",
-    "impulse": "the size of the latest impulse; impulse(A) is a vector",
-    "energy": "the kinetic energy of A, or of all spheres",
-    "energy_lost": "the kinetic energy lost in the latest event",
-    "total_energy_lost": "the kinetic energy lost since the start",
-    "momentum": "the momentum of A, or of all spheres",
-    "line_of_centres": "the unit vector along the line of centres",
-    "mass": "the mass of A",
-    "position": "where the centre of A is",
-    "time": "the time of event n",
-    "distance": "between points or centres",
-    "dot": "the scalar product",
 }
 
 _FUNCTIONS: Mapping[str, str] = {
@@ -153,12 +132,13 @@ def vocabulary() -> dict[str, Any]:
         },
         "quantities": [
             {
-                "word": word,
-                "about": _QUANTITIES[word],
-                "usage": SIGNATURES[word].usage,
-                "alone": stands_alone(word),
+                "word": kind.word,
+                "about": kind.about,
+                "usage": kind.usage,
+                "alone": kind.stands_alone,
             }
-            for word in QUANTITIES
+            for kind in KINDS.values()
+            if kind.in_statements
         ],
         "functions": [{"word": word, "about": _FUNCTIONS[word]} for word in FUNCTIONS],
         "phrases": [

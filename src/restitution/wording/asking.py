@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.expression.dimensions import dimension_of_any
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import Expression, Quantity, has_quantity
 from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Value
 from restitution.render import layout as lay

@@ -7,7 +7,8 @@ from fractions import Fraction
 from typing import TypeGuard
 
 from restitution.counting import counted
-from restitution.expression.dimensions import SPEED, Dimension, dimension_of_any
+from restitution.expression.dimensions import SPEED, Dimension
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import (
     Binary,
     Expression,

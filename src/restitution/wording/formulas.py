@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from restitution.expression.dimensions import dimension_of_any
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import (
     Apply,
     Binary,

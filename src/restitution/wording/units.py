@@ -23,8 +23,8 @@ from restitution.expression.dimensions import (
     SPEED,
     TIME,
     Dimension,
-    dimension_of_any,
 )
+from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import (
     Apply,
     AtTime,
