@@ -63,7 +63,7 @@ class _Extremum:
         self.symbol = roles(self.scene.problem)[over].symbol(over)
         self.angle = roles(self.scene.problem)[over].kind == "angle"
         self.least = kind == "minimum"
-        self.asked = claims.opened(asked)
+        self.asked = claims.worths.opened(asked)
         self.value = value
         self.support: tuple[Ref, ...] = ()
         self.place: Link | None = None
@@ -77,14 +77,14 @@ class _Extremum:
             return self._of_angle()
         line, end = self._line(), self.end
         for way in (self._monotone, self._quotient, self._square, self._plain):
-            mark = self.claims.mark()
+            mark = self.claims.worths.mark()
             self.support, self.place = (), None
             bound = way(line)
             if bound is not None:
                 last = self._reached(line, bound)
                 if last is not None:
                     return last
-            self.claims.back(mark)
+            self.claims.worths.back(mark)
             self.end = end
         raise NotPlannedError("a greatest or least value")
 
@@ -95,12 +95,12 @@ class _Extremum:
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             raise NotPlannedError("an angle that is not acute")
         assert isinstance(asked, Quantity)
-        first = self.claims.quantity(asked)
-        line, letter, extent = self.claims.lettered(first, asked)
+        first = self.claims.worths.quantity(asked)
+        line, letter, extent = self.claims.worths.lettered(first, asked)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
         for way in (self._monotone, self._quotient, self._plain):
-            mark = self.claims.mark()
+            mark = self.claims.worths.mark()
             self.support, self.place = (), None
             bound = way(line)
             if bound is not None:
@@ -120,18 +120,18 @@ class _Extremum:
                 ):
                     self.end = whole
                     return self.scene.desk.write(move, [last, there], own)
-            self.claims.back(mark)
+            self.claims.worths.back(mark)
         raise NotPlannedError("the greatest or least angle")
 
     def _line(self) -> int:
         match self.asked:
             case Letter(letter):
-                for each in self.claims.ties():
-                    line = self.claims.subject(each, letter)
+                for each in self.claims.ties.lines():
+                    line = self.claims.ties.subject(each, letter)
                     if line is not None:
                         return line
                 raise NotPlannedError(f"{letter} by other letters")
-        line = self.claims.worth(self.asked)
+        line = self.claims.worths.worth(self.asked)
         if line is None:
             raise NotPlannedError("an expression of several quantities")
         return line
@@ -203,7 +203,7 @@ class _Extremum:
             yield Link(subject, "=", tree_of(own))
 
     def _value(self, line: int) -> sp.Expr:
-        return self.claims.value_of(self.scene.desk.last_link(line).right)
+        return self.claims.worths.value(self.scene.desk.last_link(line).right)
 
     # --- ways -----------------------------------------------------------------------------------
 

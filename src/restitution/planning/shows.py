@@ -26,7 +26,9 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.claims import Claims, has_quantity_in
+from restitution.planning.claims import Claims
+from restitution.planning.comparisons import Comparison
+from restitution.planning.conditions import has_quantity_in
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
@@ -94,7 +96,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             links = links_of(scene.problem, item.relation, now)
             if not links:
                 return _first_meeting(claims, item.relation, now)
-            return claims.write_components(links[0])
+            return Comparison(claims).write(links[0])
         case AtRest(body):
             quantity = staged(scene.problem, Quantity("velocity", (body,)), now)
             link = Link(quantity, "=", ZERO)
@@ -106,7 +108,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
 
 def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
     """A value that is printed to some figures: exact first, then its decimal."""
-    exact = claims.worth(claims.opened(link.left))
+    exact = claims.worths.worth(claims.worths.opened(link.left))
     if exact is None:
         raise NotPlannedError("an expression of several quantities to some figures")
     own = claims.scene.desk.last_link(exact)
@@ -137,7 +139,7 @@ def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Rela
     claims.solver.determine([value])
     sign = ">" if scene.model.sign(value) > 0 else "<"
     link = Link(frame.component("along", body, stage), sign, ZERO)  # type: ignore[arg-type]
-    return claims.write_components(link)
+    return Comparison(claims).write(link)
 
 
 def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
@@ -160,11 +162,13 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
         own = scene.velocity(body, stage)
         claims.solver.determine(list(own))
         for kind in ("along", "across"):
-            refs += claims.component(kind, body, stage, frame).whole
+            refs += claims.worths.component(kind, body, stage, frame).whole
     refs += [f"wall {each.name}" for each in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
     own_relation = Relation(((link,),))
-    line = claims.judge.write((move,), together(r for r in refs if claims.exists(r)), own_relation)
+    line = claims.judge.write(
+        (move,), together(r for r in refs if claims.worths.exists(r)), own_relation
+    )
     if line is None:
         raise NotPlannedError("two directions")
     return line, own_relation
@@ -208,7 +212,9 @@ class _Equation:
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
-        left, right = (self.claims.opened(each) for each in (self.link.left, self.link.right))
+        left, right = (
+            self.claims.worths.opened(each) for each in (self.link.left, self.link.right)
+        )
         if not has_quantity(left) and not has_quantity(right):
             return self._of_letters()
         if isinstance(self.link.left, Letter) and not isinstance(left, Letter | Quantity):
@@ -225,8 +231,8 @@ class _Equation:
 
     def _of_expression(self, letter: Letter, tree: Expression) -> int | None:
         """A letter of the statement for an expression of quantities."""
-        mark = self.claims.mark()
-        worth = self.claims.worth(tree)
+        mark = self.claims.worths.mark()
+        worth = self.claims.worths.worth(tree)
         if worth is not None:
             known = self.judge.known(letters(self.link.right))
             value = self.scene.desk.last_link(worth).right
@@ -236,14 +242,14 @@ class _Equation:
                 )
                 if line is not None:
                     return line if first == self.link else self._last([line, *known])
-        self.claims.back(mark)
+        self.claims.worths.back(mark)
         return None
 
     # --- letters --------------------------------------------------------------------------------
 
     def _of_letters(self) -> int:
         """A relation of letters: the equation that the facts give, rearranged."""
-        lines = self.claims.ties()
+        lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
         for each in lines:
             line = self._last([each, *(other for other in lines if other != each), *known])
@@ -274,12 +280,12 @@ class _Equation:
 
     def _of_one(self, quantity: Quantity) -> int | None:
         claims = self.claims
-        own = claims.formula(quantity)
+        own = claims.worths.formula(quantity)
         match self.link.left:
             case Apply("cos", _) if quantity.kind == "deflection":
                 own = cosine_of_deflection(self.scene, quantity)
-        left, extra = claims.named(own, quantity)
-        for axes in ((), claims.axes(quantity)):
+        left, extra = claims.worths.named(own, quantity)
+        for axes in ((), claims.worths.axes(quantity)):
             line = self._by_definition(own, left, extra, together(own.refs, extra, axes))
             if line is not None:
                 return line
@@ -333,10 +339,10 @@ class _Equation:
         lines: list[int] = []
         facts: list[Ref] = []
         for each in quantities:
-            if claims.is_data(each):
-                facts += claims.data_of(each)
+            if claims.worths.is_data(each):
+                facts += claims.worths.data_of(each)
                 continue
-            lines.append(claims.quantity(each))
+            lines.append(claims.worths.quantity(each))
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
         for first in lines:
             rest = [each for each in lines if each != first]

@@ -1,0 +1,102 @@
+"""Components of two bodies along one line compared: who is the faster, and which way one moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+)
+from restitution.planning.claims import Claims
+from restitution.planning.desk import NotPlannedError, Source
+from restitution.planning.forms import tree_of
+from restitution.planning.quantities import frame_after
+
+
+class Comparison:
+    """Components compared by the letters for them, or by their values."""
+
+    def __init__(self, claims: Claims) -> None:
+        self.claims = claims
+        self.worths = claims.worths
+        self.scene = claims.scene
+        self.judge = claims.judge
+
+    def write(self, link: Link) -> tuple[int, Relation]:
+        """An inequality between components along one line, as letters say it."""
+        sides: list[Expression] = []
+        values: list[sp.Expr] = []
+        lines: list[Ref] = []
+        for side in (link.left, link.right):
+            tree, refs, value = self._named_component(side)
+            sides.append(tree)
+            values.append(value)
+            lines += refs
+        relation = Relation(((Link(sides[0], link.sign, sides[1]),),))
+        line = self.claims.compared(list(dict.fromkeys(lines)), relation)
+        if line is not None:
+            return line, relation
+        numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
+        if len(numbers) == 2:
+            turn = 1 if link.sign[0] == ">" else -1
+            value = tidy(sp.factor(values[::turn][0] - values[::turn][1]))
+            told = Link(Binary("-", *sides[::turn]), "=", tree_of(value))
+            line = self._difference(Relation(((told,),)), numbers)
+            if line is not None:
+                number_ = self.claims.compared([line], relation)
+                if number_ is not None:
+                    return number_, relation
+        raise NotPlannedError("who is the faster")
+
+    def _difference(self, relation: Relation, lines: Sequence[int]) -> int | None:
+        for pair in (lines, lines[::-1]):
+            line = self.judge.write((Move("combine"),), pair, relation)
+            if line is not None:
+                return line
+        return None
+
+    def _named_component(self, side: Expression) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+        """A component by the letter for it, and the line that says what it is."""
+        scene = self.scene
+        match side:
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), axis)):
+                self.worths.determine(side)
+                last = scene.last_event(body, stage)
+                frame = frame_after(scene, body, last)
+                quantity = frame.component("along", body, last)
+                known = scene.desk.known(quantity)
+                source = self.worths.component("along", body, last, frame)
+                wanted = scene.model.story.direction(axis, scene.events)
+                sense = scene.model.sign(wanted.dot(frame.n))
+                if tidy(wanted.cross(frame.n)) != 0:
+                    raise NotPlannedError("components along different lines")
+                value = sense * source.value
+                own = sp.sympify(0 if known is None else known.value, strict=True)
+                symbol = own if own.is_Symbol else -own
+                if symbol not in {each.symbol for each in scene.model.components.values()}:
+                    tree = quantity if sense == 1 else side
+                    refs = (*source.whole, *frame.refs, *self.claims.conditions.axis_named(axis))
+                    return tree, tuple(dict.fromkeys(refs)), value
+                return tree_of(sense * own), self._explicit(symbol, source), value
+        return side, (), sp.sympify(scene.scalar(side), strict=True)
+
+    def _explicit(self, symbol: sp.Symbol, source: Source) -> tuple[Ref, ...]:
+        """The line that says what a letter of a component is, in letters of the statement."""
+        desk = self.scene.desk
+        own = desk.known(Letter(symbol.name))
+        if own is None:
+            return source.refs
+        value, refs = self.scene.put(own.value)
+        if value == own.value:
+            return own.refs
+        relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
+        line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
+        return source.refs if line is None else (line,)

@@ -1,0 +1,239 @@
+"""Given inequalities: with values put in, without their positive factors, and solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Number,
+    Quantity,
+    has_quantity,
+    walk,
+)
+from restitution.planning.desk import together
+from restitution.planning.forms import ZERO, swept, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
+from restitution.planning.quantities import body_and_stage, frame_after
+from restitution.planning.tangents import cosine_of_deflection
+from restitution.planning.worths import Worths
+
+_BOUNDED = ("<", "<=", ">", ">=")
+
+
+class Conditions:
+    """The inequalities that a part gives."""
+
+    def __init__(self, worths: Worths) -> None:
+        self.worths = worths
+        self.scene = worths.scene
+        self.solver = worths.solver
+        self.judge = worths.judge
+        self._lines: list[int] | None = None
+
+    def clear(self) -> None:
+        """Forgets what has been taken away again."""
+        self._lines = None
+
+    def lines(self, wanted: Expression | None = None) -> list[int]:
+        """The given inequalities, in letters and solved as far as one line does it."""
+        if self._lines is None:
+            self._lines = [
+                line
+                for fact in self._inequalities()
+                for line in (self._condition(fact, wanted),)
+                if line is not None
+            ]
+        return self._lines
+
+    def _inequalities(self) -> Iterator[Fact]:
+        desk = self.scene.desk
+        for fact in desk.facts:
+            if fact.kind not in ("given", "range") or not desk.holds(fact.id):
+                continue
+            (link, *_) = fact.relation.only
+            if link.sign in _BOUNDED and has_quantity_in(fact.relation):
+                yield fact
+
+    def _condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+        (link,) = fact.relation.only
+        match self.worths.opened(link.left), link.right:
+            case Quantity("deflection", _, int()) as angle, Degrees(value) if value == 90:
+                return self._obtuse(fact, link, angle, wanted)
+        gap = self.gap(link)
+        own = without_signs(self.scene, gap, link.sign)
+        if own is None:
+            return None
+        sign, x = own
+        pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
+        relation = Relation(((Link(tree_of(x), sign, ZERO),),))
+        if x.has(sp.sin) and x.has(sp.cos):
+            solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
+            relation = relation if solved is None else Relation(((solved,),))
+        line = self._by_steps(link, fact.id, pool, relation, x, sign)
+        if line is None:
+            return None
+        return self.finished(line, sign, x, wanted)
+
+    def _obtuse(
+        self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
+    ) -> int | None:
+        """A deflection of more than 90°, or of less, by the sign of its cosine."""
+        (body,) = angle.arguments
+        assert isinstance(angle.stage, int)
+        for stage in (angle.stage - 1, angle.stage):
+            self.worths.determine(Quantity("velocity", (body,), stage))
+        own = cosine_of_deflection(self.scene, angle)
+        line = self.judge.write(
+            (own.move,), own.refs, Relation(((Link(own.left, "=", swept(own.right)),),)), own.refs
+        )
+        stripped = without_signs(self.scene, sp.expand(own.value), FLIPPED[link.sign])
+        if line is None or stripped is None:
+            return None
+        sign, x = stripped
+        name, let = self.worths.letter_for(angle)
+        pool: list[Ref] = [fact.id, line, f"0° <= {name} <= 180°", let]
+        assert isinstance(own.right, Binary)
+        known = self.worths.known_in(sp.expand(own.value))
+        first = Relation(((Link(swept(own.right.left), FLIPPED[link.sign], ZERO),),))
+        number = self.judge.write((Move("compare"),), [*pool, *known], first)
+        if number is None:
+            return None
+        solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
+        after = self.judge.write(
+            (Move("rearrange"), Move("cancel"), Move("compare")),
+            [number, *known],
+            Relation(((solved or Link(tree_of(x), sign, ZERO),),)),
+        )
+        return number if after is None else after
+
+    def gap(self, link: Link) -> sp.Expr:
+        """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""
+        for side in (link.left, link.right):
+            if has_quantity(side):
+                self.worths.determine(side)
+        left, right = (
+            sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+            for side in (link.left, link.right)
+        )
+        if left.atoms(sp.Pow) | right.atoms(sp.Pow) and any(
+            p.exp == sp.Rational(1, 2) and p.base.free_symbols
+            for p in left.atoms(sp.Pow) | right.atoms(sp.Pow)
+        ):
+            return sp.expand(left**2 - right**2)
+        return sp.expand(left - right)
+
+    def sources(self, link: Link) -> tuple[Ref, ...]:
+        """The lines of the components and the quantities in an inequality."""
+        refs: list[Ref] = []
+        for side in (link.left, link.right):
+            for each in walk(side):
+                match each:
+                    case Quantity("along" | "across" | "dot"):
+                        for velocity in each.arguments:
+                            refs += self._components_of(velocity)
+                            refs += self.axis_named(velocity)
+                        refs += self.worths.axes(each)
+                    case Quantity("velocity"):
+                        continue
+                    case Quantity(kind) if kind not in ("mass", "line_of_centres"):
+                        refs.append(self.worths.quantity(each))
+        return together(refs)
+
+    def axis_named(self, tree: Expression) -> tuple[Ref, ...]:
+        """The fact that gives the line of centres by which a component is named."""
+        match tree:
+            case Quantity("line_of_centres", (), int(event)):
+                return tuple(r for r in (f"axis {event}",) if self.worths.exists(r))
+        return ()
+
+    def _components_of(self, tree: Expression) -> list[Ref]:
+        refs: list[Ref] = []
+        for each in walk(tree):
+            match each:
+                case Quantity("velocity", (Name(),), int()):
+                    body, stage = body_and_stage(self.scene, each)
+                    frame = frame_after(self.scene, body, stage)
+                    for kind in ("along", "across"):
+                        refs += self._with_letter(kind, body, stage, frame)
+        return refs
+
+    def _with_letter(self, kind: str, body: str, stage: int, frame: Frame) -> list[Ref]:
+        desk = self.scene.desk
+        direct = desk.known(frame.component(kind, body, stage))
+        mark = self.worths.mark()
+        source = self.worths.component(kind, body, stage, frame)
+        if len(desk.lines) > mark[0].lines and kind == "across":
+            self.worths.back(mark)
+            return []
+        return [*(direct.whole if direct else ()), *source.whole]
+
+    def _by_steps(
+        self,
+        link: Link,
+        fact: Ref,
+        pool: Sequence[Ref],
+        relation: Relation,
+        x: sp.Expr,
+        sign: Sign,
+    ) -> int | None:
+        """A condition with values put in: at once where it is short, else in two lines."""
+        put = (Move("put"),)
+        if not _is_zero(link.right):
+            values = [
+                sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+                for side in (link.left, link.right)
+            ]
+            trees = [tree_of(each) for each in values]
+            first = Relation(((Link(trees[0], link.sign, trees[1]),),))
+            if first != relation:
+                line = self.judge.write(put, pool, first)
+                if line is not None:
+                    solved = solve_linear(self.scene, sign, x)
+                    for each in (solved, relation.only[0]):
+                        if each is None:
+                            continue
+                        known = self.worths.known_in(x)
+                        after = self.judge.write(
+                            (
+                                Move("rearrange"),
+                                Move("cancel"),
+                                Move("identity", "pythagoras"),
+                                Move("compare"),
+                            ),
+                            [line, *known],
+                            Relation(((each,),)),
+                        )
+                        if after is not None:
+                            return after
+        line = self.judge.write(put, pool, relation)
+        if line is not None:
+            return line
+        return self.judge.write((Move("compare"),), pool, relation)
+
+    def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
+        """A condition solved for its letter by one more line, where it is linear in it."""
+        solved = solve_linear(self.scene, sign, x, wanted)
+        if solved is None:
+            return line
+        relation = Relation(((solved,),))
+        if relation == self.scene.desk.relation(line):
+            return line
+        after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
+        return line if after is None else after
+
+
+def has_quantity_in(relation: Relation) -> bool:
+    """Whether a relation speaks of a quantity of the motion."""
+    return any(has_quantity(side) for link in relation.only for side in (link.left, link.right))
+
+
+def _is_zero(tree: Expression) -> bool:
+    return isinstance(tree, Number) and not tree.value

@@ -1,0 +1,252 @@
+"""Equations that tie letters of the statement to each other, by what is given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation, Sign
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.conditions import has_quantity_in
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.forms import tree_of
+from restitution.planning.givens import write_given
+from restitution.planning.impacts import residual
+from restitution.planning.inequalities import (
+    FLIPPED,
+    bounds,
+    certain,
+    isolated,
+    linear_in,
+    without_signs,
+)
+from restitution.planning.scene import GivenEquation
+from restitution.planning.worths import Worths
+from restitution.solve.letters import roles
+
+
+class Ties:
+    """The equations between letters that a part gives."""
+
+    def __init__(self, worths: Worths) -> None:
+        self.worths = worths
+        self.scene = worths.scene
+        self.solver = worths.solver
+        self.judge = worths.judge
+        self._lines: list[int] | None = None
+
+    def clear(self) -> None:
+        """Forgets what has been taken away again."""
+        self._lines = None
+
+    def lines(self) -> list[int]:
+        """The equations between letters that the facts give, as lines."""
+        if self._lines is None:
+            self._lines = list(self._written_ties())
+        return self._lines
+
+    def _written_ties(self) -> Iterator[int]:
+        scene = self.scene
+        known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
+        lines = [ref for own in known if own for ref in own.refs if isinstance(ref, int)]
+        if lines:
+            yield from dict.fromkeys(self._without_roots(each) for each in lines)
+            return
+        none = True
+        for each in scene.given:
+            line = self._trial(lambda each=each: self._tie(each))  # type: ignore[misc]
+            if line is not None:
+                none = False
+                yield line
+        if none:
+            for symbol in self._linked():
+                line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
+                if line is not None:
+                    yield line
+
+    def _without_roots(self, line: int) -> int:
+        """An equation, or the one above it of which it gives a root."""
+        desk = self.scene.desk
+        number = line
+        while _has_root(desk.relation(number)):
+            above = [
+                ref
+                for ref in desk.line(number).premises
+                if isinstance(ref, int) and isinstance(desk.line(ref).relation, Relation)
+            ]
+            if not above:
+                return line
+            number = above[0]
+        own = desk.relation(number)
+        said = {n for e in own.options[0] for side in (e.left, e.right) for n in letters(side)}
+        known = set(roles(self.scene.problem))
+        plain = len(own.options) == 1 and said <= known and not has_quantity_in(own)
+        if not plain or number == line:
+            return line
+        return self._neat(number)
+
+    def _linked(self) -> list[sp.Symbol]:
+        return sorted(self.scene.free, key=lambda each: each.name)
+
+    def _trial(self, attempt: Callable[[], int | None]) -> int | None:
+        """What an attempt writes; nothing stays of one that leads nowhere."""
+        mark = self.worths.mark()
+        try:
+            line = attempt()
+        except NotPlannedError:
+            line = None
+        if line is None:
+            self.worths.back(mark)
+        return line
+
+    def _tie(self, each: GivenEquation) -> int | None:
+        """A given fact as an equation between letters of the statement."""
+        scene = self.scene
+        components = {own.symbol for own in scene.model.components.values()}
+        inside = {s for x in each.residuals for s in sp.sympify(x, strict=True).free_symbols}
+        relation = scene.ties.get(each.fact.id)
+        written = None if relation is None else self.judge.standing(relation)
+        if written is not None:
+            return written
+        if each.fact.id in self.solver.used:
+            return None
+        self.solver.used.add(each.fact.id)
+        self.solver.determine(sorted(inside & components, key=str))
+        self.solver.used.discard(each.fact.id)
+        open_ = [scene.put(x)[0] for x in each.residuals]
+        if all(x == 0 for x in open_):
+            return None
+        line = self._neat(write_given(scene, _as_right_angle(each)))
+        scene.ties[each.fact.id] = scene.desk.relation(line)
+        return line
+
+    def _closed(self, symbol: sp.Symbol) -> int | None:
+        """The line that says what a letter is by others."""
+        scene = self.scene
+        scene.free.discard(symbol)
+        try:
+            self.solver.determine([symbol])
+        finally:
+            scene.free.add(symbol)
+        known = scene.desk.known(Letter(symbol.name))
+        lines = () if known is None else known.refs
+        return next((each for each in lines if isinstance(each, int)), None)
+
+    def _neat(self, line: int) -> int:
+        """The equation without common factors, where it stands as one that is zero."""
+        scene = self.scene
+        whole = sp.factor(sp.together(residual(scene, line)))
+        above = sp.fraction(whole)[0]
+        kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not certain(self.scene, x)))
+        symbols = [s for s in kept.free_symbols if s.name in roles(scene.problem)]
+        for symbol in sorted(symbols, key=self.rank):
+            form = isolated(self.scene, kept, symbol)
+            if form is None:
+                continue
+            generator, value = form
+            relation = Relation(((Link(generator, "=", tree_of(value)),),))
+            if scene.desk.relation(line) == relation:
+                return line
+            pool = [line, *self.judge.known(s.name for s in whole.free_symbols)]
+            moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+            neat = self.judge.write(moves, pool, relation)
+            if neat is not None:
+                return neat
+        return line
+
+    def rank(self, symbol: sp.Symbol) -> tuple[int, str]:
+        kind = roles(self.scene.problem)[symbol.name].kind
+        return ({"angle": 0, "positive": 1, "restitution": 2}.get(kind, 3), symbol.name)
+
+    def subject(self, line: int, letter: str) -> int | None:
+        """An equation with a letter as its subject; None where it is not linear in it."""
+        link = self.scene.desk.last_link(line)
+        if link.left == Letter(letter):
+            return line
+        x = sp.fraction(sp.together(self.worths.value(link.left) - self.worths.value(link.right)))[
+            0
+        ]
+        symbol = roles(self.scene.problem)[letter].symbol(letter)
+        form = isolated(self.scene, sp.expand(x), symbol)
+        if form is None or form[0] != Letter(letter):
+            return None
+        relation = Relation(((Link(form[0], "=", tree_of(form[1])),),))
+        pool = [line, *self.worths.known_in(x)]
+        return self.judge.write((Move("rearrange"), Move("cancel")), pool, relation)
+
+    def _gap(self, link: Link) -> sp.Expr:
+        """Left minus right of an equation, without its denominators."""
+        left, right = (self.worths.value(side) for side in (link.left, link.right))
+        return sp.fraction(sp.together(left - right))[0]
+
+    def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr, Sign]]:
+        """What the range of one letter says of the others in an equation: ``P sign 0``."""
+        link = self.scene.desk.last_link(line)
+        x = sp.fraction(sp.together(self.worths.value(link.left) - self.worths.value(link.right)))[
+            0
+        ]
+        role = roles(self.scene.problem)[gone.name]
+        form = linear_in(sp.expand(x), gone, role.kind == "angle")
+        if form is None:
+            return []
+        _, generator, a, b = form
+        found: list[tuple[Sign, sp.Expr, Sign]] = []
+        for sign, bound in bounds(role, generator, gone):
+            gap = sp.factor(sp.together(-b / a - bound))
+            own = without_signs(self.scene, gap, sign)
+            if own is not None and own[1].free_symbols:
+                found.append((*own, sign))
+        return found
+
+    def bounded(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
+        """An equation of which one side only holds a letter, with its bound put in there."""
+        link = self.scene.desk.last_link(line)
+        sides = [(link.left, link.right), (link.right, link.left)]
+        for kept, other in sides:
+            x = self.worths.value(other)
+            if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
+                continue
+            role = roles(self.scene.problem)[gone.name]
+            above, below = sp.fraction(sp.together(x))
+            form = linear_in(sp.expand(above), gone, role.kind == "angle")
+            if form is None or gone in below.free_symbols:
+                return None
+            _, generator, a, b = form
+            slope = certain(self.scene, a / below)
+            ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
+            if slope is None or not ends:
+                return None
+            value = tidy(sp.factor((a * ends[0] + b) / below))
+            return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
+        return None
+
+
+def _as_right_angle(each: GivenEquation) -> GivenEquation:
+    """A deflection of 90° as a right angle between the velocities before and after."""
+    match each.link:
+        case Link(Quantity("deflection", (Name(),) as body, int(stage)), "=", Degrees(value)):
+            if value == 90:
+                later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
+                return replace(each, link=Link(later, "perpendicular to", early))
+    return each
+
+
+def _has_root(relation: Relation) -> bool:
+    return any(
+        isinstance(each, Apply) and each.function == "sqrt"
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for each in walk(side)
+    )

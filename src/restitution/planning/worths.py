@@ -1,0 +1,264 @@
+"""What quantities and expressions of them are worth: a line each, in letters of the statement."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    Unit,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.desk import Mark, NotPlannedError, Source, together
+from restitution.planning.forms import square, swept, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import in_direction, scene_value
+from restitution.planning.order import Solver
+from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.scene import Scene
+from restitution.planning.tangents import tangent_of_deflection
+from restitution.solve.letters import roles
+from restitution.vector import Vector
+
+_ANGLES = {
+    "deflection": ("delta", "phi", "psi", "theta"),
+    "angle": ("beta", "theta", "phi", "psi"),
+    "direction": ("theta", "phi", "beta", "psi"),
+}
+# The moves by which a letter takes the place of what it stands for.
+NAMED = (Move("put"), Move("rearrange"), Move("compare"))
+
+
+@dataclass
+class Worths:
+    """The lines of a part that say what something is worth."""
+
+    scene: Scene
+    solver: Solver
+
+    def __post_init__(self) -> None:
+        self.judge = self.scene.judge
+
+    def mark(self) -> tuple[Mark, frozenset[str]]:
+        """What stands, and which equations are used."""
+        return self.scene.desk.mark(), frozenset(self.solver.used)
+
+    def back(self, mark: tuple[Mark, frozenset[str]]) -> None:
+        """Takes away what was written since a mark."""
+        desk, used = mark
+        self.scene.desk.back(desk)
+        self.solver.used.clear()
+        self.solver.used |= used
+
+    def exists(self, ref: Ref) -> bool:
+        """Whether a fact is given."""
+        return isinstance(ref, int) or ref in self.scene.facts
+
+    def opened(self, tree: Expression) -> Expression:
+        """A tree with each letter for a quantity replaced by the quantity."""
+
+        def change(each: Expression) -> Expression:
+            if isinstance(each, Letter):
+                fact = self.scene.facts.get(f"let {each.name}")
+                if fact is not None and has_quantity(fact.relation.only[0].left):
+                    return self.opened(fact.relation.only[0].left)
+            return each
+
+        return rebuilt(tree, change)
+
+    def named(self, own: Formula, quantity: Expression) -> tuple[Expression, tuple[Ref, ...]]:
+        """The left side of a definition, with the letter that the statement has for it."""
+        for fact in self.scene.desk.facts:
+            if fact.id.startswith("let ") and fact.relation.only[0].left == quantity:
+                return own.of(fact.relation.only[0].right), (fact.id,)
+        return own.left, ()
+
+    def lettered(self, line: int, angle: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
+        """The tangent of an angle by a letter for it: the line, the letter, and its range."""
+        desk = self.scene.desk
+        if not isinstance(angle, Quantity):
+            return line, angle, ()
+        name, let = self.letter_for(angle)
+        high = 90 if angle.kind == "angle" and not isinstance(angle.arguments[1], Unit) else 180
+        tangent = Apply("tan", Letter(name))
+        relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
+        number = self.judge.write(NAMED, [line, let], relation)
+        if number is None:
+            raise NotPlannedError("a letter for an angle")
+        return number, Letter(name), (f"0° <= {name} <= {high}°", let)
+
+    def letter_for(self, angle: Quantity) -> tuple[str, int]:
+        """The letter that stands for an angle of the motion, and the line that introduces it."""
+        desk = self.scene.desk
+        taken = set(roles(self.scene.problem))
+        for each in desk.lines:
+            if isinstance(each.relation, Meaning):
+                if each.relation.quantity == angle:
+                    return each.relation.letter, each.number
+                taken.add(each.relation.letter)
+        name = next(each for each in _ANGLES[angle.kind] if each not in taken)
+        return name, desk.write(Move("let"), (), Meaning(name, angle))
+
+    def axes(self, tree: Expression) -> tuple[Ref, ...]:
+        """The lines of centres of the impacts in which a quantity is known."""
+        refs: list[Ref] = []
+        for each in walk(tree):
+            match each:
+                case Quantity("velocity" | "speed" | "energy", (Name(),), int()):
+                    velocity = replace(each, kind="velocity")
+                    body, stage = body_and_stage(self.scene, velocity)
+                    refs += frame_after(self.scene, body, stage).refs
+        return together(refs)
+
+    def determine(self, tree: Expression) -> None:
+        """Writes the lines by which all components in a tree are known."""
+        value = self.scene.value(tree)
+        parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
+        if hasattr(value, "measure"):
+            parts = (value.y / value.x,)
+        self.solver.determine([sp.sympify(each, strict=True) for each in parts])
+
+    def component(self, kind: str, body: str, stage: int, frame: Frame) -> Source:
+        """A component, with what it rests on."""
+        return in_direction(self.scene, kind, body, stage, frame)
+
+    def is_data(self, quantity: Quantity) -> bool:
+        """Whether a quantity is a velocity of the data."""
+        return quantity.kind == "velocity" and quantity.stage == 0
+
+    def data_of(self, quantity: Quantity) -> tuple[Ref, ...]:
+        """The facts that give a velocity."""
+        (body,) = quantity.arguments
+        assert isinstance(body, Name)
+        return self.scene.initial(body.name).refs
+
+    def formula(self, quantity: Quantity) -> Formula:
+        """The definition of a quantity, with the components in it known."""
+        if quantity.kind == "deflection" and isinstance(quantity.stage, int):
+            (body,) = quantity.arguments
+            stages = (quantity.stage - 1, quantity.stage)
+            for stage in stages:
+                self.determine(Quantity("velocity", (body,), stage))
+            return tangent_of_deflection(self.scene, quantity)
+        self.determine(quantity)
+        return formula(self.scene, quantity)
+
+    def quantity(self, quantity: Quantity) -> int:
+        """Writes what a quantity is worth, and returns the number of the line."""
+        scene = self.scene
+        known = scene.desk.known(quantity)
+        if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
+            return known.refs[0]
+        own = self.formula(quantity)
+        left, extra = self.named(own, quantity)
+        right, final = swept(own.right), tree_of(own.value)
+        match right:
+            case Apply("sqrt", Binary("^", base, _)) if base == final:
+                right = final
+        links = [Link(left, "=", right)]
+        chains = [Relation((tuple(links),))]
+        if right != final:
+            for by in ("rearrange", "identity"):
+                chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))
+        known_ = self.judge.known(letters(right))
+        plain = together(own.refs, extra)
+        wider = together(own.refs, extra, self.axes(quantity))
+        pools = (plain, (*plain, *known_), wider, (*wider, *known_))
+        for relation in chains:
+            for pool in dict.fromkeys(pools):
+                number_ = self.judge.write((own.move,), pool, relation, plain)
+                if number_ is not None:
+                    if own.left == quantity:
+                        scene.desk.know(quantity, own.value, (number_,))
+                    return number_
+        raise NotPlannedError(f"a line for {quantity.kind}")
+
+    def worth(self, tree: Expression) -> int | None:
+        """The line that says what an expression of quantities is worth; None without one."""
+        match tree:
+            case Quantity():
+                return self.quantity(tree)
+            case Apply("tan", Quantity("angle" | "deflection" | "direction") as angle):
+                return self.quantity(angle)
+            case Binary("^", Quantity("speed") as speed, Number(Fraction(numerator=2))):
+                return self.squared(speed)
+            case Binary("/", above, below) if has_quantity(above) and has_quantity(below):
+                pair = [self.worth(above), self.worth(below)]
+                if None in pair:
+                    return None
+                return self._valued(tree, Move("divide"), pair)  # type: ignore[arg-type]
+            case Binary("/", above, below) if has_quantity(above):
+                line = self.worth(above)
+                return None if line is None else self._valued(tree, Move("rearrange"), [line])
+        return None
+
+    def _valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
+        """An expression and its value, by a move from the lines of its quantities."""
+        value = tidy(sp.sympify(self.scene.put(self.scene.scalar(tree))[0], strict=True))
+        names = {s.name for s in value.free_symbols} & set(roles(self.scene.problem))
+        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        line = self.judge.write((move,), [*refs, *self.judge.known(names)], relation)
+        if line is not None:
+            return line
+        values = [self.scene.desk.last_link(each).right for each in refs]
+        if move.id != "divide":
+            return None
+        middle = Relation(((Link(tree, "=", Binary("/", *values)),),))
+        line = self.judge.write((move,), refs, middle)
+        if line is None:
+            return None
+        moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+        return self.judge.write(moves, [line, *self.judge.known(names)], relation)
+
+    def squared(self, speed: Quantity) -> int | None:
+        """The square of a speed, without its root."""
+        self.determine(speed)
+        own = formula(self.scene, speed)
+        right = swept(own.right)
+        if not isinstance(right, Apply):
+            return None
+        left = square(own.left)
+        pool = own.refs
+        final = tree_of(tidy(own.value**2))
+        first = Link(left, "=", right.argument)
+        known = self.judge.known(letters(right))
+        for by in ("rearrange", "identity"):
+            relation = Relation(((first, Link(right.argument, "=", final, by)),))
+            line = self.judge.write((own.move,), [*pool, *known], relation, pool)
+            if line is not None:
+                return line
+        return self.judge.write((own.move,), pool, Relation(((first,),)), pool)
+
+    def quantities(self, tree: Expression) -> Iterator[Quantity]:
+        """The outermost quantities of a tree."""
+        match tree:
+            case Quantity(kind) if kind not in ("mass", "line_of_centres"):
+                yield tree
+            case _:
+                for each in children(tree):
+                    yield from self.quantities(each)
+
+    def known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
+        names = {s.name for s in x.free_symbols}
+        return self.judge.known(names & set(roles(self.scene.problem)))
+
+    def value(self, tree: Expression) -> sp.Expr:
+        """What a tree of a line is worth, in letters."""
+        return scene_value(self.scene, tree)
