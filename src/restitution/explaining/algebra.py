@@ -368,14 +368,16 @@ class World:
 
     def _polar(self, tree: Polar) -> Plane:
         size = self.scalar(tree.size)
-        cosine, sine = self.cos_sin(self.turn(tree.angle))
+        unit = self._at_angle(self.turn(tree.angle))
+        cosine, sine = unit.x, unit.y
         if tree.wall is not None:
             along = self._unit(Quantity("direction", (tree.wall,)))
             x, y = along.x * cosine + along.y * sine, along.y * cosine - along.x * sine
         elif tree.origin is None:
             x, y = cosine, sine
         elif self.is_angle(tree.origin):
-            x, y = self.cos_sin(self.turn(tree.angle) + self.turn(tree.origin))
+            turned = self._at_angle(self.turn(tree.angle) + self.turn(tree.origin))
+            x, y = turned.x, turned.y
         else:
             from_ = self._unit(tree.origin)
             x, y = from_.x * cosine - from_.y * sine, from_.x * sine + from_.y * cosine

@@ -25,7 +25,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
-from restitution.explaining.trees import settled, trees_of
+from restitution.explaining.trees import said, settled, trees_of
 from restitution.explaining.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.expression.tree import (
     Apply,
@@ -114,9 +114,11 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             for ref in line.premises
             if ref in ratios or (isinstance(ref, str) and ref not in facts)
         ]
-        # The range of an angle is needed wherever it is told by a ratio.
-        doubted = known and line.move.id not in ("inverse", "triangle")
-        if doubted and isinstance(line.relation, Relation):
+        if line.move.id in ("inverse", "triangle"):
+            # The range of an angle is needed wherever it is told by a ratio.
+            own = names_in(line.relation)
+            known = [each for each in known if not read.speaks_of(each, own)]
+        if known and isinstance(line.relation, Relation):
             line = replace(line, premises=read.needed(line.number, known))
         lines.append(line)
     return replace(derivation, lines=tuple(lines))
@@ -381,6 +383,11 @@ class _Reader:
         assert isinstance(line.relation, Relation)
         return self._trial(line).needed(line.move, line.premises, line.relation, doubted)
 
+    def speaks_of(self, ref: Ref, names: AbstractSet[str]) -> bool:
+        """Whether a premise is a line, or is about one of some letters."""
+        known = None if isinstance(ref, int) else known_of_letters(ref, self.setting)
+        return known is None or bool(known.letters & names)
+
     def _trial(self, line: Line) -> Trial:
         """What may be cited where a line stands."""
         options = self._options(line.number)
@@ -403,9 +410,9 @@ class _Reader:
         if line.move.id in ("answer", "shown") or isinstance(line.relation, Meaning):
             return
         case = {each.number for each in self.derivation.cases if line.number in each.lines}
-        own = _told(line.relation)
+        own = said(line.relation)
         for each in above:
-            if isinstance(each.relation, Meaning) or _told(each.relation) != own:
+            if isinstance(each.relation, Meaning) or said(each.relation) != own:
                 continue
             other = {c.number for c in self.derivation.cases if each.number in c.lines}
             part = self.parts.get(line.item or "")
@@ -512,13 +519,13 @@ class _Reader:
             yield Complaint("premise-of-another-part", end.line, end.item)
         if not end.shown:
             return
-        told = _told(end.answer)
+        told = said(end.answer)
         for each in self.derivation.lines:
             if each.number == end.line:
                 break
             if line.move.id == "answer" and each.number in line.premises:
                 continue  # the bound of a greatest or least value
-            if isinstance(each.relation, Relation) and _told(each.relation) == told:
+            if isinstance(each.relation, Relation) and said(each.relation) == told:
                 yield Complaint("shown-by-itself", each.number, end.item)
 
     def _facts_used(self) -> Iterator[Complaint]:
@@ -588,22 +595,9 @@ def _is_direction(tree: Expression | None) -> bool:
     return tree is not None and not isinstance(tree, Number | Degrees)
 
 
-def _told(relation: Relation) -> frozenset[frozenset[object]]:
-    """What a relation says, whichever way round it is written."""
-    return frozenset(frozenset(_turned(link) for link in links) for links in relation.options)
-
-
-def _turned(link: Link) -> object:
-    if link.sign in (">", ">="):
-        return ({">": "<", ">=": "<="}[link.sign], link.right, link.left)
-    if link.sign in ("=", "!=", "parallel to", "perpendicular to"):
-        return (link.sign, frozenset((link.left, link.right)))
-    return (link.sign, link.left, link.right)
-
-
 def _same(line: Relation, answer: Relation) -> bool:
     """Whether a line says an answer: the last link of a chain does, with the first subject."""
-    if _told(line) == _told(answer):
+    if said(line) == said(answer):
         return True
     if len(line.options) != 1 or len(line.only) < 2:
         return False
@@ -611,7 +605,7 @@ def _same(line: Relation, answer: Relation) -> bool:
     if any(a.sign != "=" or a.right != b.left for a, b in itertools.pairwise(links)):
         return False
     whole = Link(links[0].left, links[-1].sign, links[-1].right)
-    return _told(Relation(((whole,),))) == _told(answer)
+    return said(Relation(((whole,),))) == said(answer)
 
 
 _NO_MOVE = Move("let")

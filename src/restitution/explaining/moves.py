@@ -912,13 +912,14 @@ def _inverse(step: Step, relation: Relation) -> bool:
         if isinstance(each.relation, Relation) and len(each.relation.options) == 1
         for link in _flat(each.relation.only)
     ]
-    ratios = list(filter(None, (_ratio_of(step, each) for each in cited)))
-    if not ratios or len(relation.only) != 1:
+    if len(relation.only) != 1:
         return False
     (link,) = relation.only
-    ratio_, value = ratios[0]
-    if link.sign != "=" or not _is_multiple_of(step, link, ratio_.argument):
+    told = filter(None, (_ratio_of(step, each) for each in cited))
+    ratios = [each for each in told if _is_multiple_of(step, link, each[0].argument)]
+    if not ratios or link.sign != "=":
         return False
+    ratio_, value = ratios[0]
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
     found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
     low, high, closed = _range_of(step, ratio_.argument)

@@ -537,7 +537,7 @@ class Step:
         else:
             assert isinstance(left, Quotient)
             assert isinstance(right, Quotient)
-            value = left - right
+            value = self.world.reduced(left - right)
         return value if rules is None else rules.put_into(value)
 
     def is_multiple(self, line: Value, expected: Value, sign: bool = False) -> int | None:

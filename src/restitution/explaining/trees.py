@@ -61,6 +61,19 @@ def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
             yield each.right
 
 
+def said(relation: Relation) -> frozenset[frozenset[object]]:
+    """What a relation says, whichever way round it is written."""
+    return frozenset(frozenset(_turned(link) for link in links) for links in relation.options)
+
+
+def _turned(link: Link) -> object:
+    if link.sign in (">", ">="):
+        return ({">": "<", ">=": "<="}[link.sign], link.right, link.left)
+    if link.sign in ("=", "!=", "parallel to", "perpendicular to"):
+        return (link.sign, frozenset((link.left, link.right)))
+    return (link.sign, link.left, link.right)
+
+
 def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relation | None:
     """A template for an event: its bodies by name, and its stages by number.
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from restitution.expression.tree import Name, Quantity
+from restitution.planning.desk import together
 from restitution.planning.impacts import blown
 from restitution.planning.scene import Scene
+from restitution.planning.vectors import velocity_given
 from restitution.problem import Kick
 
 
@@ -14,7 +16,13 @@ def write_blows(scene: Scene) -> None:
         step = scene.model.happening(number).step
         if not isinstance(step, Kick):
             continue
-        if scene.desk.known(Quantity("velocity", (Name(step.body),), number)) is None:
+        quantity = Quantity("velocity", (Name(step.body),), number)
+        if scene.desk.known(quantity) is None:
+            given = velocity_given(scene, step.body, number)
+            if given is not None and not scene.unknown(given[1]):
+                value, refs = scene.put(given[1])
+                scene.desk.know(quantity, value, together(given[2], refs))
+                continue
             velocities = [scene.velocity(step.body, each) for each in (number - 1, number)]
             if not any(scene.unknown(each) for each in velocities):
                 blown(scene, step.body, number)

@@ -15,7 +15,7 @@ import sympy as sp
 from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.trees import rebuilt, said
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, Source, chain, together
@@ -261,6 +261,10 @@ def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
 
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
     """A line in another form, with what makes the factor between them not zero."""
+    own = scene.desk.line(number)
+    if said(scene.desk.relation(number)) == said(relation):
+        # From the other side: the line itself is written so.
+        return scene.desk.write(own.move, own.premises, relation)
     for move in (Move("rearrange"), Move("cancel")):
         refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
         if refs is not None:

@@ -21,6 +21,7 @@ from restitution.explaining.derivation import (
     Route,
     Sign,
 )
+from restitution.explaining.trees import said
 from restitution.expression.tree import Expression
 from restitution.planning.forms import alike
 
@@ -87,6 +88,18 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
     return Relation((tuple(links),))
 
 
+def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
+    """Whether two lines are one; an inequality may be written from either side."""
+    if one == other:
+        return True
+    if isinstance(one, Meaning) or isinstance(other, Meaning):
+        return False
+    links = (*one.options[0], *other.options[0])
+    if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
+        return False
+    return said(one) == said(other)
+
+
 @dataclass
 class Desk:
     """The lines of a working so far.
@@ -126,7 +139,7 @@ class Desk:
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
         for each in self.lines if move.id not in _LAST else ():
-            if each.relation == relation and self.holds(each.number):
+            if _is_same(each.relation, relation) and self.holds(each.number):
                 return each.number
         number = len(self.lines) + 1
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))

@@ -55,8 +55,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         # Of one line there is nothing to put in.
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
         return line, final
+    # What stands first is where the line starts from: of a quotient what is above.
+    premises = tuple(dict.fromkeys((*refs, *ranges)))
     line = scene.desk.write(
-        Move("put"), together(refs, ranges), chain(asked, (right, None), (final, "rearrange"))
+        Move("put"), premises, chain(asked, (right, None), (final, "rearrange"))
     )
     return line, final
 

@@ -184,9 +184,9 @@ def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, t
         return _initial_square(scene, body)
     struck = _after_a_blow(scene, body, stage)
     if struck is not None:
-        value, _ = scene.put(struck.value)
+        value, more = scene.put(struck.value)
         tree = total(square(tree_of(each)) for each in value if each != 0)
-        return tree, sum(each**2 for each in value), struck.refs
+        return tree, sum(each**2 for each in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
     refs = together(*(each.refs for each in own), _bridge(frame, own))

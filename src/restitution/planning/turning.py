@@ -386,13 +386,22 @@ def _deflection(
         return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
     if frame.wall is not None and wanted is None:
         return None
-    if wanted != "tan" and _vectors_in_numbers(scene, body, event, a, b):
+    if (
+        wanted != "tan"
+        and _vectors_in_numbers(scene, body, event, a, b)
+        and not _is_nested(dot**2 / (dot**2 + cross**2))
+    ):
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
     own = formula(scene, asked)
     line, letter = _tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+
+
+def _is_nested(square_: sp.Expr) -> bool:
+    """Whether the square of a cosine has a root in it: the tangent is plainer then."""
+    return not tidy(square_).is_Rational
 
 
 def _own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:

@@ -85,6 +85,8 @@ def _roles(problem: Problem) -> dict[str, Role]:
     coefficients = _coefficients(problem)
     positive, real = _components(problem)
     measured = _measured(problem)
+    # What a letter is let be is measured, whatever is asked of it.
+    used -= {step.letter for _, step in problem.steps() if isinstance(step, Let)} & measured.keys()
     found: dict[str, Role] = {}
     for name in sorted(names):
         if name in coefficients:
