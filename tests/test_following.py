@@ -92,6 +92,31 @@ P hits W: e = 1/2
 given angle(velocity(P), W) = theta
 find theta
 """
+SUPPLEMENT = """
+sphere A: mass 2m, velocity U at 180° - alpha
+sphere B: mass m, velocity -2U i
+A hits B: along i
+given tan(beta) = 2
+find direction(A), beta
+"""
+OF_A_SUPPLEMENT = """
+1 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = {}
+2 a | law restitution 1 A B | velocity A, velocity B, axis 1, e 1 | c(B, 1) - c(A, 1) = e ({} + 2U)
+"""
+TWO_RATIOS = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+A hits B: along i
+given tan(alpha) = 2, cos(alpha) = 1/sqrt(5)
+given velocity(A) = cos(alpha) i + sin(alpha) j
+find direction(A)
+"""
+FROM_TWO_RATIOS = """
+1 a | let | | let theta = direction(A, 1)
+2 a | define tan-direction 1 A | given 3, 1 | tan(theta) = sin(alpha)/cos(alpha)
+3 a | put | 2, given 1 | tan(theta) = 2
+4 a | inverse | given 2, -180° < theta <= 180°, 3, given 3 | theta = {}
+"""
 UPWARDS = """
 sphere A: mass 2, velocity 3i - 4j
 sphere B: mass 3, velocity 2i + 3j
@@ -236,6 +261,13 @@ DECIMAL = f"""
         ),
         (OPEN_RATIO, ARC.format("3/(5e)"), "does-not-follow"),
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = 2U", "does-not-follow"),
+        # at 180° less an angle one component has the other sign, and one has not
+        (SUPPLEMENT, OF_A_SUPPLEMENT.format("-U sin(alpha)", "-U cos(alpha)"), "does-not-follow"),
+        (SUPPLEMENT, OF_A_SUPPLEMENT.format("U cos(alpha)", "-U cos(alpha)"), "does-not-follow"),
+        (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "U cos(alpha)"), "does-not-follow"),
+        # the ratio of another angle tells nothing
+        (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2) - 180°"), "does-not-follow"),
+        (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(3)"), "does-not-follow"),
     ],
 )
 def test_what_only_looks_right_is_refused(statement: str, working: str, expected: str) -> None:
@@ -259,6 +291,8 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (UPWARDS, IMPULSE.format("12")),
         (OPEN_RATIO, ARC.format("5e/3")),
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = U"),
+        (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "-U cos(alpha)")),
+        (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2)")),
         (SPHERES, f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2 ≈ 2 [value]"),
         (
             WALL.format("sin(2alpha) = u cos(2alpha)"),

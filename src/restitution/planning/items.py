@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import sympy as sp
 
 from restitution.explaining.derivation import Fact, Move
-from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, has_quantity
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    has_quantity,
+    walk,
+)
 from restitution.planning import journeys, place_trees
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.axes import write_wall
@@ -17,7 +26,7 @@ from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import is_angle, write_angle, write_ratio
+from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.vector import Vector
 
 
@@ -31,6 +40,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         solver.determine(journeys.goals(scene, asked))
     else:
         _determine(scene, solver, asked)
+        _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
@@ -222,6 +232,27 @@ def _determine(scene: Scene, solver: Solver, asked: Expression) -> None:
         else:
             return
     solver.determine(_goals(scene, asked))
+
+
+def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """The components of which an angle is made, where it is the same whatever they are."""
+    letters = {each.symbol for each in scene.model.components.values()}
+    for angle in walk(asked):
+        if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
+            velocities = _velocities_of(scene, quantity_of(scene, angle))
+            open_ = {s for each in velocities for s in scene.unknown(each)} & letters
+            if open_:
+                solver.determine(sorted(open_, key=str))
+
+
+def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
+    match angle:
+        case Quantity("angle", arguments):
+            for each in arguments:
+                if isinstance(each, Quantity) and each.kind == "velocity":
+                    yield scene.vector(each)
+        case Quantity("deflection" | "direction", (Name(body),), int(stage)):
+            yield scene.velocity(body, stage)
 
 
 def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:

@@ -1,0 +1,109 @@
+"""Planned workings that the follower accepts, line by line, with the answers of the solver."""
+
+from __future__ import annotations
+
+import pytest
+from laws_of_workings import answers, complaints, printed_results
+
+from restitution.language import parse
+from restitution.planning.planner import plan
+from restitution.solve import solve
+
+STATEMENTS = {
+    "a quotient starts from what is above": """
+wall V: along i
+wall W: along j
+sphere Q: mass k m, velocity -3u i - 4u j
+Q hits V
+Q hits W
+find total_energy_lost/energy(0), impulse(2)/impulse(1)
+""",
+    "a letter that is another": """
+wall V: along i
+wall W: along j
+sphere Q: velocity 4u i - 3u j
+Q hits V: e = f
+Q hits W: e = g
+given f = g, speed(Q) = 2u
+find f
+""",
+    "a direction after another ratio": """
+sphere S: mass 2m, velocity u at theta
+sphere T: mass 3m, at rest
+S hits T: along i, e = 1/3
+given energy(T) = 1/4 energy(0)
+find theta, direction(S)
+""",
+    "velocities at 180° less an angle": """
+sphere S: mass m, velocity 2u at theta
+sphere T: mass 2m, velocity u at 180° - theta
+S hits T: along i, e = 1/4
+find velocity(S), speed(T), impulse
+""",
+    "a velocity at 90° and an angle": """
+wall W: along j
+sphere P: velocity u at 90° + alpha
+P hits W: e = 2/3
+find velocity(P)
+""",
+    "a velocity that a blow leads to": """
+sphere A: mass 3, velocity 4i
+sphere B: mass 2, velocity -2i + j
+A hits B: along i, e = 1/3
+B receives p i + q j
+given velocity(B) = 2i - 3j
+find p, q, energy(B)
+""",
+    "an impulse of which the size is found": """
+wall W: along j
+sphere P: mass 2m, at rest
+P receives H at 60° to W
+P hits W: e = 1/3
+given speed(P) = 2u
+find H, energy(P, 1) in terms of m, u
+""",
+    "a deflection whose cosine would be tangled": """
+sphere S: mass 0.2, velocity 5i + 3j
+sphere T: mass 0.3, velocity -2i - j
+S hits T: along j
+given energy_lost = 0.84
+find e, deflection(T)
+""",
+    "a bound that is said from both sides": """
+sphere A: mass m, velocity u at 45°
+sphere B: mass k m, at rest
+A hits B: along j, e = 1/3
+unknown k
+find range of deflection(A)
+""",
+    "an angle that is let, and asked by its cosine": """
+sphere A: mass m, velocity 3u i + 2u j
+sphere B: mass 2m, velocity -u i - 2u j
+A hits B: along i, e = 1/2
+let phi = angle(velocity(A), velocity(B))
+find cos(phi), phi
+""",
+    "an angle that is the same whatever the speeds are": """
+sphere A: mass 2m, velocity u at 30°
+sphere B: mass 2m, velocity u at 150°
+A hits B: along i, e = 1/2
+find angle(velocity(A), velocity(B)), speed(B)
+""",
+    "a line of centres in roots, and letters": """
+sphere A: mass 2, velocity a i + b j
+sphere B: mass 3, velocity -i + 2j
+A hits B
+given impulse(A) = -6i + 3j, e = 2/3
+given velocity(A) perpendicular to velocity(A, 0)
+find a, b
+""",
+}
+
+
+@pytest.mark.parametrize("name", STATEMENTS)
+def test_a_planned_working_is_accepted(name: str) -> None:
+    solution = solve(parse(STATEMENTS[name]))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == []
+    assert answers(solution, derivation) == []
+    assert printed_results(solution, derivation) == []
