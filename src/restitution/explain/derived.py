@@ -5,14 +5,14 @@ root is rejected, on what an inequality rests. An equation has a number only whe
 
 Each room has its topic: `ends` what was asked, `introductions` what letters stand for, `leads` the
 words before a line, `staying` the components that an impact does not change, `rows` the line
-itself, `reasons` what stands behind it. Here they come together, from the top of a part to its end.
+itself, `reasons` what stands behind it, `noted` why an item has no answer. Here they come
+together, from the top of a part to its end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from restitution.explain.ends import Ends
@@ -20,12 +20,13 @@ from restitution.explain.introductions import Introductions
 from restitution.explain.leads import TITLED, Leads
 from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explain.naming import Naming
+from restitution.explain.noted import Notes
 from restitution.explain.reasons import Reasons
 from restitution.explain.rows import Rows
 from restitution.explain.sources import Sources
 from restitution.explain.staying import Staying
 from restitution.explain.steps import Explanation, PartExplanation, Row, Step
-from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
+from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.saying import Sentence, say
@@ -56,11 +57,11 @@ def explanation_of(
     """
     writer = _Writer(derivation, problem, conditions or {})
     parts: list[PartExplanation] = []
-    by_part = groupby(derivation.lines, writer.ends.part)
-    for label, lines in by_part:
-        steps = tuple(_joined(writer.steps(list(lines))))
+    for label in dict.fromkeys(derivation.asked.values()):
+        lines = [each for each in derivation.lines if writer.ends.part(each) == label]
+        steps = tuple(_joined(writer.steps(lines, label)))
         ends = [each for each in derivation.items if each.part == label]
-        asked = tuple(writer.ends.text(each) for each in dict.fromkeys(e.item for e in ends))
+        asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
         parts.append(PartExplanation(label, asked, steps, answers))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
@@ -113,6 +114,7 @@ class _Writer:
         self.sources = Sources(derivation)
         self.reasons = Reasons(derivation, self.naming)
         self.ends = Ends(derivation, self.problem, self.naming)
+        self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)
         self.leads = Leads(derivation, self.naming, self.sources)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
@@ -128,14 +130,20 @@ class _Writer:
         self.title = None
         self.rows.afresh()
 
-    def steps(self, lines: list[Line]) -> Iterator[Step]:
-        """The lines of a part as steps."""
+    def steps(self, lines: list[Line], label: str | None) -> Iterator[Step]:
+        """The lines of a part as steps, with its notes among them."""
         self.afresh()
         lets: list[Meaning] = []
         conditions: list[Sentence] = []
         waiting: list[Line] = []
         shown = [each for each in lines if each.shown != "silent"]
+        notes = self.notes.places(label, [each.item for each in shown])
+        due: list[Note] = []
         for index, line in enumerate(shown):
+            due += notes.get(index, ())
+            if due and not (waiting or lets or self.stay):
+                yield from self._noted(due)
+                due = []
             if isinstance(line.relation, Meaning):
                 lets.append(line.relation)
                 continue
@@ -177,6 +185,13 @@ class _Writer:
             if condition is not None and condition not in conditions:
                 conditions.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
+        yield from self._noted([*due, *notes.get(len(shown), ())])
+
+    def _noted(self, notes: Sequence[Note]) -> Iterator[Step]:
+        """Why items have no answer, or why a claim is not true."""
+        for note, sentence in self.notes.said(notes):
+            self.afresh()
+            yield Step("note", sentences=(sentence,), item=self.ends.place_of(note.item))
 
     def _recalled(self, line: Line) -> Iterator[Step]:
         """The values of earlier parts on which a line rests, where it does not name them."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from restitution.explain.naming import Naming
-from restitution.explaining.derivation import Derivation, ItemEnd, Line
+from restitution.explaining.derivation import Derivation, ItemEnd, Line, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Quantity
 from restitution.problem import Find, Item, Meets, Problem, Show, Value
@@ -17,8 +17,8 @@ class Ends:
 
     def __init__(self, derivation: Derivation, problem: Problem, naming: Naming) -> None:
         self._naming = naming
-        self._ends = {each.line: each for each in derivation.items}
-        self._parts = {each.item: each.part for each in derivation.items}
+        self._ends = {each.line: each for each in _ends(derivation)}
+        self._parts = derivation.asked
         self._places = {
             each: [e for e in self._parts if self._parts[e] == self._parts[each]].index(each)
             for each in self._parts
@@ -34,7 +34,11 @@ class Ends:
 
     def place(self, line: Line) -> int | None:
         """Which item of its part a line belongs to, counted from 0."""
-        return self._places.get(line.item or "")
+        return self.place_of(line.item)
+
+    def place_of(self, item: str | None) -> int | None:
+        """Which of its part an item is, counted from 0."""
+        return self._places.get(item or "")
 
     def of(self, line: Line) -> ItemEnd | None:
         """The end of an item in a line; None where none ends."""
@@ -72,6 +76,16 @@ class Ends:
         if happens:
             return say("claim.will-collide", one=one, other=other, again=again)
         return say("claim.will-not-collide", one=one, other=other, again=again)
+
+
+def _ends(derivation: Derivation) -> Iterator[ItemEnd]:
+    """The last lines of items, also of one of which the value is impossible."""
+    yield from derivation.items
+    for note in derivation.notes:
+        line = derivation.line(max(note.lines, default=0))
+        if note.kind == "impossible" and line is not None and line.item == note.item:
+            assert isinstance(line.relation, Relation)
+            yield ItemEnd(note.item, line.number, line.relation, note.part)
 
 
 def _asked(step: Any) -> Iterator[Item | Show]:

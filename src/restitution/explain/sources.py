@@ -54,7 +54,7 @@ class Sources:
             for each in derivation.lines
             if each.shown != "silent" and isinstance(each.relation, Relation)
         ]
-        parts = {each.item: each.part for each in derivation.items}
+        parts = derivation.asked
         # What stands in another part is not just above.
         self._above = {
             line.number: before.number

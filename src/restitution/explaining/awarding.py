@@ -24,6 +24,7 @@ from typing import Literal
 from restitution.explaining.derivation import (
     Derivation,
     Fact,
+    ItemEnd,
     Line,
     Meaning,
     MoveId,
@@ -200,14 +201,14 @@ def marks_of(derivation: Derivation) -> dict[str | None, int]:
     part = part_of_items(derivation)
     total: dict[str | None, int] = {}
     for line in derivation.lines:
-        label = part.get(line.item)
+        label = part.get(line.item or "")
         total[label] = total.get(label, 0) + sum(mark.number for mark in line.marks)
     return total
 
 
-def part_of_items(derivation: Derivation) -> Mapping[str | None, str | None]:
+def part_of_items(derivation: Derivation) -> Mapping[str, str | None]:
     """The label of the part to which each item belongs."""
-    return {each.item: each.part for each in derivation.items}
+    return derivation.asked
 
 
 class _Awarding:
@@ -220,7 +221,11 @@ class _Awarding:
         self.lines = {each.number: each for each in derivation.lines}
         self.place = {each.number: n for n, each in enumerate(derivation.lines)}
         self.parts = part_of_items(derivation)
-        self.ends = {each.line: each for each in derivation.items}
+        self.ends: dict[int, ItemEnd | None] = {each.line: each for each in derivation.items}
+        for note in derivation.notes:
+            last = max(note.lines, default=0)
+            if last and self.lines[last].item == note.item:
+                self.ends.setdefault(last, None)
         self.shown = {each.line for each in derivation.items if each.shown}
         self.order = {item: n for n, item in enumerate(self.parts)}
         self.walls = {each.number: each.wall for each in derivation.events}
@@ -248,10 +253,10 @@ class _Awarding:
                     points[line.number].append(point)
         earned: set[str | None] = set()
         for line in self.derivation.lines:
-            end = self.ends.get(line.number)
-            if end is not None:
+            if line.number in self.ends:
+                end = self.ends[line.number]
                 # What is printed has to be reached by something.
-                lone = end.shown and end.part not in earned
+                lone = end is not None and end.shown and end.part not in earned
                 points[line.number] += ["M", "A"] if lone else ["A"]
             if points[line.number]:
                 earned.add(self.part(line))
@@ -322,7 +327,7 @@ class _Awarding:
 
     def part(self, line: Line) -> str | None:
         """The label of the part to which a line belongs."""
-        return self.parts.get(line.item)
+        return self.parts.get(line.item or "")
 
     def above(self, line: Line) -> Sequence[Line]:
         """The lines above a line."""

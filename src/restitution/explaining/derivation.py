@@ -9,7 +9,7 @@ language. They are never evaluated when they are built: ``3((-4i - j) - (2i + 7j
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal, get_args
 
@@ -156,6 +156,40 @@ class ItemEnd:
     case: int | None = None
 
 
+NoteKind = Literal["impossible", "contradiction", "missing", "refuted", "undecided", "unwritten"]
+
+
+@dataclass(frozen=True)
+class Note:
+    """What stands in place of an answer, or of a proof, and why.
+
+    ``premises`` are lines, facts and what is known of letters: they cannot all hold. Of a claim
+    that is refuted they cannot hold together with the ``claim``, where letters have the values in
+    ``instance``; ``sides`` are what its sides are there. ``reason`` is in the solver's words.
+    ``place`` counts the items of the question from 0, in the order asked.
+    """
+
+    item: str
+    kind: NoteKind
+    place: int
+    part: str | None = None
+    reason: str = ""
+    premises: tuple[Ref, ...] = ()
+    claim: Relation | None = None
+    instance: tuple[Link, ...] = ()
+    sides: tuple[Link, ...] = ()
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """The lines among its premises."""
+        return tuple(each for each in self.premises if isinstance(each, int))
+
+    def renumbered(self, numbers: Mapping[int, int]) -> Note:
+        """The same note, which names lines by their new numbers."""
+        premises = tuple(numbers[e] if isinstance(e, int) else e for e in self.premises)
+        return replace(self, premises=premises)
+
+
 @dataclass(frozen=True)
 class Case:
     """One of several solutions: an option of a line of alternatives, and the lines under it."""
@@ -176,7 +210,10 @@ class Route:
 
 @dataclass(frozen=True)
 class Derivation:
-    """A working: the facts of the statement, the events of its story, and lines."""
+    """A working: the facts of the statement, the events of its story, and lines.
+
+    Every item has an end in ``items``, or else a note.
+    """
 
     facts: tuple[Fact, ...]
     lines: tuple[Line, ...]
@@ -184,6 +221,7 @@ class Derivation:
     events: tuple[Event, ...] = ()
     cases: tuple[Case, ...] = ()
     others: tuple[Route, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def fact(self, name: str) -> Fact | None:
         """The fact with an id; None where there is none."""
@@ -192,6 +230,17 @@ class Derivation:
     def line(self, number: int) -> Line | None:
         """The line with a number; None where there is none."""
         return next((each for each in self.lines if each.number == number), None)
+
+    @property
+    def asked(self) -> Mapping[str, str | None]:
+        """The part of each item, in the order asked."""
+        parts = {each.item: each.part for each in self.items}
+        order = list(parts)
+        for each in sorted(self.notes, key=lambda note: note.place):
+            if each.item not in parts:
+                parts[each.item] = each.part
+                order.insert(each.place, each.item)
+        return {item: parts[item] for item in order}
 
     @property
     def meanings(self) -> Mapping[str, Meaning]:
@@ -208,7 +257,7 @@ def of_part(derivation: Derivation, part: str | None) -> Derivation:
 
     Of the facts those of other parts are left out, but for those that these lines cite.
     """
-    parts = {each.item: each.part for each in derivation.items}
+    parts = derivation.asked
     lines = {each.number: each for each in derivation.lines}
     needed: set[int] = set()
     open_ = [each.number for each in derivation.lines if parts.get(each.item or "") == part]
@@ -231,6 +280,7 @@ def of_part(derivation: Derivation, part: str | None) -> Derivation:
             if e.line in needed
         ),
         tuple(each for each in derivation.others if parts.get(each.item) == part),
+        tuple(each for each in derivation.notes if each.part == part),
     )
 
 

@@ -20,9 +20,11 @@ from restitution.explaining.derivation import (
     Link,
     Meaning,
     Move,
+    Note,
     Ref,
     Relation,
 )
+from restitution.explaining.excluding import excludes
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
 from restitution.explaining.trees import said, settled, trees_of
@@ -63,6 +65,7 @@ Reason = Literal[
     "not-the-answer",
     "answer-missing",
     "shown-by-itself",
+    "not-excluded",
 ]
 
 
@@ -145,6 +148,10 @@ def settled_derivation(derivation: Derivation) -> Derivation:
         facts=tuple(replace(each, relation=of(each.relation)) for each in derivation.facts),  # type: ignore[arg-type]
         lines=tuple(replace(each, relation=of(each.relation)) for each in derivation.lines),
         items=tuple(replace(each, answer=of(each.answer)) for each in derivation.items),  # type: ignore[arg-type]
+        notes=tuple(
+            replace(each, claim=None if each.claim is None else of(each.claim))  # type: ignore[arg-type]
+            for each in derivation.notes
+        ),
     )
 
 
@@ -156,7 +163,7 @@ class _Reader:
         self.redundant = redundant
         self.lines = {each.number: each for each in derivation.lines}
         self.facts = {each.id: each for each in derivation.facts}
-        self.parts = {each.item: each.part for each in derivation.items}
+        self.parts = derivation.asked
         self.setting = setting_of(derivation, oracle)
         self._parts: dict[Ref, set[str]] = {}
 
@@ -388,9 +395,9 @@ class _Reader:
         known = None if isinstance(ref, int) else known_of_letters(ref, self.setting)
         return known is None or bool(known.letters & names)
 
-    def _trial(self, line: Line) -> Trial:
-        """What may be cited where a line stands."""
-        options = self._options(line.number)
+    def _trial(self, line: Line | None) -> Trial:
+        """What may be cited where a line stands, or below all."""
+        options = {} if line is None else self._options(line.number)
 
         def cited(ref: Ref) -> Relation | Meaning | None:
             return self._cited(ref, options) if isinstance(ref, int) or ref in self.facts else None
@@ -431,6 +438,10 @@ class _Reader:
             on_the_way |= under
             yield from self._end(end, under)
             yield from self._in_force(end, under)
+        for note in self.derivation.notes:
+            for ref in note.premises:
+                on_the_way |= self._under(ref)
+            yield from self._note(note)
         yield from self._cases()
         for line in self.derivation.lines:
             if line.number not in on_the_way:
@@ -438,8 +449,8 @@ class _Reader:
         yield from self._facts_used()
         yield from self._axes_turned()
 
-    def _under(self, number: int) -> set[Ref]:
-        """A line, and all that it rests on."""
+    def _under(self, number: Ref) -> set[Ref]:
+        """A line, or a fact, and all that it rests on."""
         found: set[Ref] = set()
         pending: list[Ref] = [number]
         while pending:
@@ -528,13 +539,49 @@ class _Reader:
             if isinstance(each.relation, Relation) and said(each.relation) == told:
                 yield Complaint("shown-by-itself", each.number, end.item)
 
+    # --- notes ----------------------------------------------------------------------------------
+
+    def _note(self, note: Note) -> Iterator[Complaint]:
+        """A note whose premises are unknown, or can hold together after all."""
+        bad = False
+        for ref in note.premises:
+            known = ref in self.lines or ref in self.facts
+            if not known and (isinstance(ref, int) or known_of_letters(ref, self.setting) is None):
+                yield Complaint("premise-unknown", None, ref)
+                bad = True
+            elif not self._parts_under(ref) <= {note.part}:
+                yield Complaint("premise-of-another-part", None, ref)
+        if bad or not note.premises or note.kind not in _EXCLUDING:
+            return
+        if not self._excludes(note, note.premises):
+            yield Complaint("not-excluded", None, note.item)
+            return
+        for n, ref in enumerate(note.premises):
+            if self._excludes(note, (*note.premises[:n], *note.premises[n + 1 :]), sure=True):
+                yield Complaint("premise-not-needed", None, ref)
+
+    def _excludes(self, note: Note, premises: tuple[Ref, ...], sure: bool = False) -> bool:
+        """Whether premises cannot hold together, nor with the claim where letters have values.
+
+        What cannot be compared is not complained of: then the answer is what is ``sure``.
+        """
+        trial = self._trial(None)
+        return excludes(note, trial.step(Move("reject"), premises), unknown=not sure)
+
     def _facts_used(self) -> Iterator[Complaint]:
         used: dict[str | None, set[Ref]] = {}
         for end in self.derivation.items:
             used.setdefault(end.part, set()).update(self._under(end.line))
+        for note in self.derivation.notes:
+            for ref in note.premises:
+                used.setdefault(note.part, set()).update(self._under(ref))
+        # Where an item has no working, the facts that it would use may stand idle.
+        idle = {note.part for note in self.derivation.notes if not note.premises}
         every = set().union(*used.values()) if used else set()
         for fact in self.derivation.facts:
             if fact.kind != "given" or fact.id in self.redundant:
+                continue
+            if fact.part in idle or (fact.part is None and idle):
                 continue
             under = every if fact.part is None else used.get(fact.part, set())
             sense = fact.id.replace("given", "sense")
@@ -609,3 +656,5 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 
 _NO_MOVE = Move("let")
+# These notes say that something cannot be.
+_EXCLUDING = frozenset({"impossible", "contradiction", "refuted"})

@@ -539,6 +539,25 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- answers ----------------------------------------------------------------------------------
     "answer.none": "{item}: no answer, as {reason}.",
+    "note.none": "{items:and}: no answer, as {reason}.",
+    "note.none-either": "{items:and}: no answer either.",
+    "note.none-asks": "{items:and}: no answer, as {reason}",
+    "note.none-data-above-one": (
+        "{items:and}: no answer, as a coefficient of restitution is at most 1, and not {value}."
+    ),
+    "note.none-data-below-zero": (
+        "{items:and}: no answer, as a coefficient of restitution is not negative, and not {value}."
+    ),
+    "note.above-one": "{value} is impossible, as a coefficient of restitution is at most 1.",
+    "note.below-zero": "{value} is impossible, as a coefficient of restitution is not negative.",
+    "note.none-above-one": (
+        "{items:and}: no answer, as {value} is impossible: a coefficient of restitution is at most "
+        "1."
+    ),
+    "note.none-below-zero": (
+        "{items:and}: no answer, as {value} is impossible: a coefficient of restitution is not "
+        "negative."
+    ),
     "answer.only": "This holds for {condition} only.",
     "answer.only-as": "As {reasons:and}, this holds for {condition} only.",
     "answer.reason": "{item}: {reason}",

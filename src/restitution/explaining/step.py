@@ -501,7 +501,9 @@ class Step:
             else:
                 found.append(self.formula(each.relation))
         for known in self.known:
-            if not all(self.roles.get(n, REAL).kind == "angle" for n in known.letters):
+            if not known.letters or not all(
+                self.roles.get(n, REAL).kind == "angle" for n in known.letters
+            ):
                 found.append(self.formula(known.relation))
         return tuple(each for each in found if each != All(()))
 

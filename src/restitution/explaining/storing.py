@@ -6,7 +6,7 @@ as LaTeX and as MathML.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, get_args, get_type_hints
 
 from restitution.errors import StatementError
@@ -17,8 +17,10 @@ from restitution.explaining.derivation import (
     Fact,
     ItemEnd,
     Line,
+    Link,
     Meaning,
     Move,
+    Note,
     Relation,
     Route,
 )
@@ -55,6 +57,7 @@ def to_json(derivation: Derivation) -> dict[str, Any]:
             {"item": each.item, "moves": [_move(move) for move in each.moves]}
             for each in derivation.others
         ],
+        "notes": [_note(each, vectors) for each in derivation.notes],
     }
 
 
@@ -66,6 +69,7 @@ def _names(derivation: Derivation) -> dict[str, str]:
         *(each.relation for each in derivation.facts),
         *(each.relation for each in derivation.lines),
         *(each.answer for each in derivation.items),
+        *(each for note in derivation.notes for each in _relations_of(note)),
     ]
     found = {
         node.name
@@ -144,6 +148,30 @@ def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
     }
 
 
+def _note(note: Note, vectors: frozenset[str]) -> dict[str, Any]:
+    return {
+        "item": note.item,
+        "kind": note.kind,
+        "place": note.place,
+        "part": note.part,
+        "reason": note.reason,
+        "premises": list(note.premises),
+        "claim": None if note.claim is None else _told(note.claim, vectors),
+        "instance": [_told(_alone(each), vectors) for each in note.instance],
+        "sides": [_told(_alone(each), vectors) for each in note.sides],
+    }
+
+
+def _relations_of(note: Note) -> Iterator[Relation]:
+    if note.claim is not None:
+        yield note.claim
+    yield from map(_alone, (*note.instance, *note.sides))
+
+
+def _alone(link: Link) -> Relation:
+    return Relation(((link,),))
+
+
 def _told(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
     if isinstance(relation, Meaning):
         own = frozenset((relation.letter,)) if relation.vector else vectors
@@ -200,6 +228,7 @@ class _Reading:
                 Route(_text(each["item"]), tuple(self._move(move) for move in each["moves"]))
                 for each in value["others"]
             ),
+            tuple(self._note(each) for each in value.get("notes", ())),
         )
 
     def _event(self, value: Mapping[str, Any]) -> Event:
@@ -249,6 +278,24 @@ class _Reading:
             tuple(_text(each) for each in value["bodies"]),
             _text_or_none(value["eliminated"]),
         )
+
+    def _note(self, value: Mapping[str, Any]) -> Note:
+        claim = value["claim"]
+        return Note(
+            _text(value["item"]),
+            _one_of(value["kind"], Note, "kind"),
+            _number(value["place"]),
+            _text_or_none(value["part"]),
+            _text(value["reason"]),
+            tuple(e if isinstance(e, str) else _number(e) for e in value["premises"]),
+            None if claim is None else read_relation(claim["text"], self.names),
+            tuple(self._link(each) for each in value["instance"]),
+            tuple(self._link(each) for each in value["sides"]),
+        )
+
+    def _link(self, value: Mapping[str, Any]) -> Link:
+        (link,) = read_relation(value["text"], self.names).only
+        return link
 
     def _item(self, value: Mapping[str, Any]) -> ItemEnd:
         return ItemEnd(

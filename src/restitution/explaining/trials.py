@@ -14,7 +14,7 @@ from restitution.explaining.moves import follows
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Degrees, Letter, Name, Quantity, letters, walk
+from restitution.expression.tree import Degrees, Letter, Name, Number, Quantity, letters, walk
 from restitution.oracle import All, Oracle, compared
 
 
@@ -123,11 +123,21 @@ def _known(ref: str, setting: Setting) -> Known | None:
     else:
         relation = read_relation(ref, setting.names)
         names = frozenset(names_in(relation))
+        if not names and _of_a_coefficient(relation):
+            return Known(ref, relation, names)
     if not names or any(isinstance(e, Quantity) for t in trees_of(relation) for e in walk(t)):
         return None
     if not _by_roles(ref, relation, setting):
         return None
     return Known(ref, relation, names)
+
+
+def _of_a_coefficient(relation: Relation) -> bool:
+    """Whether a relation is a bound that every coefficient of restitution has."""
+    match relation.options:
+        case ((Link(Quantity("restitution", (), int()), sign, Number(bound)),),):
+            return (sign == "<=" and bound == 1) or (sign == ">=" and bound == 0)
+    return False
 
 
 def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:

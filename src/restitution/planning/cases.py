@@ -45,6 +45,8 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     items = list(dict.fromkeys(each.item for each in ends))
     desk.ends += sorted(ends, key=lambda each: items.index(each.item))
     desk.splits = first.splits[:depth]
+    if any(draft.notes != first.notes for draft in drafts):
+        raise NotPlannedError("solutions of which one has no answer")
     return desk
 
 

@@ -16,6 +16,8 @@ from restitution.explaining.derivation import (
     Meaning,
     Move,
     MoveId,
+    Note,
+    NoteKind,
     Ref,
     Relation,
     Route,
@@ -116,6 +118,7 @@ class Desk:
     ends: list[ItemEnd] = field(default_factory=list)
     cases: list[Case] = field(default_factory=list)
     others: list[Route] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
     item: str | None = None
     part: str | None = None
     splits: tuple[tuple[int, int], ...] = ()
@@ -194,6 +197,7 @@ class Desk:
             ends=list(self.ends),
             cases=list(self.cases),
             others=list(self.others),
+            notes=list(self.notes),
             _sources={each: list(own) for each, own in self._sources.items()},
             _parts=dict(self._parts),
         )
@@ -202,17 +206,23 @@ class Desk:
         """The last line of an item."""
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
 
+    def note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> None:
+        """What stands in place of an answer: a `Note` with these fields."""
+        items = {*(each.item for each in self.ends), *(each.item for each in self.notes)}
+        self.notes.append(Note(item, kind, len(items - {item}), self.part, reason, **rest))
+
     # --- trials ---------------------------------------------------------------------------------
 
     def mark(self) -> Mark:
         """The state of the desk, to which ``back`` returns."""
         sources = {key: list(values) for key, values in self._sources.items()}
-        return Mark(len(self.lines), len(self.ends), sources, dict(self._parts))
+        return Mark(len(self.lines), len(self.ends), len(self.notes), sources, dict(self._parts))
 
     def back(self, mark: Mark) -> None:
         """Takes away all that was written since a mark."""
         del self.lines[mark.lines :]
         del self.ends[mark.ends :]
+        del self.notes[mark.notes :]
         self._sources = {key: list(values) for key, values in mark.sources.items()}
         self._parts = dict(mark.parts)
 
@@ -223,5 +233,6 @@ class Mark:
 
     lines: int
     ends: int
+    notes: int
     sources: Mapping[Expression, list[Source]]
     parts: Mapping[Ref, frozenset[str]]

@@ -15,7 +15,7 @@ def gathered(derivation: Derivation) -> Derivation:
 
     A line goes up only within its part and its case, and never above what it rests on.
     """
-    parts = {each.item: each.part for each in derivation.items}
+    parts = derivation.asked
     cases = {n: each.number for each in derivation.cases for n in each.lines}
 
     def place(line: Line) -> object:
@@ -60,6 +60,7 @@ def _numbered(derivation: Derivation, order: list[Line]) -> Derivation:
         derivation,
         lines=tuple(map(renumbered, order)),
         items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
+        notes=tuple(each.renumbered(numbers) for each in derivation.notes),
         cases=tuple(
             replace(each, line=numbers[each.line], lines=tuple(numbers[n] for n in each.lines))
             for each in derivation.cases

@@ -7,6 +7,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.components import model, protected_letters
+from restitution.errors import MissingError
 from restitution.explaining.derivation import Derivation, Line
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
@@ -23,6 +24,7 @@ from restitution.planning.gathering import gathered
 from restitution.planning.items import write_item
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
+from restitution.planning.refusals import note_of, write_refusal
 from restitution.planning.scene import Scene
 from restitution.planning.shows import write_show
 from restitution.problem import (
@@ -58,6 +60,7 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             desk.events,
             tuple(desk.cases),
             tuple(dict.fromkeys(desk.others)),
+            tuple(desk.notes),
         )
     )
     _require_closed(whole)
@@ -102,6 +105,7 @@ def pruned(derivation: Derivation) -> Derivation:
     """The same working without lines on which no item rests, numbered anew."""
     lines = {each.number: each for each in derivation.lines}
     pending = [each.line for each in derivation.items] + [e.line for e in derivation.cases]
+    pending += [line for each in derivation.notes for line in each.lines]
     kept: set[int] = set()
     while pending:
         number = pending.pop()
@@ -118,6 +122,7 @@ def pruned(derivation: Derivation) -> Derivation:
         derivation,
         lines=tuple(renumbered(each) for each in derivation.lines if each.number in kept),
         items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
+        notes=tuple(each.renumbered(numbers) for each in derivation.notes),
         cases=tuple(
             replace(
                 each,
@@ -133,12 +138,14 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
     """The desk with the lines of a part."""
     if not part.items:
         return desk
-    if part.error is not None or any(each.error is not None for each in part.items):
-        raise NotPlannedError("an item without an answer")
-    if not part.branches:
-        raise NotPlannedError("no solution")
     problem = solution.problem
     desk.part = part.part.label
+    if not part.branches or all(isinstance(each.error, MissingError) for each in part.items):
+        for index, each in enumerate(part.items, 1):
+            if each.error is None:
+                raise NotPlannedError("no solution")
+            note_of(desk, each, f"{desk.part or ''}{index}")
+        return desk
     protected = protected_letters(part.part)
     models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
     drafts = []
@@ -160,25 +167,42 @@ def _write_items(scene: Scene) -> None:
     ):
         name = f"{label or ''}{index}"
         scene.desk.item = name
-        match item:
-            case Show():
-                write_show(scene, solver, item, result, now, name)
-            case Range():
-                asked = staged(problem, item.expression, now)
-                if item.percentage:
-                    raise NotPlannedError("a percentage")
-                write_range(scene, solver, asked, relation_of(asked, result), name)
-            case Extremum():
-                asked = staged(problem, item.expression, now)
-                answer = only_answer(result)
-                over = item.over
-                write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
-            case Value():
-                asked = staged(problem, item.expression, now)
-                write_item(scene, solver, asked, name)
-                if place_trees.serves(asked):
-                    _require_form(scene, result)
-                _require_found(scene, asked)
+
+        def write(
+            item: object = item, result: ItemResult = result, now: int = now, name: str = name
+        ) -> None:
+            _write_item(scene, solver, item, result, now, name)
+
+        if result.error is None:
+            write()
+        else:
+            write_refusal(scene, solver, result, write, name)
+
+
+def _write_item(
+    scene: Scene, solver: Solver, item: object, result: ItemResult, now: int, name: str
+) -> None:
+    """The lines of one item, and its end."""
+    problem = scene.problem
+    match item:
+        case Show():
+            write_show(scene, solver, item, result, now, name)
+        case Range():
+            asked = staged(problem, item.expression, now)
+            if item.percentage:
+                raise NotPlannedError("a percentage")
+            write_range(scene, solver, asked, relation_of(asked, result), name)
+        case Extremum():
+            asked = staged(problem, item.expression, now)
+            answer = only_answer(result)
+            over = item.over
+            write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
+        case Value():
+            asked = staged(problem, item.expression, now)
+            write_item(scene, solver, asked, name)
+            if place_trees.serves(asked):
+                _require_form(scene, result)
+            _require_found(scene, asked)
 
 
 def _require_found(scene: Scene, asked: Expression) -> None:

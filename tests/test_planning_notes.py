@@ -1,0 +1,141 @@
+"""Workings of questions of which some item has no answer: the others keep theirs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from restitution.explain import explain, to_text
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import Complaint, follow
+from restitution.explaining.storing import from_json, to_json
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
+
+WALL = """
+wall W: along i
+sphere P: {mass}velocity 6i - 8j
+P hits W{e}
+"""
+SPHERES = """
+sphere A: mass 2, velocity {u}i + 3j
+sphere B: mass 1, velocity {v}i
+A hits B: along i{e}
+"""
+
+
+def planned(text: str) -> tuple[Solution, Derivation]:
+    """The solution of a statement, and its working, which the follower accepts."""
+    solution = solve(parse(text))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == ()
+    assert from_json(to_json(derivation)) == derivation
+    return solution, derivation
+
+
+def complaints(solution: Solution, derivation: Derivation) -> tuple[Complaint, ...]:
+    return follow(derivation, Oracle(roles(solution.problem)))
+
+
+def printed(solution: Solution) -> str:
+    return " ".join(to_text(explain(solution)).split())
+
+
+def test_a_coefficient_that_is_too_large_is_worked_out() -> None:
+    """B leaves at 10, where it could leave at 8 at most."""
+    text = SPHERES.format(u=6, v=0, e="") + "given velocity(B) = 10i\nfind e, velocity(A)"
+    solution, derivation = planned(text)
+    (note,) = derivation.notes
+    assert (note.item, note.kind, note.place) == ("1", "impossible", 0)
+    assert note.premises[1] == "e <= 1"
+    assert [each.item for each in derivation.items] == ["2"]
+    assert list(derivation.asked) == ["1", "2"]
+    told = printed(solution)
+    assert "e = 3/2 is impossible, as a coefficient of restitution is at most 1." in told
+    assert "𝐯_A = (𝐢 + 3𝐣) m s⁻¹" in told
+
+
+def test_a_negative_coefficient() -> None:
+    text = SPHERES.format(u=6, v=0, e="") + "given velocity(A) = 5i + 3j\nfind e"
+    solution, derivation = planned(text)
+    assert derivation.notes[0].premises[1] == "e >= 0"
+    assert "is impossible, as a coefficient of restitution is not negative." in printed(solution)
+
+
+def test_what_rests_on_an_impossible_coefficient_names_it() -> None:
+    text = (
+        "wall W: along i\nwall V: along j\nsphere P: mass 1, velocity 3i - 4j\nP hits W\n"
+        "given speed(P) = 15\nP hits V\nfind e, speed(P)"
+    )
+    solution, derivation = planned(text)
+    assert [each.item for each in derivation.notes] == ["1", "2"]
+    assert (
+        "e = 3√6/2 is impossible, as a coefficient of restitution is at most 1. speed(P): no "
+        "answer either." in printed(solution)
+    )
+
+
+def test_a_coefficient_of_the_data() -> None:
+    text = WALL.format(mass="mass 1, ", e=": e = 5/4") + "find speed(P), impulse"
+    solution, derivation = planned(text)
+    assert derivation.lines == ()
+    assert [each.premises for each in derivation.notes] == [("e 1", "restitution(1) <= 1")] * 2
+    assert (
+        "speed(P) and impulse: no answer, as a coefficient of restitution is at most 1, and not "
+        "5/4." in printed(solution)
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "reason"),
+    [
+        (WALL.format(mass="", e="") + "find e", "missing", "e is not fixed by what is given"),
+        (
+            SPHERES.format(u=1, v=4, e=": e = 1/2").replace(": e", ", e") + "find speed(B)",
+            "impossible",
+            "A and B are separating",
+        ),
+        (
+            WALL.format(mass="mass 3, ", e=": e = 1/2") + "given speed(P) = 9\nfind impulse",
+            "contradiction",
+            "the facts clash: 'speed(P) = 9'",
+        ),
+    ],
+)
+def test_a_question_without_any_answer(text: str, kind: str, reason: str) -> None:
+    solution, derivation = planned(text)
+    (note,) = derivation.notes
+    assert (note.kind, note.premises) == (kind, ())
+    assert note.reason.startswith(reason)
+    assert reason in printed(solution)
+
+
+def test_missing_data_leave_the_others_their_lines() -> None:
+    text = (
+        "sphere P: velocity 6i - 8j\nsphere Q: mass 2, velocity 4j\nwall W: along i\n"
+        "P hits W: e = 1/4\npart a\nfind impulse(1), speed(P)\npart b\nfind angle(velocity(P), W)"
+    )
+    solution, derivation = planned(text)
+    assert derivation.asked == {"a1": "a", "a2": "a", "b1": "b"}
+    told = printed(solution)
+    assert told.index("impulse(1): no answer, as") < told.index("speed of P")
+
+
+def test_the_follower_reads_notes() -> None:
+    text = SPHERES.format(u=6, v=0, e="") + "given velocity(B) = 10i\nfind e"
+    solution, derivation = planned(text)
+    (note,) = derivation.notes
+
+    def reasons(**changes: object) -> list[str]:
+        changed = replace(derivation, notes=(replace(note, **changes),))  # type: ignore[arg-type]
+        return [each.reason for each in complaints(solution, changed)]
+
+    line = note.lines[0]
+    assert reasons(premises=(line, "e >= 0")) == ["not-excluded"]
+    assert reasons(premises=(line, "e <= 1", "e >= 0")) == ["premise-not-needed"]
+    assert reasons(premises=(99, "e <= 1"))[0] == "premise-unknown"
+    assert "leads-nowhere" in reasons(premises=())
