@@ -72,7 +72,8 @@ def _joined(steps: Iterator[Step]) -> Iterator[Step]:
     last: Step | None = None
     for step in steps:
         wordless = step.rows and not step.title and not step.sentences
-        if last is not None and last.rows and wordless and step.item == last.item:
+        joins = last is not None and (step.item == last.item or not step.marks)
+        if last is not None and last.rows and wordless and joins:
             rows = step.rows
             if _says_again(last.rows[-1], rows[0]):
                 points = (*last.rows[-1].points, *rows[0].points)

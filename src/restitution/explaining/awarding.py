@@ -106,15 +106,12 @@ _ENERGIES = ("energy", "energy-ratio", "energy-lost", "total", "total-lost", "di
 RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used of the same bodies is no method again.
     _rule("repeated", ("law",), "", when=("repeated",)),
+    _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
     _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
     _rule(
         "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"
     ),
-    _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
     _rule("first-component-unchanged", ("law",), "B", ("unchanged",), ("first-at-event",)),
-    _rule(
-        "component-unchanged-by-an-angle", ("law",), "B", ("unchanged",), ("by-angle", "same-part")
-    ),
     _rule("component-unchanged", ("law",), "", ("unchanged",)),
     _rule("second-of-two-again", ("law",), "A", _PAIR, ("again", "second-of-several")),
     _rule("first-of-two-again", ("law",), "M", _PAIR, ("again", "first-of-several")),
@@ -134,7 +131,10 @@ RULES: tuple[Rule, ...] = (
     _rule("reason-for-a-root", ("reject",), "B", when=("justified",)),
     # Vectors and their components.
     _rule("component-with-a-letter", ("define",), "", ("component",), ("by-its-letter",)),
-    _rule("component-read-off", ("define",), "B", ("component",), ("alone",)),
+    _rule("component-of-nothing", ("define",), "", ("component",), ("zero",)),
+    _rule("component-alone", ("define",), "B", ("component",), ("alone",)),
+    _rule("component-read-off", ("define",), "B", ("component",), ("read-off", "first-of-several")),
+    _rule("further-component-read-off", ("define",), "", ("component",), ("read-off",)),
     _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
@@ -492,25 +492,6 @@ def _zero(work: _Awarding, line: Line) -> bool:
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
-def _same_part(work: _Awarding, line: Line) -> bool:
-    """The first line of this kind at the event stands in the same part."""
-    first = next(
-        each
-        for each in work.above(line)
-        if _is_law(each, ("unchanged",), line.move.event) and not _zero(work, each)
-    )
-    return work.part(first) == work.part(line)
-
-
-def _by_angle(work: _Awarding, line: Line) -> bool:
-    """An angle makes the component."""
-    return any(
-        isinstance(node, Apply) and node.function in ("sin", "cos", "tan")
-        for tree in trees_of(line.relation)
-        for node in walk(tree)
-    )
-
-
 def _again(work: _Awarding, line: Line) -> bool:
     """The part has such a principle already, at another event."""
     return any(
@@ -532,8 +513,8 @@ _GROUPS: Mapping[str, str] = {
 def _alike(work: _Awarding, line: Line) -> list[Line]:
     """The lines that make one step together, in order.
 
-    They are the two principles along the centres of an event, the scalar products of a body at one
-    stage, the energies of an item.
+    They are the two principles along the centres of an event, the components in its directions at
+    one time, the energies of an item.
     """
     move, group = line.move, _GROUPS[line.move.record or ""]
 
@@ -545,19 +526,29 @@ def _alike(work: _Awarding, line: Line) -> list[Line]:
             return own and each.item == line.item
         if work.part(each) != work.part(line) or each.move.event != move.event:
             return False
-        return group == "direction" or (each.move.bodies, _stage(each)) == (
-            move.bodies,
-            _stage(line),
-        )
+        if group == "direction":
+            return True
+        plain = not _zero(work, each) and not _by_its_letter(work, each)
+        return plain and _is_late(each) == _is_late(line)
 
     return [each for each in work.derivation.lines if same(each)]
 
 
-def _stage(line: Line) -> object:
-    """The stage of the velocity of which a line gives a component."""
+def _is_late(line: Line) -> bool:
+    """Whether a component is that of a velocity after the event of its line."""
     subject = _subject(line)
     vector = subject.arguments[0] if isinstance(subject, Quantity) and subject.arguments else None
-    return vector.stage if isinstance(vector, Quantity) else None
+    return isinstance(vector, Quantity) and vector.stage == line.move.event
+
+
+def _read_off(work: _Awarding, line: Line) -> bool:
+    """None of the components that stand together is a sum of products."""
+    return not any(
+        _is_sum(node)
+        for each in _alike(work, line)
+        if isinstance(each.relation, Relation)
+        for node in walk(each.relation.only[0].right)
+    )
 
 
 def _origins(work: _Awarding, line: Line) -> frozenset[int | None]:
@@ -695,8 +686,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "zero": _zero,
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
     "first-at-event": _first_at_event,
-    "same-part": _same_part,
-    "by-angle": _by_angle,
+    "read-off": _read_off,
     "again": _again,
     "alone": lambda work, line: len(_alike(work, line)) == 1,
     "first-of-several": lambda work, line: _alike(work, line)[0] == line,

@@ -1,52 +1,171 @@
-"""What is said in one breath stands together: the components that an impact does not change."""
+"""Lines in the order in which they are read: the story in its order, what belongs together as one.
+
+The working is written as it is needed; a reader wants the letters of an impact in one sentence, its
+components before the laws, and the first impact before the second. A line moves only within its
+part and its case, and never above what it rests on.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line
+from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
+from restitution.expression.tree import Name, Quantity
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
+# Lines that belong to the impact of which they speak, and go where its others are.
+_OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line"}
 
 
 def gathered(derivation: Derivation) -> Derivation:
-    """The same working with the components that stay before the other laws of their impact.
-
-    A line goes up only within its part and its case, and never above what it rests on.
-    """
-    parts = derivation.asked
-    cases = {n: each.number for each in derivation.cases for n in each.lines}
-
-    def place(line: Line) -> object:
-        return parts.get(line.item or ""), cases.get(line.number), line.move.event
-
-    order = list(derivation.lines)
-    for line in derivation.lines:
-        if line.move.id != "law" or line.move.record != "unchanged" or line.item not in parts:
-            continue
-        at = order.index(line)
-        first = _first(order[:at], line, place(line), {e.number: place(e) for e in order[:at]})
-        if first is not None:
-            order.insert(first, order.pop(at))
-    return _numbered(derivation, order)
+    """The same working in the order of the story, with what belongs together in one place."""
+    return _Gathering(derivation).whole()
 
 
-def _first(
-    above: list[Line], line: Line, place: object, places: Mapping[int, object]
-) -> int | None:
-    """Before which line above a component that stays is to be written; None where it stands."""
-    for index, each in enumerate(above):
-        law = each.move.id == "law" and each.move.record in _LAWS
-        if not law or places[each.number] != place:
-            continue
-        if each.move.record == "unchanged":
-            continue
-        written = {own.number for own in above[:index]}
-        if all(ref in written for ref in line.premises if isinstance(ref, int)):
-            return index
+class _Gathering:
+    """The lines of one derivation on their way to their places."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self._derivation = derivation
+        self._parts = derivation.asked
+        self._items = {each: n for n, each in enumerate(self._parts)}
+        self._cases = {n: each.number for each in derivation.cases for n in each.lines}
+        self._bodies = {each.number: each.bodies for each in derivation.events}
+        self._order: list[Line] = []
+
+    def whole(self) -> Derivation:
+        """The derivation with its lines in order."""
+        self._order = self._in_order_of_the_story(self._derivation.lines)
+        for kind in (self._letter, self._component, self._stays):
+            for line in tuple(self._order):
+                if line.item in self._parts:
+                    self._raise(line, kind)
+        return _numbered(self._derivation, self._order)
+
+    # --- the order of the story -------------------------------------------------------------------
+
+    def _in_order_of_the_story(self, lines: Sequence[Line]) -> list[Line]:
+        """The lines of each item by the events that they need, each after what it rests on."""
+        needs: dict[int, int] = {}
+        latest: dict[Hashable, int] = {}
+        for line in lines:
+            place = self._place(line)
+            below = [needs.get(ref, 0) for ref in line.premises if isinstance(ref, int)]
+            own = self._event(line)
+            if own is None and (not below or line.move.id in ("define", "answer", "fact")):
+                own = latest.get(place, 0)  # what speaks of no impact stays where it is
+            needs[line.number] = max([own or 0, *below])
+            latest[place] = max(latest.get(place, 0), needs[line.number])
+        last = len(self._items)
+
+        def key(line: Line) -> tuple[int, int, int]:
+            case = self._cases.get(line.number, 0)
+            return self._items.get(line.item or "", last), case, needs[line.number]
+
+        return sorted(lines, key=key) if self._is_sorted_by_items(lines) else list(lines)
+
+    def _is_sorted_by_items(self, lines: Sequence[Line]) -> bool:
+        """Whether the items, and their cases, stand in order already, as they do but for ties."""
+        last = len(self._items)
+        keys = [
+            (self._items.get(each.item or "", last), self._cases.get(each.number, 0))
+            for each in lines
+        ]
+        return keys == sorted(keys)
+
+    @staticmethod
+    def _event(line: Line) -> int | None:
+        """The event to which a line belongs."""
+        match line.relation:
+            case Meaning(quantity=Quantity("along", (Quantity("velocity", _, int(stage)), _))):
+                return stage
+        if line.move.id in ("law", "define") and line.move.record in _OF_AN_IMPACT:
+            return line.move.event
         return None
-    return None
+
+    # --- what belongs together --------------------------------------------------------------------
+
+    def _place(self, line: Line) -> Hashable:
+        return self._parts.get(line.item or ""), self._cases.get(line.number)
+
+    def _letter(self, line: Line) -> Hashable | None:
+        """Letters of one impact."""
+        match line.relation:
+            case Meaning(quantity=Quantity("along", (Quantity("velocity", _, int(stage)), axis))):
+                return "letter", stage, axis
+        return None
+
+    def _component(self, line: Line) -> Hashable | None:
+        """Components at one time, in the directions of one impact."""
+        if line.move.id != "define" or line.move.record != "component":
+            return None
+        subject = _subject(line)
+        match subject:
+            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), _)):
+                return "component", line.move.event, stage == line.move.event
+        return None
+
+    def _stays(self, line: Line) -> Hashable | None:
+        """Components that an impact does not change."""
+        if line.move.id == "law" and line.move.record == "unchanged":
+            return "unchanged", line.move.event, isinstance(_subject(line), Quantity)
+        return None
+
+    def _raise(self, line: Line, kind: Callable[[Line], Hashable | None]) -> None:
+        """Puts a line beside those of its kind, or before the laws of its impact."""
+        own = kind(line)
+        if own is None:
+            return
+        order, at = self._order, self._order.index(line)
+        near = [n for n in range(at) if self._place(order[n]) == self._place(line)]
+        alike = [n for n in near if kind(order[n]) == own]
+        if alike:
+            start = alike[0]
+            end = next(n for n in range(start, at + 1) if n == at or kind(order[n]) != own)
+            target = next(
+                (n for n in range(start, end) if self._rank(line) < self._rank(order[n])), end
+            )
+        else:
+            found = self._first_law(line, near)
+            if found is None:
+                return
+            target = found
+        if target == at or not self._may_stand(line, target):
+            return
+        order.insert(target, order.pop(at))
+
+    def _first_law(self, line: Line, near: Sequence[int]) -> int | None:
+        """Where the laws of an impact begin above a line; those that stay may follow others."""
+        if isinstance(line.relation, Meaning):
+            return None
+        for n in near:
+            each = self._order[n]
+            if each.move.id == "law" and each.move.record in _LAWS:
+                if each.move.event != line.move.event:
+                    continue
+                if each.move.record != "unchanged" or line.move.record == "component":
+                    return n
+        return None
+
+    def _may_stand(self, line: Line, target: int) -> bool:
+        written = {each.number for each in self._order[:target]}
+        return all(ref in written for ref in line.premises if isinstance(ref, int))
+
+    def _rank(self, line: Line) -> tuple[int, int]:
+        """The bodies of an impact in their order, and along before across."""
+        quantity = line.relation.quantity if isinstance(line.relation, Meaning) else _subject(line)
+        match quantity:
+            case Quantity(kind, (Quantity("velocity", (Name(body),), stage), _)):
+                event = stage if isinstance(line.relation, Meaning) else line.move.event
+                bodies = self._bodies.get(event if isinstance(event, int) else 0, ())
+                place = bodies.index(body) if body in bodies else len(bodies)
+                return place, int(kind == "across")
+        return 0, 0
+
+
+def _subject(line: Line) -> object:
+    return line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
 
 
 def _numbered(derivation: Derivation, order: list[Line]) -> Derivation:
