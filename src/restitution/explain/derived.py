@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.explain.ends import Ends
 from restitution.explain.introductions import Introductions
-from restitution.explain.leads import TITLED, Leads
+from restitution.explain.joining import joined
+from restitution.explain.leads import TITLED, Leads, is_nothing
 from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explain.naming import Naming
 from restitution.explain.noted import Notes
@@ -59,42 +60,12 @@ def explanation_of(
     parts: list[PartExplanation] = []
     for label in dict.fromkeys(derivation.asked.values()):
         lines = [each for each in derivation.lines if writer.ends.part(each) == label]
-        steps = tuple(_joined(writer.steps(lines, label)))
+        steps = tuple(joined(writer.steps(lines, label)))
         ends = [each for each in derivation.items if each.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
         parts.append(PartExplanation(label, asked, steps, answers))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
-
-
-def _joined(steps: Iterator[Step]) -> Iterator[Step]:
-    """Steps with the rows that follow without a word among the rows above them."""
-    last: Step | None = None
-    for step in steps:
-        wordless = step.rows and not step.title and not step.sentences
-        joins = last is not None and (step.item == last.item or not step.marks)
-        if last is not None and last.rows and wordless and joins:
-            rows = step.rows
-            if _says_again(last.rows[-1], rows[0]):
-                points = (*last.rows[-1].points, *rows[0].points)
-                rows = (replace(last.rows[-1], points=points), *rows[1:])
-                last = replace(last, rows=last.rows[:-1])
-            last = replace(last, rows=(*last.rows, *rows))
-            continue
-        if last is not None:
-            yield last
-        last = step
-    if last is not None:
-        yield last
-
-
-def _says_again(row: Row, other: Row) -> bool:
-    """Whether a row says in print what the one above it says."""
-    return (
-        other.operands[0] in (None, row.operands[0])
-        and (row.operands[1:], row.signs) == (other.operands[1:], other.signs)
-        and not (other.reasons or other.asides or other.number)
-    )
 
 
 @dataclass
@@ -152,11 +123,15 @@ class _Writer:
             if not waiting:
                 yield from self._recalled(line)
             if lets:
-                yield Step("setting", sentences=tuple(self.introductions.of(lets)))
+                told = tuple(self.introductions.of(lets))
+                # What they are letters of may have to be introduced itself.
+                yield Step("setting", sentences=(*self.naming.introduced(), *told))
                 lets = []
                 self.rows.afresh()
             if line.shown == "inline":
                 waiting.append(line)
+                continue
+            if self.staying.is_nothing(line):
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None
             if self.staying.stays(line) and not waiting:
@@ -230,6 +205,7 @@ class _Writer:
             and len(relation.options) == 1
             and len(chains(relation.only)) == 1
             and relation.only[-1].sign == "="
+            and not is_nothing(relation.only[-1].right)
             and isinstance(relation.only[0].left, Letter | Quantity)
             and line.shown != "silent"
             and line.move.id not in ("triangle", "fact")
@@ -298,15 +274,19 @@ class _Writer:
         again = bool(sentences) and sentences == self.before and not given
         self.before = sentences
         sentences = () if again else sentences
+        decimals = self.rows.decimals(line)
         numbers = self.sources.numbers
         behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
+        points = tuple(_because(mark) for each in (*waiting, line) for mark in each.marks)
         rows[-1] = replace(
             rows[-1],
-            points=tuple(_because(mark) for each in (*waiting, line) for mark in each.marks),
+            points=() if decimals else points,
             reasons=(*rows[-1].reasons, *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self.rows.asides(line)),
             number="" if behind is None else str(behind),
         )
+        if decimals is not None:
+            rows.append(replace(decimals, points=points))
         return Step(
             kind,
             tuple(rows),

@@ -11,7 +11,8 @@ from restitution.explaining.derivation import Derivation, Line, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
-from restitution.expression.tree import Expression, Letter, Number, Quantity
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Expression, Letter, Number, Quantity, walk
 from restitution.render import layout as lay
 
 TITLED = frozenset({"law", "define"})
@@ -52,10 +53,14 @@ class Leads:
             return ()
         self._given |= {each.id for each in facts}
         told = self._naming.fact(facts[0])
+        if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
+            told, Sentence
+        ):
+            return (say("derived.since", facts=(told,)),)
         assert isinstance(line.relation, Relation)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=told),)
-        nothing = _is_nothing(line.relation.options[0][-1].right)
+        nothing = is_nothing(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
@@ -81,7 +86,7 @@ class Leads:
                 name = "flight.title-of"
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
-            case "perpendicular", _ if not _is_nothing(last.right):
+            case "perpendicular", _ if not is_nothing(last.right):
                 return None
         if name is None:
             return None
@@ -106,10 +111,15 @@ class Leads:
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")
             return
-        if source is not None:
-            yield from self._source(source)
         if line.move.id == "identity" and line.move.record in _BY:
-            yield say(_BY[line.move.record])
+            how = say(_BY[line.move.record])
+            equations = () if source is None else self._numbers(source)
+            if equations:
+                yield say("derived.by-from", how=how, equations=equations)
+            else:
+                yield say("derived.by", how=how)
+        elif source is not None:
+            yield from self._source(source)
 
     def resolved(self, line: Line) -> Sentence | None:
         """What is said before components: of which time they are, and in which directions."""
@@ -130,7 +140,7 @@ class Leads:
         return say("resolved-spheres.after")
 
     def _source(self, source: Source) -> Iterator[Sentence]:
-        equations = tuple(self._number(each) for each in source.numbered)
+        equations = self._numbers(source)
         match source.kind:
             case "combine":
                 letter = self._naming.laid(read_tree(source.eliminated, self._naming.bodies))
@@ -143,8 +153,11 @@ class Leads:
             case "square-add":
                 yield say("derived.square-add", equations=equations)
             case "put":
-                letters = tuple(self._naming.laid(each) for each in source.letters)
                 facts = tuple(self._fact(each) for each in source.facts)
+                spoken = self._spoken_of(source)
+                letters = tuple(
+                    self._naming.laid(each) for each in source.letters if each not in spoken
+                )
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 if len(facts) == 1 and told:
                     yield say("given.fact", fact=facts[0])
@@ -166,8 +179,23 @@ class Leads:
                 if equations:
                     yield say("derived.add", equations=equations)
 
-    def _number(self, ref: int) -> Sentence:
-        return say("derived.number", number=str(self._sources.numbers[ref]))
+    def _numbers(self, source: Source) -> tuple[Sentence, ...]:
+        """The numbers of the equations from which a line comes, in their order."""
+        numbers = [self._sources.numbers[each] for each in source.numbered]
+        if source.kind != "divide":
+            numbers.sort()
+        return tuple(say("derived.number", number=str(each)) for each in numbers)
+
+    def _spoken_of(self, source: Source) -> frozenset[Expression]:
+        """The quantities of which the given facts speak that are put in: no word more is needed."""
+        facts = [fact for each in source.facts if (fact := self._derivation.fact(each))]
+        return frozenset(
+            node
+            for fact in facts
+            for tree in trees_of(fact.relation)
+            for node in walk(tree)
+            if isinstance(node, Quantity)
+        )
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)
@@ -175,6 +203,6 @@ class Leads:
         return self._naming.fact(fact)
 
 
-def _is_nothing(tree: Expression) -> bool:
+def is_nothing(tree: Expression) -> bool:
     """Whether a side is the number 0."""
     return isinstance(tree, Number) and not tree.value

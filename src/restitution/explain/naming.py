@@ -107,6 +107,9 @@ class Naming:
                 match step.relations:
                     case (Meets(Name(one), Name(other), again, happens),):
                         more = say("again") if again else ""
+                        if self.bodies.get(other) == "wall":
+                            name = "claim.hits" if happens else "claim.does-not-hit"
+                            return say(name, body=one, wall=other, again=more)
                         if happens:
                             return say("claim.collide", one=one, other=other, again=more)
                         return say("claim.not-collide", one=one, other=other, again=more)
@@ -298,7 +301,12 @@ class Naming:
         match tree:
             case Name(name):
                 return name
+            case Quantity("direction", (Name(name),)) if self.bodies.get(name) == "wall":
+                return name
             case Quantity("line_of_centres", _):
+                event = self.event_of_axis(tree)
+                if event is not None and event.wall:
+                    return say("derived.normal", wall=event.bodies[1])
                 return say("derived.centres")
         return self.laid(tree)
 

@@ -21,7 +21,7 @@ from restitution.explain.steps import REQUIRED, Row
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, operand, say
-from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.expression.tree import Apply, Expression, Letter, Name, Negate, Quantity, walk
 from restitution.problem import Value
 from restitution.render import layout as lay
 
@@ -29,6 +29,7 @@ from restitution.render import layout as lay
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
+_ORDERS = frozenset({"<", "<=", ">", ">="})
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
 
@@ -91,9 +92,6 @@ class Rows:
             called = self._called(line)
             if called is not None:
                 yield called
-            decimals = self._decimal_range(line.relation)
-            if decimals is not None:
-                yield say("derived.value", value=decimals)
 
     @staticmethod
     def _with(waiting: Sequence[Line], links: tuple[Link, ...]) -> tuple[Link, ...]:
@@ -220,25 +218,31 @@ class Rows:
             return None
         return say("derived.called", quantity=self._naming.quantity(meaning.quantity))
 
-    def _decimal_range(self, relation: Relation) -> lay.Layout | None:
-        """A range with its ends to three figures, where they are no plain numbers."""
-        if len(relation.options) != 1 or len(chains(relation.only)) != 1:
+    def decimals(self, line: Line) -> Row | None:
+        """A row with the ends of a range to three figures, where roots or angles are in them."""
+        if self._ends.of(line) is None or not isinstance(line.relation, Relation):
             return None
-        links = relation.only
-        if all(each.sign in ("=", "≈") for each in links) or any(
-            each.sign not in ("<", "<=", ">", ">=") for each in links
-        ):
+        if len(line.relation.options) != 1 or len(chains(line.relation.only)) != 1:
+            return None
+        links = line.relation.only
+        if any(each.sign not in _ORDERS for each in links):
             return None
         sides = [links[0].left, *(each.right for each in links)]
-        decimals = [rounded(each) for each in sides]
-        if not any(decimals):
+        ends = [rounded(each) if _has_function(each) else None for each in sides]
+        exact = tuple(self._naming.laid(each) for each in sides)
+        laid = tuple(new or each for new, each in zip(ends, exact, strict=True))
+        if laid == exact:
             return None
-        laid = [new or self._naming.laid(each) for new, each in zip(decimals, sides, strict=True)]
-        return lay.Relation(tuple(laid), tuple(_sign(each) for each in links))
+        figures = (say("shown.figures", figures="3"),)
+        return Row(laid, tuple(_sign(each) for each in links), reasons=figures)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
-        """``t = 1 or t = −1``, set at the first sign."""
+        """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
         first, *rest = options
+        root = None if asked else _opposite(options)
+        if root is not None:
+            sides = (self._naming.laid(root.left), self._naming.laid(root.right))
+            return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
         laid = self._bare(first, asked)
         others = [self._bare(each, asked) for each in rest]
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
@@ -285,6 +289,23 @@ class Rows:
         ]
         reasons = tuple(say("derived.for", place=each) for each in places)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+
+def _has_function(tree: Expression) -> bool:
+    """Whether there are roots or angles of which only a calculator knows the value."""
+    return any(isinstance(each, Apply) for each in walk(tree))
+
+
+def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
+    """The positive one of two roots that differ in their sign alone."""
+    if len(options) != 2 or any(len(each) != 1 or each[0].sign != "=" for each in options):
+        return None
+    (one,), (two,) = options
+    if one.left != two.left:
+        return None
+    if two.right == Negate(one.right):
+        return one
+    return two if one.right == Negate(two.right) else None
 
 
 def _is_value(tree: Expression) -> bool:

@@ -109,11 +109,23 @@ class Sources:
             return Source(kind, tuple(cited))  # type: ignore[arg-type]
         if move == "reject":
             cited = cited[:1]
+        if move == "inverse":
+            # In which quadrant the angle lies, the signs of the components tell without a word.
+            cited = [each for each in cited if self._is_ratio(each)] or cited
         if cited == [self._cases.get(line.number)]:
             return None  # the heading of the case says it
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None
+
+    def _is_ratio(self, number: int) -> bool:
+        """Whether a line says what a sine, a cosine or a tangent is."""
+        line = self._lines.get(number)
+        return (
+            line is not None
+            and isinstance(line.relation, Relation)
+            and isinstance(line.relation.options[0][0].left, Apply)
+        )
 
     def _splits(self, line: Line, cited: int) -> bool:
         """Whether a line is one component of an equation of vectors."""

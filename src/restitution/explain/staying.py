@@ -63,6 +63,14 @@ class Staying:
             and not line.marks
         )
 
+    def is_nothing(self, line: Line) -> bool:
+        """Whether a line says that a body at rest has no component, which no one writes."""
+        if (line.move.id, line.move.record) != ("define", "component"):
+            return False
+        assert isinstance(line.relation, Relation)
+        wanted = line.number in self._sources.numbers or self._ends.of(line) is not None
+        return len(line.relation.only) == 1 and not wanted and self.is_idle(line)
+
     def said(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
         """The components that stay as a title and a sentence."""
         event = self._naming.events[lines[0].move.event or 1]

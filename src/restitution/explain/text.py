@@ -127,14 +127,14 @@ def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
     fitting = [
         columns(left)
         for row, left in zip(rows, lefts, strict=True)
-        if _INDENT + columns(left) + _widest(row) <= width - _margin(row)
+        if row.signs and _INDENT + columns(left) + _widest(row) <= width - _margin(row)
     ]
     room = max(fitting, default=_INDENT)
-    if any(_INDENT + room + _widest(row) > width - _margin(row) for row in rows):
+    if any(row.signs and _INDENT + room + _widest(row) > width - _margin(row) for row in rows):
         room = min(room, _INDENT + 4)
     lines: list[_Line] = []
     for row, left in zip(rows, lefts, strict=True):
-        lines += _row(row, left, room, width)
+        lines += _row(row, left, room if row.signs else columns(left), width)
     return lines
 
 

@@ -257,7 +257,13 @@ class _Awarding:
                 end = self.ends[line.number]
                 # What is printed has to be reached by something.
                 lone = end is not None and end.shown and end.part not in earned
-                points[line.number] += ["M", "A"] if lone else ["A"]
+                law = line.move.id == "law"  # the principle and its value are one mark
+                own = [e for e in points[line.number] if e != "B" or not law]
+                points[line.number] = own + (["M", "A"] if lone else ["A"])
+                if line.move.record == "component" and _by_its_letter(self, line):
+                    for each in self.cited(line):
+                        # The value is asked: it stands there already, under another name.
+                        points[each.number] = [e for e in points[each.number] if e != "A"]
             if points[line.number]:
                 earned.add(self.part(line))
         return self._settled(points)

@@ -1,0 +1,59 @@
+"""Steps that follow each other without a word, as one; a row that says again what stands above."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from restitution.explain.steps import Row, Step
+from restitution.render import layout as lay
+
+
+def joined(steps: Iterable[Step]) -> Iterator[Step]:
+    """Steps with the rows that follow without a word among the rows above them.
+
+    What earns nothing stands with the rows above, whatever item it belongs to.
+    """
+    last: Step | None = None
+    for step in steps:
+        wordless = step.rows and not step.title and not step.sentences
+        joins = last is not None and (step.item == last.item or not step.marks)
+        if last is not None and last.rows and wordless and joins:
+            *above, row = last.rows
+            whole = _as_one(row, step.rows[0])
+            rows = (row, *step.rows) if whole is None else (whole, *step.rows[1:])
+            last = replace(last, rows=(*above, *rows))
+            continue
+        if last is not None:
+            yield last
+        last = step
+    if last is not None:
+        yield last
+
+
+def _as_one(row: Row, other: Row) -> Row | None:
+    """Two rows as one, where the second says what the first says, or goes on from it."""
+    length = len(row.operands)
+    again = (
+        length > 1
+        and other.operands[0] in (None, row.operands[0])
+        and [_bare(each) for each in other.operands[1:length]]
+        == [_bare(each) for each in row.operands[1:]]
+        and other.signs[: length - 1] == row.signs
+    )
+    if not again or row.reasons or row.asides or (row.number and other.number):
+        return None
+    operands = (row.operands[0], *other.operands[1:])
+    number = row.number or other.number
+    return replace(other, operands=operands, points=(*row.points, *other.points), number=number)
+
+
+def _bare(layout: lay.Layout | None) -> lay.Layout | None:
+    """An operand without its unit."""
+    match layout:
+        case lay.Phrase((value, lay.Words()), "\u00a0"):
+            return value
+    return layout
+
+
+__all__ = ["joined"]
