@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from restitution import ImpossibleError, StatementError, UnsupportedError, impacts, law
-from restitution.motion import batch
+from restitution.batch import impacts as batch
 from restitution.vector import Vector
 
 VECTORS, SCALARS = ("u1", "u2", "c"), ("w1", "w2", "e")

@@ -22,7 +22,7 @@ import numpy as np
 import pytest
 
 from restitution import RestitutionError, StatementError, ensemble
-from restitution.motion.ensemble import EnsembleInterrupt, Failure
+from restitution.batch.ensemble import EnsembleInterrupt, Failure
 
 EXAMPLE = Path(__file__).parents[1] / "docs" / "examples" / "break_shot.py"
 
@@ -369,7 +369,7 @@ def test_ctrl_c_in_a_terminal(tmp_path):
         import time
         from pathlib import Path
         from restitution import ensemble
-        from restitution.motion.ensemble import EnsembleInterrupt
+        from restitution.batch.ensemble import EnsembleInterrupt
 
         def slow(case):
             if case >= 4:

@@ -22,9 +22,9 @@ import strategies
 from hypothesis import given, settings
 
 from restitution import Sphere, Table, law, simulate
+from restitution import gas as package
 from restitution.errors import CollapseError, ImpossibleError, StatementError, UnsupportedError
-from restitution.motion import gas as package
-from restitution.motion.gas import Gas, box, windows
+from restitution.gas import Gas, box, windows
 from restitution.vector import Vector
 
 HARD, PERIODIC, CHANNEL = False, True, (True, False)
@@ -336,7 +336,7 @@ def test_interrupted_it_goes_on_to_the_same(monkeypatch):
 def test_ctrl_c_leaves_a_state_to_go_on_from(tmp_path):
     script = textwrap.dedent("""
         import sys
-        from restitution.motion.gas import Gas
+        from restitution.gas import Gas
         gas = Gas.fluid(2000, 0.5, seed=1)
         print("ready", flush=True)
         try:

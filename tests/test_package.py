@@ -126,3 +126,14 @@ def test_what_type_checkers_see_is_what_is_offered():
 
 def table() -> dict[str, str]:
     return restitution._MODULE_OF_NAME
+
+
+def test_modules_that_moved_answer_to_their_first_names() -> None:
+    import restitution.batch.ensemble
+    import restitution.gas
+    import restitution.motion.ensemble
+    import restitution.motion.gas
+
+    first, now = restitution.motion.ensemble, restitution.batch.ensemble
+    assert first.EnsembleInterrupt is now.EnsembleInterrupt
+    assert restitution.motion.gas.write is restitution.gas.write

@@ -17,6 +17,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from restitution.batch.ensemble import ensemble
+    from restitution.batch.impacts import impacts
     from restitution.draw import draw
     from restitution.errors import (
         CollapseError,
@@ -30,12 +32,10 @@ if TYPE_CHECKING:
     )
     from restitution.explain import explain
     from restitution.export.player import play
+    from restitution.gas import Gas
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
-    from restitution.motion.batch import impacts
-    from restitution.motion.ensemble import ensemble
-    from restitution.motion.gas import Gas
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solve import solve
     from restitution.vector import Vector
@@ -91,9 +91,9 @@ _NAMES_OF_MODULES = {
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
-    "motion.gas": ("Gas",),
-    "motion.batch": ("impacts",),
-    "motion.ensemble": ("ensemble",),
+    "gas": ("Gas",),
+    "batch.impacts": ("impacts",),
+    "batch.ensemble": ("ensemble",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solve": ("solve",),
     "vector": ("Vector",),

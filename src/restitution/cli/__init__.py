@@ -15,18 +15,11 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
+from restitution.cli.statuses import CLOSED, INTERRUPTED, REPORT, UNANSWERED
+from restitution.cli.worker import new_worker
+
 if TYPE_CHECKING:
-    from restitution.export.job import Job, Reply
     from restitution.killable import Worker
-
-UNANSWERED = 1
-UNREADABLE = 2
-INTERRUPTED = 130
-
-REPORT = "please report this, with the statement"
-
-CLOSED: set[int] = set()
-"""The standard streams (0, 1, 2) that were closed when the command began."""
 
 
 def main() -> None:
@@ -130,30 +123,3 @@ def _forget_output() -> None:
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
     os.close(nowhere)
-
-
-def new_worker() -> Worker:
-    """The process that solves, which begins at once to load what it needs."""
-    # What both need is loaded before they part, and nothing else: so both go on at the same time.
-    import restitution.export.job  # noqa: F401
-    from restitution.killable import Worker
-
-    return Worker(_serve, _prepare, _rehearse)
-
-
-def _prepare() -> None:
-    from restitution.export.job import prepare
-
-    prepare()
-
-
-def _rehearse() -> None:
-    from restitution.export.job import rehearse
-
-    rehearse()
-
-
-def _serve(job: Job) -> Reply:
-    from restitution.export.job import serve
-
-    return serve(job)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from restitution.cli import REPORT, UNANSWERED, UNREADABLE, new_worker
 from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
+from restitution.cli.statuses import REPORT, UNANSWERED, UNREADABLE
+from restitution.cli.worker import new_worker
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:

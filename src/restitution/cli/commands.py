@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from restitution.cli import UNANSWERED, UNREADABLE, solving
+from restitution.cli import solving
 from restitution.cli.asking import answer, worker_of
 from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
@@ -30,6 +30,7 @@ from restitution.cli.output import (
     write_file,
 )
 from restitution.cli.solving import TIME_LIMIT, Solving, seconds_of
+from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 

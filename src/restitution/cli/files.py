@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from restitution.cli import CLOSED, REPORT
+from restitution.cli.statuses import CLOSED, REPORT
 from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 

@@ -11,8 +11,8 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any, TextIO
 
-from restitution.cli import INTERRUPTED, UNANSWERED
 from restitution.cli.files import say, shown_name
+from restitution.cli.statuses import INTERRUPTED, UNANSWERED
 
 
 class RefusedError(Exception):

@@ -9,7 +9,6 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Paragraph,
-    Question,
     QuestionPart,
     Sentence,
     Words,
@@ -17,6 +16,7 @@ from restitution.wording.structure import (
 from restitution.wording.telling import asked, question
 from restitution.wording.text import to_text
 from restitution.wording.typst import to_typst
+from restitution.wording.whole import Question
 
 __all__ = [
     "Block",

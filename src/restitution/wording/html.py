@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from html import escape
+from typing import TYPE_CHECKING
 
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
-from restitution.wording.structure import Block, Listing, Named, Question, QuestionPart, Words
+from restitution.wording.structure import Block, Listing, Named, QuestionPart, Words
 from restitution.wording.words import count_of_marks
+
+if TYPE_CHECKING:
+    from restitution.wording.whole import Question
 
 STYLE = """
 .question { color: #1b1b1f; background: #fff; max-width: 42rem; margin: 0 auto; padding: 1rem;

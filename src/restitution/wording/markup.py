@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from restitution.render.latex import to_latex
 from restitution.render.markdown import escape
@@ -11,11 +12,13 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Piece,
-    Question,
     QuestionPart,
     Words,
 )
 from restitution.wording.words import count_of_marks
+
+if TYPE_CHECKING:
+    from restitution.wording.whole import Question
 
 
 def to_markdown(question: Question) -> str:

@@ -74,32 +74,3 @@ class QuestionPart:
                     continue
             out.append(block)
         return tuple(out)
-
-
-@dataclass(frozen=True)
-class Question:
-    """A whole question. It shows itself in a terminal and in Jupyter.
-
-    ``intro`` is what is told before anything is asked.
-    """
-
-    title: str | None
-    intro: tuple[Sentence, ...]
-    parts: tuple[QuestionPart, ...]
-
-    def __str__(self) -> str:
-        from restitution.wording.text import to_text
-
-        return to_text(self)
-
-    __repr__ = __str__
-
-    def _repr_html_(self) -> str:
-        from restitution.wording.html import to_fragment
-
-        return to_fragment(self)
-
-    def _repr_markdown_(self) -> str:
-        from restitution.wording.markup import to_markdown
-
-        return to_markdown(self)

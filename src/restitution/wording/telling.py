@@ -39,11 +39,11 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Paragraph,
-    Question,
     QuestionPart,
     Sentence,
     Words,
 )
+from restitution.wording.whole import Question
 from restitution.wording.words import alphabetic, listed, number_of_words, roman, sentence, words
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from restitution.render.text import NO_BREAK, width, wrapped
 from restitution.render.text import to_text as one_line
@@ -11,11 +12,13 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Piece,
-    Question,
     QuestionPart,
     Words,
 )
 from restitution.wording.words import count_of_marks
+
+if TYPE_CHECKING:
+    from restitution.wording.whole import Question
 
 _INDENT = 5
 

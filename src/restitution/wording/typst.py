@@ -12,10 +12,10 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Piece,
-    Question,
     QuestionPart,
     Words,
 )
+from restitution.wording.whole import Question
 from restitution.wording.words import count_of_marks
 
 

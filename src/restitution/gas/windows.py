@@ -17,11 +17,11 @@ from typing import Any
 import numpy as np
 
 from restitution.errors import UnsupportedError
+from restitution.gas import kernel as k
+from restitution.gas import tiles as t
+from restitution.gas.compiled import compiled
+from restitution.gas.state import Box, Discs, Rules, aligned
 from restitution.motion.contact import TOLERANCE
-from restitution.motion.gas import kernel as k
-from restitution.motion.gas import tiles as t
-from restitution.motion.gas.compiled import compiled
-from restitution.motion.gas.state import Box, Discs, Rules, aligned
 
 # Changes of a disc's velocity in one window, on average. In a tile alone only the calendar has
 # to be made anew; a halo has to last for the whole window.

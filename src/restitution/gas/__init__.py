@@ -6,7 +6,7 @@ functions that are compiled, ``state`` the rows that they work on, ``record`` wh
 
 from __future__ import annotations
 
-from restitution.motion.gas.box import Gas
-from restitution.motion.gas.record import IMPACT, write
+from restitution.gas.box import Gas
+from restitution.gas.record import IMPACT, write
 
 __all__ = ["IMPACT", "Gas", "write"]

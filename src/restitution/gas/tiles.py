@@ -8,7 +8,7 @@ functions over flat sequences, to be compiled for large runs.
 
 from __future__ import annotations
 
-from restitution.motion.gas.kernel import (
+from restitution.gas.kernel import (
     BLOCK_FULL,
     COLUMN,
     COUNT,

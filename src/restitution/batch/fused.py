@@ -15,9 +15,8 @@ import numpy as np
 from numba import njit, types
 
 from restitution import law
-from restitution.motion.batch import possible
-from restitution.motion.compiled_law import as_it_stands
-from restitution.motion.lanes import (
+from restitution.batch.compiled_law import as_it_stands
+from restitution.batch.lanes import (
     BYTES,
     COUNT,
     finish_streams,
@@ -26,6 +25,7 @@ from restitution.motion.lanes import (
     prefetch,
     stream_pairs,
 )
+from restitution.batch.possible import possible
 from restitution.vector import Vector
 
 AHEAD = np.uintp(16)

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from restitution.errors import ImpossibleError, StatementError
+from restitution.gas import kernel as k
 from restitution.motion.contact import TOLERANCE
-from restitution.motion.gas import kernel as k
 
 # Cells hold this many discs on average where the gas is so thin that they may be larger than discs.
 PER_CELL = 0.7

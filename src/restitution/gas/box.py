@@ -16,16 +16,17 @@ from typing import Any
 
 import numpy as np
 
+from restitution.batch.progress import progress as progress_bar
 from restitution.errors import (
     CollapseError,
     ImpossibleError,
     StatementError,
     UnsupportedError,
 )
-from restitution.motion.gas import kernel as k
-from restitution.motion.gas import record
-from restitution.motion.gas.start import lattice, random_velocities
-from restitution.motion.gas.state import (
+from restitution.gas import kernel as k
+from restitution.gas import record
+from restitution.gas.start import lattice, random_velocities
+from restitution.gas.state import (
     SMALLEST,
     Discs,
     Rules,
@@ -35,8 +36,7 @@ from restitution.motion.gas.state import (
     fresh,
     overlap,
 )
-from restitution.motion.gas.windows import COUNTED, Counts, Engine
-from restitution.motion.progress import progress as progress_bar
+from restitution.gas.windows import COUNTED, Counts, Engine
 
 # A run of no more than so many impacts, among so many discs, is over in plain Python before a
 # compiler is even loaded.

@@ -25,6 +25,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution import law
+from restitution.batch.possible import possible
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.vector import Vector
 
@@ -111,24 +112,6 @@ def impacts(
         if place is not result:
             place[...] = result
     return out
-
-
-def possible(w1: Any, w2: Any, c: Any, e: Any) -> Any:
-    """Whether there can be such an impact, for any kind of number; false where one is not a number.
-
-    What is done to each number is what compiled code can do to eight of them.
-    """
-    w, square = w1 + w2, c.dot(c)
-    return (
-        (e >= 0)
-        & (e <= 1)
-        & (w1 >= 0)
-        & (w2 >= 0)
-        & (w > 0)
-        & (w < math.inf)
-        & (square > 0)
-        & (square < math.inf)
-    )
 
 
 # --- what was given ----------------------------------------------------------------------------
@@ -255,7 +238,7 @@ def _by_kernel(
     data: Sequence[_Array], results: Sequence[_Array], shape: tuple[int, ...], threads: int
 ) -> bool:
     """Fill the results by compiled code; false if an impact is impossible."""
-    from restitution.motion.fused import fused
+    from restitution.batch.fused import fused
 
     count = math.prod(shape)
     flat = [_flat(each, shape, vectors=k < _VECTORS) for k, each in enumerate(data)]

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from restitution.errors import StatementError, UnsupportedError
-from restitution.motion.gas import kernel as k
-from restitution.motion.gas.state import Box
+from restitution.gas import kernel as k
+from restitution.gas.state import Box
 
 # Walls, as the second body of an impact.
 WEST, EAST, SOUTH, NORTH = -1, -2, -3, -4

@@ -1,0 +1,1 @@
+"""Many impacts or many cases at once: arrays, compiled code, all processors."""

@@ -1,0 +1,33 @@
+"""A whole question as a value, which shows itself in a terminal and in Jupyter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from restitution.wording.html import to_fragment
+from restitution.wording.markup import to_markdown
+from restitution.wording.structure import QuestionPart, Sentence
+from restitution.wording.text import to_text
+
+
+@dataclass(frozen=True)
+class Question:
+    """A whole question. It shows itself in a terminal and in Jupyter.
+
+    ``intro`` is what is told before anything is asked.
+    """
+
+    title: str | None
+    intro: tuple[Sentence, ...]
+    parts: tuple[QuestionPart, ...]
+
+    def __str__(self) -> str:
+        return to_text(self)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return to_fragment(self)
+
+    def _repr_markdown_(self) -> str:
+        return to_markdown(self)
