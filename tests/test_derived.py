@@ -275,7 +275,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("either-sign", ["If p = 4:", "If p = −4:", "𝐯_P = (4𝐢 + 2𝐣) m s⁻¹"]),
         ("rejected-root", ["e = ½, as e ≤ 1"]),
         ("half-angle", ["t = √3/3, as α/2 is acute"]),
-        ("brought-to-rest", ["as v increases with e and 0 ≤ e ≤ 1 (as required)"]),
+        ("brought-to-rest", ["as 3u/(2 − e) − u increases with e and 0 ≤ e ≤ 1 (as required)"]),
         ("greatest-deflection", ["greatest value of tan δ = ¾, when tan α = ½"]),
         (
             "direction-reversed",

@@ -8,6 +8,8 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
+from restitution.explain import to_text
+from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
@@ -267,3 +269,52 @@ def test_at_rest_is_said_of_no_other_velocity() -> None:
     last = derivation.items[0].line
     wrong = altered(derivation, last, "velocity(A, 1) = 0")
     assert f"line {last}: does not follow" in complaints(problem, wrong)
+
+
+# --- reasons -------------------------------------------------------------------------------------
+
+SAID = {
+    "a square that is not negative": (
+        WALL + "find minimum of speed(P) over e",
+        "as (eu sin α)² ≥ 0",
+    ),
+    "an energy without the square": (
+        OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",
+        "≥ ½mu² sin²α, as (((1 − k)u cos α)/(k + 1))² ≥ 0",
+    ),
+}
+
+
+def _printed(statement: str) -> str:
+    problem = parse(statement)
+    return " ".join(to_text(explanation_of(plan(solve(problem)), problem)).split())
+
+
+@pytest.mark.parametrize("name", SAID)
+def test_the_reason_of_a_bound_is_said(name: str) -> None:
+    statement, words = SAID[name]
+    assert words in _printed(statement)
+
+
+def test_what_grows_is_called_as_it_stands_in_the_line_above() -> None:
+    text = _printed(
+        "wall W: along i\nsphere P: mass m, velocity u at 30° to W\nP hits W\nfind range of impulse"
+    )
+    line, reason = text.split(" ≤ magnitude of the impulse", 1)
+    grows = reason.split(" as ")[1].split(" increases")[0]
+    assert line.count(f"= {grows}") == 1
+
+
+def test_the_greatest_value_is_said_once() -> None:
+    text = _printed(
+        OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k"
+    )
+    assert text.count("when k = 1") == 1
+
+
+def test_an_angle_has_its_letter_before_its_tangent() -> None:
+    derivation = plan(
+        solve(parse(EQUAL.format(e=", e = 1/3") + "find maximum of deflection(A) over alpha"))
+    )
+    lines = [each for each in derivation.lines if each.move.record == "tan-deflection"]
+    assert [write_relation(each.relation)[:10] for each in lines] == ["tan(delta)"]

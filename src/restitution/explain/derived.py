@@ -84,7 +84,7 @@ class _Writer:
         self.naming = Naming(derivation, self.problem)
         self.measures = Measures(self.problem, derivation.meanings)
         self.sources = Sources(derivation)
-        self.reasons = Reasons(derivation, self.naming)
+        self.reasons = Reasons(derivation, self.naming, self.problem)
         self.ends = Ends(derivation, self.problem, self.naming)
         self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)

@@ -3,35 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explain.naming import Naming
-from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.algebra import NotComparableError, Quotient
+from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.step import Setting, Step
+from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Expression, Letter, letters
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters, walk
+from restitution.problem import Problem
 from restitution.render import layout as lay
+from restitution.solve.letters import roles
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+# A longer expression is told by the name of what it is worth.
+_LONGEST = 24
+ZERO = Number(Fraction(0))
 _UP, _DOWN = ("<", "<="), (">", ">=")
 
 
 class Reasons:
     """The reasons of the lines of one derivation."""
 
-    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+    def __init__(self, derivation: Derivation, naming: Naming, problem: Problem) -> None:
         self._derivation = derivation
+        self._roles = roles(problem)
         self._naming = naming
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
         if line.move.id not in _REASONED and not self._ordered(line):
             return ()
-        reasons = (*self._monotone(line), *self._known(line))
+        reasons = (*self._monotone(line), *self._square(line), *self._known(line))
         if line.move.id == "inverse":
             reasons = ()  # the acute angle is what the arc functions give
         if line.move.id == "reject" and not reasons:
@@ -101,7 +111,7 @@ class Reasons:
         if line.move.id != "monotone":
             return
         above = [
-            own.relation.options[0][-1]
+            Link(own.relation.only[0].left, "=", own.relation.only[-1].right)
             for ref in line.premises
             if isinstance(ref, int)
             and (own := self._derivation.line(ref)) is not None
@@ -123,8 +133,40 @@ class Reasons:
         way = self._way(above[0].right, name, ends)
         if way:
             id_ = "derived.increases" if way > 0 else "derived.decreases"
-            quantity = self._naming.laid(above[0].left)
+            whole = above[0].right if _is_short(above[0].right) else above[0].left
+            quantity = self._naming.laid(whole)
             yield say(id_, quantity=quantity, letter=self._naming.laid(Letter(name)))
+
+    def _square(self, line: Line) -> Iterator[Sentence]:
+        """That a square is not negative, where a bound is what is left without it."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign != ">=":
+            return
+        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        for own in above:
+            if own is None or not isinstance(own.relation, Relation):
+                continue
+            if own.relation.options[0][0].left != links[0].left:
+                continue
+            for link in own.relation.options[0]:
+                for square in _squares(link.right):
+                    if self._is_left(link.right, square, links[0].right):
+                        laid = self._laid(Relation(((Link(square, ">=", ZERO),),)))
+                        yield say("derived.fact", fact=laid)
+                        return
+
+    def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
+        """Whether a bound is what is left of a whole without a square."""
+        rest = rebuilt(whole, lambda each: ZERO if each == square else each)
+        if isinstance(rest, Apply) and rest.function == "sqrt":
+            rest, bound = rest.argument, Binary("^", bound, Number(Fraction(2)))
+        step = Step(Setting(self._roles), Move("rearrange"), (), ())
+        try:
+            gap = step.residual(Link(rest, "=", bound))
+        except NotComparableError:
+            return False
+        return isinstance(gap, Quotient) and gap.vanishes
 
     @staticmethod
     def _way(tree: Expression, name: str, ends: list[Link]) -> int:
@@ -148,6 +190,22 @@ class Reasons:
             return int(sp.sign(change)) if change.is_finite else 0
         except (RestitutionError, TypeError, ValueError, IndexError):
             return 0
+
+
+def _squares(tree: Expression) -> Iterator[Expression]:
+    """The squares that are terms of sums."""
+    for each in walk(tree):
+        match each:
+            case Binary("+", left, right):
+                for term in (left, right):
+                    match term:
+                        case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
+                            yield term
+
+
+def _is_short(tree: Expression) -> bool:
+    """Whether an expression fits behind a line as what grows or falls."""
+    return sum(1 for _ in walk(tree)) <= _LONGEST
 
 
 def _merged(bounds: list[Link]) -> Iterator[Relation]:

@@ -657,6 +657,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.for": "when {place}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
+    "derived.fact": "{fact}",
     "derived.increases": "{quantity} increases with {letter}",
     "derived.decreases": "{quantity} decreases as {letter} increases",
     "derived.number": "({number})",

@@ -10,7 +10,6 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
-from restitution.explaining.trees import of_relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -28,7 +27,7 @@ from restitution.planning.inequalities import FLIPPED, is_monic, same, solve_lin
 from restitution.planning.letter_ties import Ties
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
-from restitution.planning.worths import NAMED, Worths
+from restitution.planning.worths import Worths
 from restitution.solve.letters import roles
 
 
@@ -123,7 +122,11 @@ class Claims:
             if not inside or not all(each in left for each in inside):
                 continue
             mark = self.worths.mark()
-            line = self.worths.worth(opened)
+            line = (
+                self.worths.angle(opened)
+                if isinstance(opened, Quantity) and opened.kind in ("angle", "deflection")
+                else self.worths.worth(opened)
+            )
             if line is None:
                 self.worths.back(mark)
                 continue
@@ -143,16 +146,12 @@ class Claims:
             case _:
                 return None
         mark = self.worths.mark()
-        quantity, number = angle, lines[0]
-        number, angle, extent = self.worths.lettered(number, angle)
-        tangent = Apply("tan", angle)
-        asked = relation
-        relation = of_relation(relation, lambda each: angle if each == quantity else each)
-        lines = [number]
+        number, angle, extent = self.worths.lettered(lines[0], angle)
+        quantity, tangent = self.worths.meant(angle), Apply("tan", angle)
         links: list[Link] = []
         for link in relation.only:
             sides = [
-                tangent if side == angle else self._tangent_of(side)
+                tangent if side in (angle, quantity) else self._tangent_of(side)
                 for side in (link.left, link.right)
             ]
             if None not in sides:
@@ -161,8 +160,6 @@ class Claims:
             self.worths.back(mark)
             return None
         found = self._by_ends(links, number, extent, relation, base)
-        if found is not None and asked != relation:
-            found = self.judge.write(NAMED, [found, extent[-1]], asked)
         if found is None:
             self.worths.back(mark)
         return found
@@ -189,7 +186,8 @@ class Claims:
             if end is None:
                 return None
             ends.append(end)
-        return self.compared(ends, relation)
+        named = [each for each in extent if isinstance(each, int)]
+        return self.compared([*ends, *named], relation)
 
     def angle_of(
         self,
@@ -202,7 +200,7 @@ class Claims:
     ) -> int | None:
         """An angle compared by bounds of its tangent, of which another line tells the sign."""
         rest = [each for each in base if isinstance(each, str)]
-        ranges = [each for each in extent if isinstance(each, str)]
+        ranges = list(extent)
         found = self.compared([line, *rest, *ranges], relation)
         if found is not None:
             return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -95,8 +95,10 @@ class _Extremum:
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             raise NotPlannedError("an angle that is not acute")
         assert isinstance(asked, Quantity)
-        first = self.claims.worths.quantity(asked)
-        line, letter, extent = self.claims.worths.lettered(first, asked)
+        first = self.claims.worths.angle(asked)
+        told = self.scene.desk.last_link(first).left
+        called = told.argument if isinstance(told, Apply) else asked
+        line, letter, extent = self.claims.worths.lettered(first, called)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
         for way in (self._monotone, self._quotient, self._plain):
@@ -104,14 +106,9 @@ class _Extremum:
             self.support, self.place = (), None
             bound = way(line)
             if bound is not None:
-                angle = Relation(((Link(letter, whole.sign, whole.right),),))
-                last = self.claims.angle_of(bound, line, extent, angle, (), self.support)
                 own = Relation(((whole,),))
-                if last is not None and letter != asked:
-                    last = self.judge.write(
-                        (Move("put"), Move("rearrange"), Move("compare")), [last, extent[-1]], own
-                    )
-                there = None if last is None else self._place(first, Apply("tan", asked))
+                last = self.claims.angle_of(bound, line, extent, own, (), self.support)
+                there = None if last is None else self._place(line, Apply("tan", asked), extent)
                 move = Move("answer", "least" if self.least else "greatest")
                 if (
                     last is not None
@@ -157,7 +154,7 @@ class _Extremum:
             return None
         return self.scene.desk.write(move, [bound, there], self._relation)
 
-    def _place(self, line: int, subject: Expression) -> int | None:
+    def _place(self, line: int, subject: Expression, named: Sequence[Ref] = ()) -> int | None:
         """The line that says what the value is at the place where it is greatest or least."""
         for place in self._places(line):
             form = self.end.right if self.end.left == subject else tree_of(self.value)
@@ -165,7 +162,10 @@ class _Extremum:
             unless = Link(place.left, "!=", place.right)
             relation = Relation(((unless,), (value,)))
             known = self._known(*self._names(self._value(line)))
-            there = self.judge.write((Move("put"),), [line, *known], relation)
+            # The answer says it once more, with the place.
+            there = self.judge.write(
+                (Move("put"),), [line, *named, *known], relation, shown="silent"
+            )
             if there is not None:
                 return there
         return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 import sympy as sp
 
@@ -157,6 +158,7 @@ class Judge:
         pool: Iterable[Ref],
         relation: Relation,
         sure: Iterable[Ref] = (),
+        shown: Literal["line", "inline", "silent"] = "line",
     ) -> int | None:
         """Writes a line by the first move that makes it of what is cited; None without one.
 
@@ -169,7 +171,7 @@ class Judge:
         for move in moves:
             own = self.needed(move, refs, relation, sure)
             if own is not None:
-                return self.desk.write(move, own, relation)
+                return self.desk.write(move, own, relation, shown)
         return None
 
     # --- bounds of letters ----------------------------------------------------------------------

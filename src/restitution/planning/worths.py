@@ -93,16 +93,35 @@ class Worths:
     def lettered(self, line: int, angle: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
         """The tangent of an angle by a letter for it: the line, the letter, and its range."""
         desk = self.scene.desk
+        if isinstance(angle, Letter):
+            quantity = self.meant(angle)
+            if not isinstance(quantity, Quantity):
+                return line, angle, ()
+            name, let = self.letter_for(quantity)
+            return line, angle, (self._extent(name, quantity), let)
         if not isinstance(angle, Quantity):
             return line, angle, ()
         name, let = self.letter_for(angle)
-        high = 90 if angle.kind == "angle" and not isinstance(angle.arguments[1], Unit) else 180
         tangent = Apply("tan", Letter(name))
         relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
         number = self.judge.write(NAMED, [line, let], relation)
         if number is None:
             raise NotPlannedError("a letter for an angle")
-        return number, Letter(name), (f"0° <= {name} <= {high}°", let)
+        return number, Letter(name), (self._extent(name, angle), let)
+
+    def meant(self, tree: Expression) -> Expression:
+        """What a letter that the working introduces stands for; any other tree itself."""
+        if isinstance(tree, Letter):
+            for each in self.scene.desk.lines:
+                if isinstance(each.relation, Meaning) and each.relation.letter == tree.name:
+                    return each.relation.quantity
+        return tree
+
+    @staticmethod
+    def _extent(name: str, angle: Quantity) -> str:
+        """What is known of an angle of the motion, as a premise says it."""
+        lined = angle.kind == "angle" and not isinstance(angle.arguments[1], Unit)
+        return f"0° <= {name} <= {90 if lined else 180}°"
 
     def letter_for(self, angle: Quantity) -> tuple[str, int]:
         """The letter that stands for an angle of the motion, and the line that introduces it."""
@@ -160,14 +179,63 @@ class Worths:
         self.determine(quantity)
         return formula(self.scene, quantity)
 
-    def quantity(self, quantity: Quantity) -> int:
-        """Writes what a quantity is worth, and returns the number of the line."""
+    def angle(self, angle: Quantity) -> int:
+        """Writes the tangent of an angle, with a letter that is introduced before it."""
+        if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
+            return self.quantity(angle)
+        mark = self.mark()
+        try:
+            return self.quantity(angle, by_letter=True)
+        except NotPlannedError:
+            self.back(mark)
+            return self.quantity(angle)
+
+    def _tangent(self, tangent: Expression) -> int | None:
+        """The line in force that says what a tangent is."""
+        desk = self.scene.desk
+        return next(
+            (
+                each.number
+                for each in desk.lines
+                if isinstance(each.relation, Relation)
+                and len(each.relation.options) == 1
+                and each.relation.only[0].sign == "="
+                and each.relation.only[0].left == tangent
+                and desk.holds(each.number)
+            ),
+            None,
+        )
+
+    def _of_letter(self, angle: Quantity) -> int | None:
+        """The tangent of an angle, where a line tells that of the letter for it."""
+        for each in self.scene.desk.lines:
+            own = each.relation
+            if isinstance(own, Meaning) and own.quantity == angle:
+                line = self._tangent(Apply("tan", Letter(own.letter)))
+                if line is not None:
+                    value = self.scene.desk.last_link(line).right
+                    relation = Relation(((Link(Apply("tan", angle), "=", value),),))
+                    return self.judge.write(NAMED, [line, each.number], relation)
+        return None
+
+    def quantity(self, quantity: Quantity, by_letter: bool = False) -> int:
+        """Writes what a quantity is worth, and returns the number of the line.
+
+        ``by_letter`` gives an angle a letter, unless the statement has one for it.
+        """
         scene = self.scene
         known = scene.desk.known(quantity)
         if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
             return known.refs[0]
+        if quantity.kind in _ANGLES:
+            tangent = self._tangent(Apply("tan", quantity)) or self._of_letter(quantity)
+            if tangent is not None:
+                return tangent
         own = self.formula(quantity)
         left, extra = self.named(own, quantity)
+        if by_letter and not extra:
+            name, let = self.letter_for(quantity)
+            left, extra = own.of(Letter(name)), (let,)
         right, final = swept(own.right), tree_of(own.value)
         match right:
             case Apply("sqrt", Binary("^", base, _)) if base == final:
