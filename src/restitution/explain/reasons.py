@@ -185,7 +185,12 @@ class Reasons:
                 ),
                 key=float,
             )
-            low, high = places if len(places) == 2 else (places[0] / 2, places[0])
+            if len(places) == 2:
+                low, high = places
+            elif any(letters(each.left) and each.sign in _DOWN for each in ends):
+                low, high = places[0], places[0] + 1
+            else:
+                low, high = places[0] / 2, places[0]
             change = sp.sympify(value(tree, high) - value(tree, low), strict=True)
             return int(sp.sign(change)) if change.is_finite else 0
         except (RestitutionError, TypeError, ValueError, IndexError):
