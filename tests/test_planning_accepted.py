@@ -89,6 +89,58 @@ sphere B: mass 2m, velocity u at 150°
 A hits B: along i, e = 1/2
 find angle(velocity(A), velocity(B)), speed(B)
 """,
+    "numbers of which the difference is zero": """
+wall W: along j
+sphere P: velocity u at alpha
+P hits W: e = 1/9
+given speed(P) = u/3
+find tan(alpha), deflection(P)
+""",
+    "a speed at which a sphere stops": """
+sphere A: mass m, velocity u at 45°
+sphere B: mass k m, at rest
+A hits B: along i
+given deflection(A) = 45°
+find e in terms of k
+""",
+    "a letter that is let before a second wall": """
+wall V: along i
+wall W: along -60°
+sphere P: mass m, velocity v at alpha to V
+P hits V: e = 1/3
+given tan(alpha) = 3/4
+let beta = angle(velocity(P), V)
+find tan(beta)
+P hits W: e = 1/2
+find energy(P)/energy(0), impulse
+""",
+    "slanting walls, with a velocity before that is open": """
+wall V: along i + 2j
+wall W: along 3i - j
+sphere P: mass 2, velocity p i + q j
+P hits V: e = 1/2
+P hits W: e = 1/3
+given velocity(P) = 2i + j
+find p, q
+""",
+    "an offset, and a right angle": """
+sphere A: mass m, velocity u j, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1
+find speed(A), angle(velocity(A), velocity(B))
+""",
+    "no rebound": """
+wall W: along i + j
+sphere P: mass 2, velocity 3i
+P hits W: e = 0
+find velocity(P), impulse, energy_lost
+""",
+    "no rebound, in letters": """
+wall W: along j
+sphere P: mass k, velocity v at theta
+P hits W: e = 0
+find speed(P), deflection(P), impulse, energy_lost/energy(0)
+""",
     "a line of centres in roots, and letters": """
 sphere A: mass 2, velocity a i + b j
 sphere B: mass 3, velocity -i + 2j

@@ -9,9 +9,9 @@ from typing import Any
 
 from restitution.components import Model
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Line, Link, Meaning, Relation
+from restitution.explaining.derivation import Fact, Line, Link, Meaning, Relation
 from restitution.expression.evaluate import Angle, Evaluator
-from restitution.expression.tree import Binary, Expression, Negate, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, Quantity
 from restitution.planning.desk import NotPlannedError
 from restitution.solve import quantities
 from restitution.vector import Vector
@@ -54,23 +54,32 @@ class Floats:
         return x == 0
 
 
-def require_true(model: Model, lines: Iterable[Line], above: Iterable[Line]) -> None:
+def require_true(
+    model: Model, lines: Iterable[Line], above: Iterable[Line], facts: Iterable[Fact]
+) -> None:
     """Raises NotPlannedError for a line that is false at the numbers of a solution.
 
-    ``above`` are all lines that may introduce letters.
+    ``above`` are all lines that may introduce letters, ``facts`` tell the senses of axes.
     """
-    value = evaluator(model, above)
+    value = evaluator(model, above, facts)
     for line in lines:
         if isinstance(line.relation, Relation) and not holds(line.relation, value):
             raise NotPlannedError(f"line {line.number} is not true in numbers")
 
 
-def evaluator(model: Model, lines: Iterable[Line]) -> Callable[[Expression], Any]:
+def evaluator(
+    model: Model, lines: Iterable[Line], facts: Iterable[Fact]
+) -> Callable[[Expression], Any]:
     """What trees of some lines are worth in floats at the sample of a solution."""
     story = model.branch.numbers
     events = len(story.happenings)
     meanings = {
         each.relation.letter: each.relation for each in lines if isinstance(each.relation, Meaning)
+    }
+    axes = {
+        each.relation.only[0].left: each.relation.only[0].right
+        for each in facts
+        if each.id.startswith("axis ")
     }
     kept: dict[Expression, Any] = {}
 
@@ -84,7 +93,7 @@ def evaluator(model: Model, lines: Iterable[Line]) -> Callable[[Expression], Any
             return float(model.number(model.final[symbol]))
         let = model.story.lets.get(name)
         if let is not None:
-            return own.value(let[0].expression)
+            return _floats(story.evaluator(let[1]).value(let[0].expression))
         raise KeyError(name)
 
     def quantity(tree: Quantity) -> Any:
@@ -92,6 +101,10 @@ def evaluator(model: Model, lines: Iterable[Line]) -> Callable[[Expression], Any
             if tree.kind == "restitution":
                 number = tree.stage or 1
                 kept[tree] = float(story.happenings[number - 1].e)  # type: ignore[operator]
+            elif tree.kind in ("along", "across") and tree.arguments[1] in axes:
+                axis = _floats(numbers.direction(axes[tree.arguments[1]]))
+                way = axis if tree.kind == "along" else axis.turned_left()
+                kept[tree] = own.value(tree.arguments[0]).dot(way) / _size(axis)
             else:
                 kept[tree] = _floats(quantities.quantity(story, tree, events))
         return kept[tree]
@@ -144,7 +157,8 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
     size: float = max(abs(left), abs(right))
     match link.sign:
         case "=":
-            return abs(gap) <= _ROUNDING * max(size, _inside(link, value))
+            whole = (_magnitude(each, value) for each in (link.left, link.right))
+            return abs(gap) <= _ROUNDING * max(size, *whole)
         case "≈":
             return abs(gap) <= _PRINTED * size
         case "!=":
@@ -155,20 +169,24 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
             return gap >= -_ROUNDING * size
 
 
-def _inside(link: Link, value: Callable[[Expression], Any]) -> float:
-    """The size of what cancels in a side that is 0: the largest of its terms."""
-    sizes = [1e-300]
-    pending: list[Expression] = [link.left, link.right]
-    while pending:
-        tree = pending.pop()
-        if isinstance(tree, Binary) and tree.op in ("+", "-"):
-            pending += [tree.left, tree.right]
-        elif isinstance(tree, Negate):
-            pending.append(tree.operand)
-        else:
-            own = _measured(value(tree))
-            sizes.append(_size(own))
-    return max(sizes)
+def _magnitude(tree: Expression, value: Callable[[Expression], Any]) -> float:
+    """What a tree would be worth if nothing in it cancelled: rounding is a share of that."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _magnitude(left, value) + _magnitude(right, value)
+        case Binary("*", left, right):
+            return _magnitude(left, value) * _magnitude(right, value)
+        case Binary("/", left, right):
+            return _magnitude(left, value) / _size(_measured(value(right)))
+        case Binary("^", base, Number(power)) if power > 0:
+            return float(_magnitude(base, value) ** float(power))
+        case Negate(operand):
+            return _magnitude(operand, value)
+        case Apply("sin" | "cos"):
+            return 1.0
+        case Quantity("along" | "across", (vector, _)):
+            return _magnitude(vector, value)
+    return max(_size(_measured(value(tree))), 1e-300)
 
 
 def _measured(value: Any) -> Any:

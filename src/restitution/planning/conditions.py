@@ -170,7 +170,7 @@ class Conditions:
         direct = desk.known(frame.component(kind, body, stage))
         mark = self.worths.mark()
         source = self.worths.component(kind, body, stage, frame)
-        if len(desk.lines) > mark[0].lines and kind == "across":
+        if len(desk.lines) > mark.desk.lines and kind == "across":
             self.worths.back(mark)
             return []
         return [*(direct.whole if direct else ()), *source.whole]

@@ -216,7 +216,8 @@ class Desk:
     def mark(self) -> Mark:
         """The state of the desk, to which ``back`` returns."""
         sources = {key: list(values) for key, values in self._sources.items()}
-        return Mark(len(self.lines), len(self.ends), len(self.notes), sources, dict(self._parts))
+        counts = len(self.lines), len(self.ends), len(self.notes), len(self.others)
+        return Mark(*counts, sources, dict(self._parts), self.splits)
 
     def back(self, mark: Mark) -> None:
         """Takes away all that was written since a mark."""
@@ -225,6 +226,8 @@ class Desk:
         del self.notes[mark.notes :]
         self._sources = {key: list(values) for key, values in mark.sources.items()}
         self._parts = dict(mark.parts)
+        self.splits = mark.splits
+        del self.others[mark.others :]
 
 
 @dataclass(frozen=True)
@@ -234,5 +237,7 @@ class Mark:
     lines: int
     ends: int
     notes: int
+    others: int
     sources: Mapping[Expression, list[Source]]
     parts: Mapping[Ref, frozenset[str]]
+    splits: tuple[tuple[int, int], ...]

@@ -274,9 +274,11 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     last = tree_of(value)
     if factors(first) == factors(last):
         first = last  # nothing is worked out
+    # Where e is 0 nothing is said of the velocity before.
+    before_ = () if e.value == 0 else source.whole
     number = scene.desk.write(
         Move("law", "restitution-wall", frame.number, (body,)),
-        together(source.whole, frame.names_axis("along"), e.refs),
+        together(before_, frame.names_axis("along"), e.refs),
         chain(quantity, (first, None), (last, "rearrange")),
     )
     own = component_letter(scene, body, frame)

@@ -7,21 +7,23 @@ unknown and it holds no letter that is asked; else it is the last equation of it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 import sympy as sp
 
+from restitution.components import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import paths, place_trees, separations
 from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
+from restitution.planning.checking import require_true
 from restitution.planning.closing import close, with_known
 from restitution.planning.deflections import turned_at_a_wall
-from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.desk import Mark, NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.givens import candidate, move_of, write_given
@@ -57,8 +59,16 @@ class Law:
 Waiting = tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]
 """The impact of a component, the lines of its laws, and the components in these."""
 
-Progress = tuple[frozenset[str], dict[sp.Symbol, Waiting]]
-"""Equations that are used, and components of which the laws are written."""
+
+@dataclass(frozen=True)
+class Standing:
+    """How far a solver is: what is written, which equations are used, what waits for its value."""
+
+    desk: Mark
+    used: frozenset[str]
+    waiting: Mapping[sp.Symbol, Waiting]
+    frames: Mapping[int, Frame]
+    others: tuple[Model, ...]
 
 
 class Solver:
@@ -76,14 +86,23 @@ class Solver:
         # Why a line could not be solved for its unknown.
         self.reasons: list[NotPlannedError] = []
 
-    def progress(self) -> Progress:
+    def mark(self) -> Standing:
         """How far the solver is, to which ``back`` returns."""
-        return frozenset(self.used), dict(self.waiting)
+        scene = self.scene
+        return Standing(
+            scene.desk.mark(),
+            frozenset(self.used),
+            dict(self.waiting),
+            dict(scene.frames),
+            scene.others,
+        )
 
-    def back(self, progress: Progress) -> None:
-        """Takes back what was used since."""
-        used, waiting = progress
-        self.used, self.waiting = set(used), dict(waiting)
+    def back(self, standing: Standing) -> None:
+        """Takes back what was written and used since."""
+        scene = self.scene
+        scene.desk.back(standing.desk)
+        self.used, self.waiting = set(standing.used), dict(standing.waiting)
+        scene.frames, scene.others = dict(standing.frames), standing.others
 
     def _laws(self) -> Iterable[Law]:
         model = self.scene.model
@@ -119,15 +138,41 @@ class Solver:
     # --- routes ---------------------------------------------------------------------------------
 
     def determine(self, goals: Sequence[sp.Expr]) -> None:
-        """Writes lines until everything in some values is known."""
-        scene = self.scene
+        """Writes lines until everything in some values is known.
+
+        The cheapest equations are tried first. Raises NotPlannedError where none of them can be
+        written in an order, or solved.
+        """
         self.goals = goals
         self._express_waiting(goals)
-        write_blows(scene)
-        open_ = {symbol for each in goals for symbol in scene.unknown(each)}
-        if not open_:
+        write_blows(self.scene)
+        if not any(self.scene.unknown(each) for each in goals):
             return
-        route = self.route(goals)
+        scene = self.scene
+        first: NotPlannedError | None = None
+        routes = self.routes(goals)
+        for n, route in enumerate(routes):
+            standing = self.mark()
+            try:
+                self._take(route, goals)
+                lines = scene.desk.lines
+                require_true(scene.model, lines[standing.desk.lines :], lines, scene.desk.facts)
+            except NotPlannedError as error:
+                first = first or error
+                self.back(standing)
+                self.goals = goals
+            else:
+                item = scene.desk.item or ""
+                scene.desk.others += [
+                    Route(item, tuple(self._move(own) for own in each)) for each in routes[n + 1 :]
+                ]
+                return
+        assert first is not None
+        raise first
+
+    def _take(self, route: Sequence[Candidate], goals: Sequence[sp.Expr]) -> None:
+        """Writes the equations of a route, in an order in which each tells something new."""
+        scene = self.scene
         left = list(route)
         self._express_waiting([x for each in left for x in each.residuals])
         while left:
@@ -167,7 +212,7 @@ class Solver:
         taken = {each.id for each in left}
         for symbol in open_:
             try:
-                more = [each for each in self.route([symbol]) if each.id not in taken]
+                more = [each for each in self.routes([symbol])[0] if each.id not in taken]
             except NotPlannedError:
                 continue
             if more:
@@ -185,8 +230,11 @@ class Solver:
             for symbol in self._after(number)
         )
 
-    def route(self, goals: Sequence[sp.Expr]) -> tuple[Candidate, ...]:
-        """The cheapest equations that determine some values."""
+    def routes(self, goals: Sequence[sp.Expr]) -> list[tuple[Candidate, ...]]:
+        """The cheapest sets of equations that determine some values, that to be taken first.
+
+        Raises NotPlannedError where nothing determines them.
+        """
         scene = self.scene
         candidates = [
             Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
@@ -207,11 +255,7 @@ class Solver:
         if not routes:
             raise NotPlannedError(f"nothing determines {goals}")
         chosen = min(scene.desk.route, len(routes)) - 1
-        for n, each in enumerate(routes):
-            if n != chosen:
-                other = Route(scene.desk.item or "", tuple(self._move(own) for own in each))
-                scene.desk.others.append(other)
-        return routes[chosen]
+        return [routes[chosen], *routes[:chosen], *routes[chosen + 1 :]]
 
     def _move(self, own: Candidate) -> Move:
         """The principle, or the definition, that an equation of a route is."""

@@ -153,7 +153,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         _write_items(Scene(problem, part.part, part, told, draft, others, find_frame=found_frame))
-        require_true(told, draft.lines[len(desk.lines) :], draft.lines)
+        require_true(told, draft.lines[len(desk.lines) :], draft.lines, draft.facts)
         drafts.append(draft)
     return drafts[0] if len(drafts) == 1 else joined(desk, drafts)
 

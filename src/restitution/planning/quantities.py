@@ -292,7 +292,10 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         raise NotPlannedError("a tangent of open sign")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
-    refs = together(above.whole, below.whole, frame.names_axis("along"), frame.names_axis("across"))
+    # Of what moves along the line the other component does not matter.
+    sources = (above,) if is_zero(trees[0]) else (above, below)
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    refs = together(*(each.whole for each in sources), names)
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,
@@ -406,15 +409,12 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
     change = late.value - early.value
     mass = scene.mass(body)
-    trees = tree_of(late.value), tree_of(early.value)
-    change_tree = difference(*trees)
+    first, last = tree_of(early.value), tree_of(late.value)
     if scene.model.sign(change) < 0:
-        change_tree = difference(trees[1], trees[0])
-        change = -change
-    if frame.wall is not None and scene.model.sign(late.value) > 0:
-        change_tree = total((trees[0], negative(trees[1])))
-    elif frame.wall is not None:
-        change_tree = total((trees[1], negative(trees[0])))
+        first, last, change = last, first, -change
+    # At a wall the two point opposite ways: sizes are added.
+    walled = frame.wall is not None
+    change_tree = total((last, negative(first))) if walled else difference(last, first)
     return Formula(
         Move("law", "impulse", event, (body,)),
         _itself,

@@ -26,11 +26,11 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.desk import Mark, NotPlannedError, Source, together
+from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.forms import square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, scene_value
-from restitution.planning.order import Solver
+from restitution.planning.order import Solver, Standing
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import Scene
 from restitution.planning.tangents import tangent_of_deflection
@@ -56,16 +56,13 @@ class Worths:
     def __post_init__(self) -> None:
         self.judge = self.scene.judge
 
-    def mark(self) -> tuple[Mark, frozenset[str]]:
+    def mark(self) -> Standing:
         """What stands, and which equations are used."""
-        return self.scene.desk.mark(), frozenset(self.solver.used)
+        return self.solver.mark()
 
-    def back(self, mark: tuple[Mark, frozenset[str]]) -> None:
-        """Takes away what was written since a mark."""
-        desk, used = mark
-        self.scene.desk.back(desk)
-        self.solver.used.clear()
-        self.solver.used |= used
+    def back(self, standing: Standing) -> None:
+        """Takes away what was written since."""
+        self.solver.back(standing)
 
     def exists(self, ref: Ref) -> bool:
         """Whether a fact is given."""
