@@ -382,6 +382,8 @@ def _put(step: Step, line: Link) -> bool:
         return False
     if step.move.id == "put" and len(step.cited) < 2:
         return False
+    if step.move.id == "fact" and line.sign in ("parallel to", "perpendicular to"):
+        return line in base.only  # a direction is printed as it is given
     rules = step.rules(_rest(step))
     if step.move.id == "put" and any(
         _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)

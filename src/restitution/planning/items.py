@@ -177,9 +177,12 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
 
 def _axis(scene: Scene, number: int, name: str) -> None:
     """A line of centres that is asked: the line that finds it."""
-    lines = [each for each in scene.frame(number).refs if isinstance(each, int)]
+    refs = scene.frame(number).refs
+    lines = [each for each in refs if isinstance(each, int)]
     if not lines:
-        raise NotPlannedError("a line of centres of the data")
+        # The line of centres of the data.
+        told = scene.facts[f"axis {number}"].relation
+        lines = [scene.desk.write(Move("fact"), refs, told)]
     scene.desk.end(name, lines[0], scene.desk.relation(lines[0]))
 
 
