@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -93,6 +94,73 @@ def _place_of(place: Expression, event: Event | None) -> Expression:
             start = Quantity("position", (body,), number)
             return Binary("+", start, Binary("*", velocity, since))
     return place
+
+
+def _chords(step: Step, event: Event | None) -> Iterator[Link]:
+    """From one point of a circular wall to the next: equal angles with the radii, and the time.
+
+    The radii are those to the two points, away from the centre. At the start a body may be on the
+    circle too.
+    """
+    if event is None or not event.wall:
+        return
+    body, number = Name(event.bodies[0]), event.number
+    own = [e.number for e in step.setting.events if body.name in e.bodies[:2]]
+    since = max((each for each in own if each < number), default=0)
+    circle = _circle(step, body, number)
+    if circle is None:
+        return
+    centre, radius = circle
+    radial: Expression = Quantity("line_of_centres", (), since)
+    if since:
+        if _circle(step, body, since) != circle:
+            return
+    else:
+        place = _start_on(step, body, centre, radius)
+        if place is None:
+            return
+        radial = place
+    velocity = Quantity("velocity", (body,), since)
+    along, across = (Quantity(kind, (velocity, radial)) for kind in ("along", "across"))
+    here = axis_of(event)
+    yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
+    yield Link(Quantity("across", (velocity, here)), "=", across)
+    flight = Binary("-", Quantity("time", (), number), Quantity("time", (), since))
+    way = Binary("*", Binary("*", Number(Fraction(2)), radius), Negate(along))
+    speed = Quantity("speed", (body,), since)
+    for square in (_sum([_squared(along), _squared(across)]), _squared(speed)):
+        yield Link(Binary("*", flight, square), "=", way)
+
+
+def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Expression] | None:
+    """The centre and the radius of a circle on which a body is at an event, as is cited."""
+    place = Quantity("position", (body,), number)
+    for link in step.links:
+        match link:
+            case Link(Quantity("dot", (way, other)), "=", Binary("^", radius, Number())) if (
+                way == other
+            ):
+                if way == place:
+                    return None, radius
+                if isinstance(way, Binary) and way.op == "-" and way.left == place:
+                    return way.right, radius
+    return None
+
+
+def _start_on(
+    step: Step, body: Name, centre: Expression | None, radius: Expression
+) -> Expression | None:
+    """The radius to the place at the start that is cited, where that is on a circle."""
+    start = Quantity("position", (body,), 0)
+    for link in step.links:
+        if link.left == start and link.sign == "=":
+            way = link.right if centre is None else Binary("-", link.right, centre)
+            value = step.world.value(way)
+            if isinstance(value, Plane):
+                size = step.world.scalar(radius)
+                square = step.world.reduced(value.x * value.x + value.y * value.y - size * size)
+                return way if square.vanishes else None
+    return None
 
 
 def nothing(step: Step, event: Event | None) -> Iterable[Link]:
@@ -300,4 +368,5 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "perpendicular": _tied,
     "parallel": _tied,
     "scalar-angle": _between_velocities,
+    "chord": _chords,
 }

@@ -167,6 +167,9 @@ class _Facts:
             elif isinstance(place := self._place(step.target), Expression):
                 yield own, place
             return
+        if wall.centre is not None:
+            yield from self._on_the_circle(first, wall, number)
+            return
         place = self._place(wall.through) or self._place(wall.start)
         along = self._along(wall)
         if not isinstance(place, Pair) or along is None:
@@ -182,6 +185,52 @@ class _Facts:
                 yield Quantity("along", (own, Unit("i"))), centre
         elif axis is not None and self._sphere(first).radius is None:
             yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
+
+    def _on_the_circle(
+        self, body: str, wall: Any, number: int
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """That a centre is at the distance of the radius from that of a circular wall."""
+        size, side = self._radius(body, wall), self._side(body, wall)
+        way = self._from_centre(body, wall, number)
+        if size is not None and side is not None and way is not None:
+            yield Quantity("dot", (way, way)), Binary("^", size, Number(Fraction(2)))
+
+    def _from_centre(self, body: str, wall: Any, number: int) -> Expression | None:
+        """The way from the centre of a circular wall to a body, at an event."""
+        centre = self._place(wall.centre)
+        if not isinstance(centre, Pair):
+            return None
+        own = Quantity("position", (Name(body),), number)
+        at_origin = _is_nothing(centre.x) and _is_nothing(centre.y)
+        return own if at_origin else Binary("-", own, centre)
+
+    def _radius(self, body: str, wall: Any) -> Expression | None:
+        """How far from the centre of a circular wall a body is when it touches it."""
+        radius = self._sphere(body).radius
+        if radius is None:
+            return wall.radius if isinstance(wall.radius, Expression) else None
+        side = self._side(body, wall)
+        if side is None or not isinstance(radius, Expression):
+            return None
+        whole = Binary("+" if side > 0 else "-", wall.radius, radius)
+        if isinstance(wall.radius, Number) and isinstance(radius, Number):
+            return rational(wall.radius.value + side * radius.value)
+        return whole
+
+    def _side(self, body: str, wall: Any) -> int | None:
+        """1 where a body begins outside a circular wall, −1 inside, or on it; None if open."""
+        place, centre = self._place(self._sphere(body).position), self._place(wall.centre)
+        if not isinstance(place, Pair) or not isinstance(centre, Pair):
+            return None
+        way = Binary("-", place, centre)
+        gap = Binary(
+            "-", Quantity("dot", (way, way)), Binary("^", wall.radius, Number(Fraction(2)))
+        )
+        side = self._sign(gap)
+        if side is None:
+            world = _world_of(self.problem)
+            return -1 if world.scalar(gap).vanishes else None
+        return side
 
     def _sphere(self, name: str) -> Any:
         return next(each for each in self.problem.spheres if each.name == name)
@@ -280,11 +329,38 @@ class _Facts:
                 centres = self._beside(step, number)
                 if centres is not None:
                     yield self._fact(f"axis {number}", axis, centres, step.place, "=", "geometry")
+            elif step.second in self.walls and self.walls[step.second].centre is not None:
+                yield from self._of_circle(step, number)
             elif step.second in self.walls:
                 normal = self._into_the_wall(step, number)
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
+
+    def _of_circle(self, step: Impact, number: int) -> Iterator[Fact]:
+        """The normal of a circular wall where it is struck, and which of two times that is.
+
+        It is along the radius, away from the centre inside and towards it outside. Who is inside
+        comes to the wall after the last event; who is outside moves towards it.
+        """
+        wall = self.walls[step.second]
+        side, way = self._side(step.first, wall), self._from_centre(step.first, wall, number)
+        if side is None or way is None:
+            return
+        axis = Quantity("line_of_centres", (), number)
+        if side > 0:
+            way = Binary("-", way.right, way.left) if isinstance(way, Binary) else Negate(way)
+        yield self._fact(f"axis {number}", axis, way, step.place, "parallel to", "geometry")
+        if side > 0:
+            velocity = Quantity("velocity", (Name(step.first),), number - 1)
+            towards = settled(Quantity("dot", (velocity, way)), self.events)
+            zero = Number(Fraction(0))
+            yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
+        else:
+            since = self._latest([step.first], number - 1)
+            early = Quantity("time", (), since) if since else Number(Fraction(0))
+            time = Quantity("time", (), number)
+            yield self._fact(f"order {number}", time, early, step.place, ">", "geometry")
 
     def _beside(self, step: Impact, number: int) -> Expression | None:
         """The line of centres of spheres that meet beside each other's path, at the first event.

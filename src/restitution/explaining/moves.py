@@ -385,6 +385,8 @@ def _put(step: Step, line: Link) -> bool:
     if step.move.id == "fact" and line.sign in ("parallel to", "perpendicular to"):
         return line in base.only  # a direction is printed as it is given
     rules = step.rules(_rest(step))
+    if line.sign == "parallel to":
+        return any(_points_along(step, line, each, rules) for each in base.only)
     if step.move.id == "put" and any(
         _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
         for each in _flat(base.only)
@@ -395,6 +397,20 @@ def _put(step: Step, line: Link) -> bool:
         _matches_with(step, line, _expected(step, each, rules), rules, each.sign)
         for each in _flat(base.only)
     )
+
+
+def _points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
+    """Whether a line gives a direction of its base, with values put in: in the same sense."""
+    if base.sign != "parallel to" or line.left != base.left:
+        return False
+    own, other = step.world.pointing(line.right), step.world.pointing(base.right)
+    other = rules.put_into(other)
+    if not (isinstance(own, Plane) and isinstance(other, Plane)):
+        return False
+    if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
+        return False
+    pairs = [(a, b) for a, b in ((own.x, other.x), (own.y, other.y)) if not b.vanishes]
+    return bool(pairs) and all(not a.vanishes and step.signs.of(a / b) == 1 for a, b in pairs)
 
 
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:

@@ -400,6 +400,8 @@ DEFINITIONS = (
         cost=1.5,
         marks=("M",),
     ),
+    # From one point of a circular wall to the next.
+    Record("chord", "definition", where="wall", gives=("along", "across", "time"), marks=("M",)),
     Record(
         "straight-line",
         "definition",

@@ -11,6 +11,7 @@ from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.impacts import whole_direction
+from restitution.planning.radii import frame_by_places, is_by_places
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
@@ -22,7 +23,9 @@ def found_frame(scene: Scene, number: int) -> Frame:
     Raises NotPlannedError where no impulse and no change of a velocity is known.
     """
     own = scene.model.frames.get(number)
-    if own is None:
+    if own is not None and is_by_places(scene, number):
+        return frame_by_places(scene, number, own)
+    if own is None or f"axis {number}" in scene.facts:
         return frame_of(scene.model, scene.facts, number)
     if own.angle is not None or not all(each.is_number for each in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")

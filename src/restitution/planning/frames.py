@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -21,7 +22,8 @@ class Frame:
     ``along`` is the direction as lines say it, a unit vector or ``line_of_centres(n)``; ``across``
     is one where it is a unit vector, and None where it is the line of centres turned to the left.
     ``n`` and ``t`` are the same as vectors of length 1. ``letter_sign`` is −1 where the letters of
-    the components count against ``n``.
+    the components count against ``n``. ``told`` is the fact that gives the axis; where a line has
+    to work it out, ``write`` writes that.
     """
 
     number: int
@@ -30,8 +32,14 @@ class Frame:
     across: Expression | None
     n: Vector
     t: Vector
-    refs: tuple[Ref, ...]
+    told: tuple[Ref, ...]
     letter_sign: int
+    write: Callable[[], tuple[Ref, ...]] | None = None
+
+    @property
+    def refs(self) -> tuple[Ref, ...]:
+        """The fact, or the line, that gives the axis."""
+        return self.told if self.write is None else self.write()
 
     def component(self, kind: str, body: str, stage: int) -> Quantity:
         """The component of a velocity, as lines say it: ``kind`` is along or across."""

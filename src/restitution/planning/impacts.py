@@ -8,8 +8,9 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move
+from restitution.explaining.derivation import Meaning, Move, Ref
 from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
+from restitution.planning.circles import chord_from, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
@@ -43,6 +44,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     if known is not None:
         return _put(scene, known)
     direction = frame.direction(kind)
+    if stage == frame.number - 1 and (begin := chord_from(scene, body, frame.number)) is not None:
+        return _on_a_chord(scene, kind, body, begin, frame)
     if last == 0:
         initial = scene.initial(body)
         value = neat(initial.value.dot(direction))
@@ -64,6 +67,32 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
                 axis = together(axis, own.unit_free, frame.unit_free)
             return _put(scene, Source(sign * source.value, source.refs, axis))
     return _resolved(scene, kind, body, last, frame)
+
+
+def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) -> Source:
+    """A component before an impact with a circular wall, from another point of it.
+
+    A chord makes equal angles with the radii at its ends.
+    """
+    refs: tuple[Ref, ...] = (f"contact {frame.number}",)
+    if since:
+        own = scene.frame(since)
+        source = _put(scene, after(scene, kind, body, own))
+        value, refs = source.value, (*refs, f"contact {since}", *source.whole)
+    else:
+        place, velocity = scene.data(f"position {body}"), scene.initial(body)
+        way = from_centre(scene, frame.number, place.value)
+        unit = way / scene.model.story.size(way)
+        value, more = scene.put(velocity.value.dot(unit if kind == "along" else unit.turned_left()))
+        refs = together(refs, place.refs, velocity.refs, more)
+    value = neat(-value if kind == "along" else value)
+    quantity = frame.component(kind, body, since)
+    line = scene.desk.write(
+        Move("define", "chord", frame.number, (body,)),
+        refs,
+        chain(quantity, (tree_of(value), None)),
+    )
+    return scene.desk.know(quantity, value, (line,))
 
 
 def _is_slanted(frame: Frame) -> bool:

@@ -14,11 +14,13 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Quantity, walk
+from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import divisor_refs, time_quotient
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree, time_tree
+from restitution.planning.rims import time_on_a_chord, time_to_circle
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
     axis_for,
@@ -226,6 +228,8 @@ def time_of(scene: Scene, number: int) -> Source:
         raise NotPlannedError("the time of a blow")
     body = scene.bodies(number)[0]
     axis = axis_for(scene, body, number)
+    if circle_of(scene, number) is not None:
+        return _time_to_circle(scene, body, number)
     if axis is None:
         return _time_to_slanted(scene, body, number)
     return time_along(scene, body, number, axis)
@@ -269,6 +273,16 @@ def _flight(
         ),
     )
     return scene.desk.know(quantity, value, (line,))
+
+
+def _time_to_circle(scene: Scene, body: str, number: int) -> Source:
+    """The time to a circular wall, from another point of it or from beside it."""
+    since = last_move(scene, body, number)
+    early = time_of(scene, since)
+    if chord_from(scene, body, number) is not None:
+        return time_on_a_chord(scene, body, number, since, early)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    return time_to_circle(scene, body, number, first, pace, early)
 
 
 def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:

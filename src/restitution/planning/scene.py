@@ -84,7 +84,7 @@ class Scene:
     def frame(self, number: int) -> Frame:
         """The frame of an impact."""
         if number not in self.frames:
-            if self.find_frame is not None and f"axis {number}" not in self.facts:
+            if self.find_frame is not None:
                 self.frames[number] = self.find_frame(self, number)
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)

@@ -1,0 +1,61 @@
+"""Circular walls, as the facts tell of them."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Link
+from restitution.expression.tree import Binary, Expression, Number, Pair, Quantity
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+
+def circle_of(scene: Scene, number: int) -> tuple[Expression, Expression] | None:
+    """The way from the centre of a circular wall to who is at it, and its radius.
+
+    None where an event is at no circular wall, or no place is given.
+    """
+    fact = scene.facts.get(f"contact {number}")
+    if fact is None:
+        return None
+    match fact.relation.only[0]:
+        case Link(Quantity("dot", (way, other)), "=", Binary("^", radius, Number())) if (
+            way == other
+        ):
+            return way, radius
+    return None
+
+
+def centre_of(way: Expression) -> Expression | None:
+    """The centre of a circle, by the way from there; None for the origin."""
+    return way.right if isinstance(way, Binary) else None
+
+
+def from_centre(scene: Scene, number: int, place: Vector) -> Vector:
+    """A place, as seen from the centre of the circle of an event."""
+    circle = circle_of(scene, number)
+    assert circle is not None
+    centre = centre_of(circle[0])
+    return place if centre is None else place - scene.vector(centre)
+
+
+def chord_from(scene: Scene, body: str, number: int) -> int | None:
+    """The event at which a chord begins that ends at another; 0 where a body starts on the circle.
+
+    None where a body does not come to a circular wall from another point of it.
+    """
+    circle = circle_of(scene, number)
+    if circle is None:
+        return None
+    since = scene.model.story.latest(body, number - 1)
+    if since is not None:
+        other = circle_of(scene, since.number)
+        same = other is not None and (centre_of(other[0]), other[1]) == (
+            centre_of(circle[0]),
+            circle[1],
+        )
+        return since.number if same else None
+    fact = scene.facts.get(f"position {body}")
+    if fact is None or not isinstance(fact.relation.only[0].right, Pair):
+        return None
+    way = from_centre(scene, number, scene.vector(fact.relation.only[0].right))
+    radius = scene.scalar(circle[1])
+    return 0 if scene.model.identically_zero(way.dot(way) - radius**2) else None

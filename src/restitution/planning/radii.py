@@ -1,0 +1,40 @@
+"""Lines of centres that the places at an impact give: of a circular wall, its radius."""
+
+from __future__ import annotations
+
+from restitution.components import Frame as Told
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Quantity, walk
+from restitution.planning.forms import tree_of, vector
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import whole_direction
+from restitution.planning.places import spot
+from restitution.planning.scene import Scene
+
+
+def is_by_places(scene: Scene, number: int) -> bool:
+    """Whether the places at an impact are what gives its line of centres."""
+    fact = scene.facts.get(f"axis {number}")
+    return fact is not None and any(
+        isinstance(each, Quantity) and each.kind == "position"
+        for each in walk(fact.relation.only[0].right)
+    )
+
+
+def frame_by_places(scene: Scene, number: int, told: Told) -> Frame:
+    """The frame of an impact whose line of centres is worked out of places, where it is wanted."""
+    centres = Quantity("line_of_centres", (), number)
+    n = told.n if told.wall is None else -told.n
+
+    def write() -> tuple[Ref, ...]:
+        places = [spot(scene, each, number).refs for each in scene.spheres(number)]
+        whole, _ = whole_direction(n)
+        line = scene.desk.write(
+            Move("put"),
+            (f"axis {number}", *(ref for refs in places for ref in refs)),
+            Relation(((Link(centres, "parallel to", vector(*map(tree_of, whole))),),)),
+        )
+        return (line,)
+
+    sign = 1 if told.wall is None else -1
+    return Frame(number, told.wall, centres, None, n, n.turned_left(), (), sign, write)
