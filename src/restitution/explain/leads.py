@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from restitution.explain.flights import chord_title, flight_title
 from restitution.explain.naming import Naming
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import tie_of
@@ -81,9 +82,11 @@ class Leads:
         assert isinstance(line.relation, Relation)
         first, last = line.relation.options[0][0], line.relation.options[0][-1]
         name = record.title(event)
+        if record.id == "straight-line" and line.move.bodies:
+            return flight_title(self._derivation, self._naming, line)
+        if record.id == "chord":
+            return chord_title(line)
         match record.id, first.left:
-            case "straight-line", _ if line.move.bodies and self._naming.movers > 1:
-                name = "flight.title-of"
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "perpendicular", _ if not is_nothing(last.right):
@@ -98,7 +101,12 @@ class Leads:
         source = self._sources.of(line)
         if line.move.id == "fact":
             given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
-            if given and isinstance(words := self._naming.fact(given[0]), Sentence):
+            if given and given[0].relation == line.relation and given[0].kind == "geometry":
+                return  # a direction of the data, which the row says in words
+            at = self._naming.at_a_circle(given[0]) if given else None
+            if at is not None:
+                yield at
+            elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
             else:
                 yield say("given.data")

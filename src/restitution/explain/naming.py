@@ -303,12 +303,35 @@ class Naming:
                 return name
             case Quantity("direction", (Name(name),)) if self.bodies.get(name) == "wall":
                 return name
-            case Quantity("line_of_centres", _):
-                event = self.event_of_axis(tree)
-                if event is not None and event.wall:
-                    return say("derived.normal", wall=event.bodies[1])
-                return say("derived.centres")
+            case Quantity("line_of_centres", _, stage):
+                return self._centres(stage)
         return self.laid(tree)
+
+    def _centres(self, stage: Stage) -> Sentence:
+        """The line of centres of an event: at a wall the normal, at a circular one the radius."""
+        event = self.events.get(stage) if isinstance(stage, int) else None
+        if event is None or not event.wall:
+            return say("derived.centres")
+        if event.bodies[1] in self._circles:
+            return say("derived.radius", body=event.bodies[0])
+        return say("derived.normal", wall=event.bodies[1])
+
+    @property
+    def _circles(self) -> set[str]:
+        """The walls that are circular."""
+        return {each.name for each in self.problem.walls if each.centre is not None}
+
+    def at_a_circle(self, fact: Fact) -> Sentence | None:
+        """That a body is as far from the centre of a circular wall as the radius; else None."""
+        kind, _, number = fact.id.partition(" ")
+        event = self.events.get(int(number)) if kind == "contact" else None
+        if event is None or event.bodies[-1] not in self._circles:
+            return None
+        match fact.relation.only[0].right:
+            case Binary("^", radius, _):
+                body, wall = event.bodies
+                return say("circle.at", body=body, wall=wall, radius=self.laid(radius))
+        return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
         names = tuple(each.name for each in bodies if isinstance(each, Name))

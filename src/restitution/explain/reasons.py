@@ -76,13 +76,20 @@ class Reasons:
                 return None
             # A law stands above: that a root contradicts it is told by what bounds the root.
             known = own.move.id == "law" or self._offers(own.relation, line)
-            return None if known else own.relation
+            placed = own.move.record == "straight-line"
+            return None if known or placed else own.relation
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None
         if fact is not None:
             signs = {each.sign for links in fact.relation.options for each in links}
             ordered = signs and signs <= {*_UP, *_DOWN, "!="}
+            kind, _, number = fact.id.partition(" ")
+            if kind == "order":
+                return fact.relation
+            if kind == "towards":
+                body, wall = self._naming.events[int(number)].bodies
+                return say("circle.towards", body=body, wall=wall)
             return fact.relation if ordered and fact.kind in ("given", "range") else None
         head, colon, text = ref.partition(":")
         if colon and head.strip() == "acute":

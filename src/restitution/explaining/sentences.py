@@ -156,10 +156,17 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord of the circle makes equal angles with the radii at its ends, so {body} comes to "
         "{wall} with the components {towards} towards it and {along} along it."
     ),
+    "chord.title": "A chord makes equal angles with the radii at its ends",
+    "chord.time": "Time = length of the chord ÷ speed",
     "chord.why": (
         "The radius to the point of impact is perpendicular to the wall there. Two radii and "
         "the path between their ends form an isosceles triangle, so the path makes the same "
-        "angle with the radius where it arrives as where it set out."
+        "angle with the radius where it arrives as where it set out. Where that angle is φ, the "
+        "path is 2r cos φ long."
+    ),
+    "chord.mistakes": (
+        "Usual mistakes: the angle taken with the tangent at one end and with the radius at the "
+        "other, and the speed before the impact for the chord after it."
     ),
     "impulse-line.parallel": (
         "The impulse on {body} acts along the line of centres, and is parallel to {impulse}. So "
@@ -403,6 +410,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.time": (
         "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
     ),
+    "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
+    "circle.towards": "{body} is moving towards {wall} then",
     "circle.again": (
         "{body} is at the distance {radius} from the centre of {wall} again after a time {letter} "
         "with"
@@ -623,6 +632,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.line": "line of centres",
     "derived.centres": "the line of centres",
     "derived.normal": "the normal to {wall}",
+    "derived.radius": "the radius to {body}",
     "derived.component-along": "component of {of} along the line of centres",
     "derived.component-across": "component of {of} perpendicular to the line of centres",
     "derived.component-towards": "component of {of} towards {wall}",
@@ -672,6 +682,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "loss-wall.title": "Kinetic energy lost",
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",
+    "flight.time": "Time = distance ÷ speed",
+    "flight.time-of": "Time = distance ÷ speed, for {body}",
+    "flight.place": "New position = old position + velocity × time",
+    "flight.place-of": "New position = old position + velocity × time, for {body}",
+    "flight.same-time": "The time is the same in both directions",
+    "flight.meet": "{one} and {other} meet when their coordinates are equal",
     "derived-energy.title": "Kinetic energy",
     "derived-energy.why": (
         "Kinetic energy is half the mass times the square of the speed, and that square is the sum "

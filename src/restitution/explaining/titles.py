@@ -38,6 +38,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "perpendicular": ("derived-perpendicular.title", "derived-perpendicular.title"),
     "parallel": ("derived-parallel.title", "derived-parallel.title"),
     "straight-line": ("flight.title", "flight.title"),
+    "chord": ("chord.title", None),
 }
 
 

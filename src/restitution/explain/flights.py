@@ -1,0 +1,71 @@
+"""What stands over lines about places and times: what each of them says."""
+
+from __future__ import annotations
+
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Binary, Expression, Quantity
+
+
+def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
+    """The title of a line about the way of a body from one event to the next."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.options[0][0].left
+    body = line.move.bodies[0]
+    event = naming.events.get(line.move.event or 0)
+    if _is_time(left):
+        name = "flight.time"
+    elif _is_place(left):
+        name = "flight.place"
+    elif event is not None and _is_meeting(event, line):
+        first, second = event.bodies
+        return say("flight.meet", one=first, other=second)
+    elif _tells_a_time(derivation, line):
+        name = "flight.title"
+    else:
+        return say("flight.same-time")
+    return say(name) if naming.movers == 1 else say(f"{name}-of", body=body)
+
+
+def chord_title(line: Line) -> Sentence:
+    """The title of a line about a chord of a circular wall."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.options[0][0].left
+    return say("chord.time") if _is_time(left) else say("chord.title")
+
+
+def _is_meeting(event: Event, line: Line) -> bool:
+    """Whether a line says that two spheres are at one place."""
+    spheres = event.kind == "impact" and not event.wall
+    return spheres and f"contact {event.number}" in line.premises
+
+
+def _is_time(tree: Expression) -> bool:
+    match tree:
+        case Quantity("time"):
+            return True
+        case Binary("-", Quantity("time"), Quantity("time")):
+            return True
+    return False
+
+
+def _is_place(tree: Expression) -> bool:
+    match tree:
+        case Quantity("position"):
+            return True
+        case Quantity("along" | "across", (Quantity("position"), _)):
+            return True
+    return False
+
+
+def _tells_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a line rests on a time."""
+    for ref in line.premises:
+        if ref == "start":
+            return True
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        match None if own is None else own.relation:
+            case Relation(options=((Link(left=left), *_), *_)) if _is_time(left):
+                return True
+    return False
