@@ -12,7 +12,6 @@ from restitution.explaining.follower import follow
 from restitution.explaining.notation import write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.solve import solve
 from restitution.solve.letters import roles
@@ -230,16 +229,3 @@ def test_corridors_of_any_numbers(seed: int) -> None:
     )
     time = Fraction(start, x) + width / (e * x)
     assert answers(derivation)[0] == f"time(2) = {time}"
-
-
-def test_places_that_are_not_told_are_no_crash() -> None:
-    problem = parse(
-        """
-        wall C: circle centre (0, 0) radius 5
-        sphere P: at (0, 3), velocity 4i
-        P hits C: e = 1/2
-        find time(1)
-        """
-    )
-    with pytest.raises(NotPlannedError):
-        plan(solve(problem))

@@ -14,18 +14,17 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     left = line.relation.options[0][0].left
     body = line.move.bodies[0]
     event = naming.events.get(line.move.event or 0)
+    one = naming.movers == 1
     if _is_time(left):
-        name = "flight.time"
-    elif _is_place(left):
-        name = "flight.place"
-    elif event is not None and _is_meeting(event, line):
+        return say("flight.time") if one else say("flight.time-of", body=body)
+    if _is_place(left):
+        return say("flight.place") if one else say("flight.place-of", body=body)
+    if event is not None and _is_meeting(event, line):
         first, second = event.bodies
         return say("flight.meet", one=first, other=second)
-    elif _tells_a_time(derivation, line):
-        name = "flight.title"
-    else:
-        return say("flight.same-time")
-    return say(name) if naming.movers == 1 else say(f"{name}-of", body=body)
+    if _tells_a_time(derivation, line):
+        return say("flight.title") if one else say("flight.title-of", body=body)
+    return say("flight.same-time")
 
 
 def chord_title(line: Line) -> Sentence:
@@ -38,7 +37,7 @@ def chord_title(line: Line) -> Sentence:
 def _is_meeting(event: Event, line: Line) -> bool:
     """Whether a line says that two spheres are at one place."""
     spheres = event.kind == "impact" and not event.wall
-    return spheres and f"contact {event.number}" in line.premises
+    return spheres and " ".join(("contact", str(event.number))) in line.premises
 
 
 def _is_time(tree: Expression) -> bool:

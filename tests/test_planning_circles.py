@@ -1,0 +1,180 @@
+"""Circular walls: the radius at the impact, the chord to the next, and what a follower refuses."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from corruptions import corruptions
+from laws_of_workings import answers as wrong_answers
+
+from restitution.explain.derived import explanation_of
+from restitution.explain.text import to_text
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+INSIDE = """
+wall C: circle centre (0, 0) radius 5a
+sphere P: mass m, at (0, 3a), velocity -2u i
+P hits C: e = 1/2
+find time(1), position(P), velocity(P)
+P hits C: e = 1/4
+find speed(P), time(2)
+"""
+OUTSIDE = """
+wall C: circle centre (1, 2) radius 5
+sphere P: at (-9, 5), velocity 3i
+P hits C: e = 2/3
+find position(P), velocity(P), time(1)
+"""
+
+
+def planned(statement: str) -> tuple[Problem, Derivation]:
+    """A statement and its working, which the follower accepts and which has its answers."""
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert wrong_answers(solution, derivation) == []
+    return problem, derivation
+
+
+def printed(problem: Problem, derivation: Derivation) -> str:
+    """The working as text."""
+    return to_text(explanation_of(awarded(derivation), problem))
+
+
+def lines(derivation: Derivation, record: str) -> list[str]:
+    """What the lines of a record say."""
+    return [
+        write_relation(each.relation)
+        for each in derivation.lines
+        if each.move.record == record and isinstance(each.relation, Relation)
+    ]
+
+
+def spoiled(problem: Problem, derivation: Derivation, line: Line, text: str) -> bool:
+    """Whether a follower refuses a working in which one line says something else."""
+    names = {"P": "sphere", "C": "wall"}
+    other = replace(line, relation=read_relation(text, names))
+    changed = tuple(other if each is line else each for each in derivation.lines)
+    return follow(replace(derivation, lines=changed), Oracle(roles(problem))) != ()
+
+
+def test_inside_by_the_radius_and_then_by_the_chord() -> None:
+    problem, derivation = planned(INSIDE)
+    assert lines(derivation, "chord") == [
+        "along(velocity(P, 1), line_of_centres(2)) = 4u/5",
+        "across(velocity(P, 1), line_of_centres(2)) = 6u/5",
+        "time(2) = 2a/u + 2(5a) (4u/5)/((4u/5)^2 + (6u/5)^2) = 76a/(13u) [rearrange]",
+    ]
+    text = printed(problem, derivation)
+    assert "t₁ = 2a/u, as t₁ > 0" in text
+    assert "the radius to P is parallel to −4𝐢 + 3𝐣" in text
+
+
+def test_outside_the_nearer_of_two_points_is_struck() -> None:
+    problem, derivation = planned(OUTSIDE)
+    text = printed(problem, derivation)
+    assert "t = 2 s or t = 14/3 s" in text
+    assert "as P is moving towards C then" in text
+
+
+def test_a_ball_with_a_radius_comes_less_far_inside_and_less_near_outside() -> None:
+    inside = """
+    wall C: circle centre (0, 0) radius 6
+    sphere P: at (4, 0), velocity 3j, radius 1
+    P hits C: e = 1/3
+    find time(1), speed(P)
+    """
+    outside = """
+    wall C: circle centre (0, 0) radius 4
+    sphere P: at (-9, 3), velocity 2i, radius 1
+    P hits C: e = 1/3
+    find time(1), speed(P)
+    """
+    _, derivation = planned(inside)
+    assert "time(1) = 1" in [write_relation(each.answer) for each in derivation.items]
+    _, derivation = planned(outside)
+    assert "time(1) = 5/2" in [write_relation(each.answer) for each in derivation.items]
+
+
+def test_from_the_rim_the_first_path_is_a_chord_too() -> None:
+    _, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius a
+        sphere P: at (-a, 0), velocity u at 30°
+        P hits C: e = 1/3
+        find time(1), speed(P)
+        """
+    )
+    assert "time(1) = 2a (sqrt(3) u/2)/u^2 = sqrt(3) a/u [rearrange]" in lines(derivation, "chord")
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_circles_of_any_numbers(seed: int) -> None:
+    draw = random.Random(seed)
+    a, _, c = draw.choice([(3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25)])
+    x, y, speed = draw.randint(-4, 4), draw.randint(-4, 4), draw.randint(1, 6)
+    e, f = (Fraction(draw.randint(1, 3), draw.randint(4, 5)) for _ in "ef")
+    planned(
+        f"""
+        wall C: circle centre ({x}, {y}) radius {c}
+        sphere P: mass 2, at ({x}, {y + a}), velocity {speed}i
+        P hits C: e = {e}
+        find time(1), position(P), impulse
+        P hits C: e = {f}
+        find time(2), speed(P)
+        """
+    )
+
+
+def test_a_wrong_sign_or_radius_is_refused() -> None:
+    problem, derivation = planned(INSIDE)
+    for line in derivation.lines:
+        if not isinstance(line.relation, Relation):
+            continue
+        text = write_relation(line.relation).partition(" [")[0]
+        if line.move.record == "chord" and "time" not in text:
+            left, _, right = text.partition(" = ")
+            assert spoiled(problem, derivation, line, f"{left} = -({right})")
+        elif line.move.record == "chord":
+            assert spoiled(problem, derivation, line, text.replace("2(5a)", "2(4a)"))
+        elif text.startswith("line_of_centres(1) parallel to"):
+            assert spoiled(problem, derivation, line, "line_of_centres(1) parallel to 4i - 3j")
+            assert spoiled(problem, derivation, line, "line_of_centres(1) parallel to -3i + 4j")
+        elif line.move.id == "fact":
+            assert spoiled(problem, derivation, line, text.replace("(5a)^2", "(6a)^2"))
+        elif line.move.id == "reject":
+            assert spoiled(problem, derivation, line, "time(1) = -2a/u")
+
+
+def test_what_is_spoiled_by_machine_is_refused() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius 5
+        sphere P: at (0, 3), velocity 2i
+        P hits C: e = 1/2
+        P hits C: e = 1/2
+        find speed(P)
+        """
+    )
+    oracle = Oracle(roles(problem))
+    # One in seven: each is followed whole.
+    some = list(corruptions(derivation))[::7]
+    accepted = [
+        kind
+        for kind, each in some
+        if not kind.startswith("line left out") and follow(each, oracle) == ()
+    ]
+    assert accepted == []
