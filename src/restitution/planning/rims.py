@@ -12,7 +12,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, link, toge
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import after, in_direction
 from restitution.planning.place_trees import place_tree, time_tree
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 
 
@@ -100,14 +100,14 @@ def time_to_circle(
     other = tidy(2 * early.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
     letters = {each.name for each in (when - other).free_symbols}
-    premises = needed(scene, Move("roots"), (fact,), roots, background(scene, letters))
+    premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
     if premises is None:
         raise NotPlannedError("the times at which a circle is met")
     line = scene.desk.write(Move("roots"), premises, roots)
     inside = f"order {number}" in scene.facts
     why = (f"order {number}", *early.refs) if inside else (f"towards {number}", *pace.refs, open_)
     chosen = chain(t, (tree_of(when), None))
-    kept = needed(scene, Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
+    kept = scene.judge.enough(Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
     if kept is None:
         raise NotPlannedError("which of two times it is")
     line = scene.desk.write(Move("reject"), kept, chosen)
