@@ -23,6 +23,7 @@ from restitution.cli.output import (
     PictureFormat,
     RefusedError,
     SheetFormat,
+    Stage,
     interruptible,
     nothing,
     progress,
@@ -125,6 +126,17 @@ What is wrong with them is said, with its place, and the line as it might be mea
     restitution check ball.impact --json
 
 In JSON each mistake has the edits that would mend it.
+"""
+
+_TRACE = """Print a stage of a question on its way to the answers.
+
+For developers and the curious: the statement as it was read, the equations that
+its parts ask of the story, or the lines of the working with their moves.
+
+\b
+    restitution trace ball.impact --stage tree
+    restitution trace ball.impact --stage equations
+    restitution examples corner | restitution trace - --stage derivation
 """
 
 _EXAMPLES = """List the examples, or print one.
@@ -512,6 +524,28 @@ def check(
                 say("\n".join([f"{shown_name(file)}: warning: {note}", *hint(text, note)]))
             typer.echo(f"{shown_name(file)}: {_summary(problem)}")
     raise typer.Exit(worst)
+
+
+@app.command(help=_TRACE)
+def trace(
+    context: typer.Context,
+    file: Annotated[
+        str,
+        typer.Argument(metavar="FILE", help="A file that holds a statement; - is standard input."),
+    ],
+    stage: Annotated[Stage, typer.Option(help="Which stage to print.")] = Stage.derivation,
+    time_limit: _TimeLimit = TIME_LIMIT,
+) -> None:
+    """Print a stage of one file."""
+    from restitution.export.job import Tracing
+
+    with interruptible(), worker_of(context.obj) as worker:
+        done = answer(worker, file, Tracing(stage.value), _limit(time_limit))
+    for message in done.messages:
+        say(message)
+    if done.content is not None:
+        typer.echo(done.content, nl=False)
+    raise typer.Exit(done.status)
 
 
 def _summary(problem: Problem) -> str:

@@ -43,6 +43,14 @@ class Marks(StrEnum):
     none = "none"
 
 
+class Stage(StrEnum):
+    """A stage of a statement on its way to its answers."""
+
+    tree = "tree"
+    equations = "equations"
+    derivation = "derivation"
+
+
 class PictureFormat(StrEnum):
     """What a picture is stored as."""
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from restitution.explain.steps import Explanation
     from restitution.explaining.marks import Style
     from restitution.export.sheet import Form, Options
+    from restitution.export.trace import Stage
     from restitution.solve.solution import Solution
 
 Format = Literal["text", "markdown", "latex", "html", "json"]
@@ -79,6 +80,13 @@ class Setting:
 
 
 @dataclass(frozen=True)
+class Tracing:
+    """A stage of the problem on its way to the answers, to be printed."""
+
+    stage: Stage
+
+
+@dataclass(frozen=True)
 class Picturing:
     """Pictures to be drawn, each by itself: that of one event, or all (None)."""
 
@@ -95,7 +103,7 @@ class Showing:
     early: Callable[[dict[str, Any]], None] | None = None
 
 
-Task: TypeAlias = Writing | Drawing | Playing | Setting | Picturing | Showing
+Task: TypeAlias = Writing | Drawing | Playing | Setting | Tracing | Picturing | Showing
 
 
 @dataclass(frozen=True)
@@ -202,6 +210,11 @@ def serve(job: Job) -> Reply:
     from restitution.export import contract
     from restitution.solve import solve
 
+    if isinstance(job.task, Tracing):
+        from restitution.export.trace import trace
+
+        with limited(job.limit, error=stopped(job.limit)):
+            return Reply(trace(job.problem, job.task.stage), True)
     began = time.monotonic()
     with limited(
         None if job.limit is None else job.limit * _FIRST, error=stopped(job.limit)
