@@ -49,6 +49,10 @@ class Ends:
         end = self.of(line)
         return None if end is None else self._asked.get(end.item)
 
+    def item(self, name: str) -> Item | Show | None:
+        """An item by its name in the working."""
+        return self._asked.get(name)
+
     def text(self, item: str) -> str:
         """An item as it was typed."""
         known = self._asked.get(item)
@@ -66,16 +70,20 @@ class Ends:
         asked = self.asked(line)
         if not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
             return None
-        one, other = asked.relation.first.name, asked.relation.second.name
-        again = say("again") if asked.relation.again else ""
-        happens = asked.relation.happens
-        if self._naming.bodies.get(other) == "wall":
-            if happens:
-                return say("claim.will-hit", body=one, wall=other, again=again)
-            return say("claim.will-not-hit", body=one, wall=other, again=again)
-        if happens:
-            return say("claim.will-collide", one=one, other=other, again=again)
-        return say("claim.will-not-collide", one=one, other=other, again=again)
+        return claim_of_meeting(asked.relation, self._naming)
+
+
+def claim_of_meeting(relation: Meets, naming: Naming) -> Sentence:
+    """That two bodies will meet, or that they will not."""
+    one, other = relation.first.name, relation.second.name
+    again = say("again") if relation.again else ""
+    if naming.bodies.get(other) == "wall":
+        if relation.happens:
+            return say("claim.will-hit", body=one, wall=other, again=again)
+        return say("claim.will-not-hit", body=one, wall=other, again=again)
+    if relation.happens:
+        return say("claim.will-collide", one=one, other=other, again=again)
+    return say("claim.will-not-collide", one=one, other=other, again=again)
 
 
 def _ends(derivation: Derivation) -> Iterator[ItemEnd]:

@@ -7,9 +7,13 @@ from itertools import groupby
 
 from restitution.explain.ends import Ends
 from restitution.explain.naming import Naming
+from restitution.explain.refuted import claim_of, refutation
 from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.render import layout as lay
+
+# These notes are of one claim each.
+_ALONE = frozenset({"refuted", "undecided"})
 
 
 class Notes:
@@ -46,7 +50,8 @@ class Notes:
         """Notes in words; those with one reason in one sentence."""
 
         def reason(note: Note) -> object:
-            return note.kind, note.reason, note.premises, self._ends_in(note)
+            own = note.item if note.kind in _ALONE else None
+            return note.kind, note.reason, note.premises, self._ends_in(note), own
 
         for _, group in groupby(notes, reason):
             own = list(group)
@@ -55,6 +60,10 @@ class Notes:
     def _of_several(self, notes: Sequence[Note]) -> Sentence:
         (first, *_) = notes
         items = tuple(dict.fromkeys(self._ends.text(each.item) for each in notes))
+        if first.kind == "refuted":
+            return refutation(first, self._derivation, self._naming, self._ends)
+        if first.kind == "undecided":
+            return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         name = "note.none-asks" if first.reason.endswith("?") else "note.none"

@@ -517,6 +517,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.direction-general": "{claim} in general.",
     "refuted.direction-as": "{claim}: {ways:and}.",
     "refuted.direction-general-as": "{claim} in general: {ways:and}.",
+    "refuted.direction-instance": (
+        "{claim} in general: with {values:and}, for instance, {sides:and}."
+    ),
+    "refuted.opposite": "So {claim}, and the claim is not true.",
+    "refuted.plainly": "It is not true that {claim}.",
     "refuted.maximum": "The maximum of {quantity} is not {value}.",
     "refuted.minimum": "The minimum of {quantity} is not {value}.",
     "refuted.range": "The range of possible values is not {range}.",

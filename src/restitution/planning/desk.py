@@ -206,10 +206,14 @@ class Desk:
         """The last line of an item."""
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
 
+    def new_note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> Note:
+        """A note on the item that is next, with these fields."""
+        items = {*(each.item for each in self.ends), *(each.item for each in self.notes)}
+        return Note(item, kind, len(items - {item}), self.part, reason, **rest)
+
     def note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> None:
         """What stands in place of an answer: a `Note` with these fields."""
-        items = {*(each.item for each in self.ends), *(each.item for each in self.notes)}
-        self.notes.append(Note(item, kind, len(items - {item}), self.part, reason, **rest))
+        self.notes.append(self.new_note(item, kind, reason, **rest))
 
     # --- trials ---------------------------------------------------------------------------------
 

@@ -9,7 +9,8 @@ from typing import Literal
 import sympy as sp
 
 from restitution.explaining.algebra import NotComparableError
-from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Ref, Relation
+from restitution.explaining.excluding import excludes
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.explaining.step import Known, Step
 from restitution.explaining.trials import Trial, known_of_letters, setting_of
@@ -81,6 +82,10 @@ class Judge:
             return step.oracle.proves(step.formula(relation))
         except (NotComparableError, BeyondError):
             return False
+
+    def excludes(self, note: Note, unknown: bool = False) -> bool:
+        """Whether what a note rests on cannot hold; ``unknown`` where that is not compared."""
+        return excludes(note, self._trial().step(Move("reject"), note.premises), unknown)
 
     def known(self, names: Iterable[str]) -> tuple[Ref, ...]:
         """What may be cited of the range of letters."""

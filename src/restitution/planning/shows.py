@@ -35,6 +35,7 @@ from restitution.planning.forms import ZERO, product, square, swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
+from restitution.planning.refuting import write_refutation
 from restitution.planning.scene import Scene
 from restitution.planning.tangents import cosine_of_deflection
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
@@ -53,11 +54,12 @@ def write_show(
     scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
 ) -> None:
     """Writes the lines of what is to be shown. Raises NotPlannedError where there is no plan."""
+    if result.holds is not True:
+        write_refutation(scene, solver, item, result, now, name)
+        return
     if item.subject is not None:
         _of_subject(scene, solver, item, now, name)
         return
-    if result.holds is not True:
-        raise NotPlannedError("a claim that is refuted, or not decided")
     with Claims(scene, solver) as claims:
         line, relation = _line(claims, item, now)
     scene.desk.end(name, line, relation, shown=True)

@@ -1,0 +1,130 @@
+"""A claim that is not true in words: what is true instead, or numbers for which it fails."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explain.ends import Ends, claim_of_meeting
+from restitution.explain.measured import as_answer
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, Link, Note, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Expression, Quantity, has_quantity
+from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
+from restitution.render import layout as lay
+
+_DENIED = {
+    "perpendicular to": "claim.not-perpendicular",
+    "parallel to": "claim.not-parallel",
+    "in the direction of": "claim.not-same-direction",
+    "opposite to": "claim.not-opposite",
+}
+
+
+def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | str:
+    """What a claim says."""
+    asked = ends.item(note.item)
+    if isinstance(asked, Show) and isinstance(asked.relation, Meets):
+        return claim_of_meeting(asked.relation, naming)
+    if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
+        return naming.relation(note.claim)
+    return ends.text(note.item)
+
+
+def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -> Sentence:
+    """That a claim is not true, and why."""
+    asked = ends.item(note.item)
+    relation = asked.relation if isinstance(asked, Show) else None
+    claim = claim_of(note, naming, ends)
+    values = tuple(_side(each, naming) for each in note.instance)
+    sides = tuple(laid for each in note.sides if len((laid := _side(each, naming)).operands) > 1)
+    match relation:
+        case Compare() if isinstance(asked, Show) and asked.subject is not None:
+            return _of_subject(asked, claim, note, naming)
+        case Compare(operators=("=",)):
+            value = _value(note, derivation, naming)
+            if value is not None:
+                return value
+        case AtRest(body) if note.lines:
+            link = _link_of(derivation, note.lines[-1])
+            return say("refuted.rest", body=body.name, velocity=_side(link, naming))
+        case Aligned(left, how, right):
+            one, other_ = map(naming.side, _sides_of(note, left, right))
+            denied = say(_DENIED[how], left=one, right=other_)
+            if values and sides:
+                return say("refuted.direction-instance", claim=denied, values=values, sides=sides)
+            return say("refuted.direction", claim=denied)
+        case Meets() if not values and note.lines:
+            other = replace(relation, happens=not relation.happens)
+            return say("refuted.opposite", claim=claim_of_meeting(other, naming))
+    if values and sides:
+        return say("refuted.general", claim=claim, values=values, sides=sides)
+    if values:
+        return say("refuted.instance", claim=claim, values=values)
+    if sides:
+        return say("refuted.claim", claim=claim, sides=sides)
+    return say("refuted.plainly", claim=claim)
+
+
+def _of_subject(
+    asked: Show, claim: Sentence | lay.Layout | str, note: Note, naming: Naming
+) -> Sentence:
+    """That a range, or a greatest or least value, is another."""
+    if isinstance(asked.subject, Extremum) and note.claim is not None:
+        link = note.claim.only[0]
+        quantity, value = naming.laid(link.left), naming.laid(link.right)
+        if asked.subject.kind == "maximum":
+            return say("refuted.maximum", quantity=quantity, value=value)
+        return say("refuted.minimum", quantity=quantity, value=value)
+    return say("refuted.range", range=claim)
+
+
+def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | None:
+    """What a quantity is worth of which another value is claimed."""
+    assert note.claim is not None
+    link = note.claim.only[0]
+    if not isinstance(link.left, Quantity) or has_quantity(link.right) or not note.lines:
+        return None
+    own = _link_of(derivation, note.lines[-1])
+    if own.left != link.left:
+        return None
+    claimed, value = naming.laid(link.right), naming.laid(own.right)
+    added = as_answer(own.right)
+    if note.sides and note.sides[0].sign == "≈":
+        value = naming.laid(note.sides[0].right)
+    elif added:
+        value = lay.Relation((value, *(e for e, _ in added)), tuple(s for _, s in added))
+    name = naming.laid(link.left)
+    if isinstance(name, lay.Bold):
+        return say("refuted.vector", quantity=name, claimed=claimed, value=value)
+    return say("refuted.value", quantity=name, claimed=claimed, value=value)
+
+
+def _link_of(derivation: Derivation, number: int) -> Link:
+    """A line as one link, from its first side to its last."""
+    line = derivation.line(number)
+    assert line is not None
+    assert isinstance(line.relation, Relation)
+    links = line.relation.only
+    return Link(links[0].left, links[0].sign, links[-1].right)
+
+
+def _sides_of(note: Note, left: Expression, right: Expression) -> tuple[Expression, Expression]:
+    """The two directions of a claim, with the stages that are meant."""
+    if note.claim is None:
+        return left, right
+    link = note.claim.only[0]
+    return link.left, link.right
+
+
+def _side(link: Link, naming: Naming) -> lay.Relation:
+    """``tan β = 3/4 = 0.75``: what a letter or a quantity is worth.
+
+    What is worth itself, as ``u/3``, is not said twice.
+    """
+    added = as_answer(link.right) if link.sign == "=" else ()
+    operands = [naming.laid(link.left), naming.laid(link.right), *(e for e, _ in added)]
+    signs = [lay.SIGNS.get(link.sign, link.sign), *(s for _, s in added)]
+    if operands[0] == operands[1]:
+        del operands[0], signs[0]
+    return lay.Relation(tuple(operands), tuple(signs))

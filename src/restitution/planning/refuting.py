@@ -1,0 +1,277 @@
+"""A claim that is not true: what its sides are worth, and numbers for which it fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy, tidy_angle
+from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
+from restitution.explaining.facts import links_of, staged
+from restitution.explaining.trees import trees_of
+from restitution.expression import read_expression
+from restitution.expression.evaluate import Angle, evaluate
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.claims import Claims
+from restitution.planning.comparisons import Comparison
+from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.forms import UnwrittenError, product, tree_of
+from restitution.planning.order import Solver
+from restitution.planning.scene import Scene
+from restitution.problem import Aligned, AtRest, Compare, Meets, Show
+from restitution.solve.letters import roles
+from restitution.solve.solution import ItemResult
+from restitution.vector import Vector
+
+_SIGNS: Mapping[str, Callable[[float, float], bool]] = {
+    "=": lambda a, b: abs(a - b) <= _NEAR * max(abs(a), abs(b)),
+    "<": lambda a, b: a < b,
+    "<=": lambda a, b: a <= b,
+    ">": lambda a, b: a > b,
+    ">=": lambda a, b: a >= b,
+}
+_NEAR = 1e-9
+
+
+def write_refutation(
+    scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
+) -> None:
+    """Writes what a claim speaks of, and a note that it is not true, or is not decided."""
+    if result.holds is None:
+        scene.desk.note(name, "undecided")
+        return
+    refutation = _Refutation(scene, solver, item, result, now, name)
+    mark = scene.desk.mark()
+    if not scene.others and item.subject is None:
+        try:
+            refutation.write()
+        except (NotPlannedError, UnwrittenError):
+            scene.desk.back(mark)
+        else:
+            return
+    refutation.note(())
+
+
+class _Refutation:
+    """One claim that is not true, and the numbers that show it."""
+
+    def __init__(
+        self, scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
+    ) -> None:
+        self.scene = scene
+        self.solver = solver
+        self.item = item
+        self.now = now
+        self.name = name
+        self.links = links_of(scene.problem, item.relation, now)
+        self.numbers = dict(_numbers(scene, result.counterexample or {}))
+
+    def write(self) -> None:
+        """Writes the lines of what the claim speaks of, and the note."""
+        relation = self.item.relation
+        with Claims(self.scene, self.solver) as claims:
+            if isinstance(relation, Meets) and self.links and not self.numbers:
+                other = replace(relation, happens=not relation.happens)
+                (link,) = links_of(self.scene.problem, other, self.now)
+                line, _ = Comparison(claims).write(link)
+                self.note((line,))
+                return
+            trees = list(self._trees())
+            lines: list[int] = []
+            for each in dict.fromkeys(q for tree in trees for q in claims.worths.quantities(tree)):
+                if not claims.worths.is_data(each):
+                    lines.append(claims.worths.quantity(each))
+            if not lines:
+                lines = claims.ties.lines()
+            self.note(tuple(dict.fromkeys(lines)), trees)
+
+    def _trees(self) -> Iterator[Expression]:
+        """What the claim compares, with its letters for quantities opened."""
+        relation = self.item.relation
+        match relation:
+            case Compare():
+                failing = self._failing()
+                yield from (failing.left, failing.right)
+            case AtRest(body):
+                yield self._staged(Quantity("velocity", (body,)))
+            case Aligned(left, _, right):
+                yield from (self._staged(e) for e in (left, right) if has_quantity(e))
+            case Meets(first, second):
+                for each in (first, second):
+                    if each.name in self.scene.model.story.spheres:
+                        yield self._staged(Quantity("velocity", (each,)))
+
+    def _staged(self, tree: Expression) -> Expression:
+        return staged(self.scene.problem, tree, self.now)
+
+    def _failing(self) -> Link:
+        """The link of a chain that fails; the only one of most."""
+        for link in self.links[:-1]:
+            left, right = (self._number(each) for each in (link.left, link.right))
+            if left is not None and right is not None and not _SIGNS[link.sign](left, right):
+                return link
+        return self.links[-1]
+
+    # --- the note -------------------------------------------------------------------------------
+
+    def note(self, lines: Sequence[int], trees: Iterable[Expression] = ()) -> None:
+        """The note, with the premises that it needs and no more letters than these."""
+        claim = Relation((self.links,)) if self.links else None
+        trees = list(trees)
+        used = {each for tree in trees for each in self._letters(tree)}
+        numbers = {each: value for each, value in self.numbers.items() if each in used}
+        if not trees:
+            numbers = dict(self.numbers)
+        desk = self.scene.desk
+        note = desk.new_note(self.name, "refuted", claim=claim)
+        note = replace(note, premises=self._premises(note, lines, numbers))
+        scales = [each for each, value in numbers.items() if value == 1 and self._is_scale(each)]
+        for each in scales:
+            fewer = {other: value for other, value in numbers.items() if other != each}
+            if self._excluded(self._at(note, fewer)):
+                numbers = fewer
+        note = self._at(note, numbers)
+        sides = tuple(self._sides(trees, numbers)) if note.premises or not lines else ()
+        desk.notes.append(replace(note, sides=sides))
+
+    def _premises(
+        self, note: Note, lines: Sequence[int], numbers: Mapping[str, sp.Expr]
+    ) -> tuple[Ref, ...]:
+        """Lines and facts that exclude the claim; nothing where they do not."""
+        named = together(lines, self._named(lines))
+        axes = together(named, self._data("axis ", "wall "))
+        data = together(axes, self._data("velocity "))
+        for pool in dict.fromkeys((tuple(lines), named, axes, data)):
+            own = self._at(replace(note, premises=pool), numbers)
+            if not self._excluded(own):
+                continue
+            for ref in pool:
+                fewer = replace(own, premises=tuple(e for e in own.premises if e != ref))
+                if self._excluded(fewer):
+                    own = fewer
+            return own.premises
+        beyond = self._at(replace(note, premises=tuple(lines)), numbers)
+        return beyond.premises if self._excluded(beyond, unknown=True) else ()
+
+    def _named(self, lines: Sequence[int]) -> Iterator[int]:
+        """The lines that say what the letters in some lines stand for."""
+        desk = self.scene.desk
+        used = {
+            name
+            for line in lines
+            for tree in trees_of(desk.line(line).relation)
+            for name in letters(tree)
+        }
+        for each in desk.lines:
+            if isinstance(each.relation, Meaning) and each.relation.letter in used:
+                yield each.number
+
+    def _data(self, *kinds: str) -> Iterator[str]:
+        """The facts of some kinds."""
+        for fact in self.scene.desk.facts:
+            if fact.id.startswith(kinds):
+                yield fact.id
+
+    def _excluded(self, note: Note, unknown: bool = False) -> bool:
+        return self.scene.judge.excludes(note, unknown)
+
+    def _at(self, note: Note, numbers: Mapping[str, sp.Expr]) -> Note:
+        known = roles(self.scene.problem)
+        instance = tuple(
+            Link(Letter(each), "=", tree_of(value, angle=known[each].kind == "angle"))
+            for each, value in numbers.items()
+        )
+        return replace(note, instance=instance)
+
+    def _is_scale(self, letter: str) -> bool:
+        return roles(self.scene.problem)[letter].kind == "positive"
+
+    # --- values where it fails ------------------------------------------------------------------
+
+    def _sides(self, trees: Iterable[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[Link]:
+        """What the sides are worth with the numbers; those that are numbers are not said.
+
+        Of a value that is claimed to some figures, as a decimal.
+        """
+        figures = getattr(self.item.relation, "figures", None)
+        for tree in dict.fromkeys(trees):
+            if not letters(tree) and not has_quantity(tree):
+                continue
+            if figures is not None:
+                yield Link(tree, "≈", self._rounded(tree, figures))
+                return
+            value = self._value(tree, numbers)
+            angle = isinstance(value, sp.Basic) and self._is_angle(tree)
+            yield Link(tree, "=", tree_of(value, angle=angle))
+
+    def _rounded(self, tree: Expression, figures: int) -> Expression:
+        """What a side is worth, its number to some figures."""
+        value = self._there(self.scene.value(tree), {})
+        units = dict.fromkeys(value.free_symbols, sp.Integer(1))
+        number = sp.Rational(str(sp.N(value.xreplace(units), figures)))
+        scale = tidy(value / value.xreplace(units))
+        return product(Number(Fraction(number.p, number.q)), tree_of(scale))
+
+    def _is_angle(self, tree: Expression) -> bool:
+        own = self.scene.value(tree)
+        return isinstance(own, Angle)
+
+    def _letters(self, tree: Expression) -> set[str]:
+        value = self.scene.value(tree)
+        parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
+        if isinstance(value, Angle):
+            parts = (value.x, value.y)
+        return {s.name for each in parts for s in self._in_data(each).free_symbols}
+
+    def _in_data(self, value: Any) -> sp.Expr:
+        return sp.sympify(self.scene.model.in_data(sp.sympify(value, strict=True)), strict=True)
+
+    def _value(self, tree: Expression, numbers: Mapping[str, sp.Expr]) -> Any:
+        value = self.scene.value(tree)
+        if isinstance(value, Vector):
+            return Vector(*(self._there(each, numbers) for each in value))
+        if isinstance(value, Angle):
+            x, y = (self._there(each, numbers) for each in (value.x, value.y))
+            scale = {s: sp.Integer(1) for s in x.free_symbols | y.free_symbols if s.is_positive}
+            x, y = (_plain(each.xreplace(scale)) for each in (x, y))
+            if x.free_symbols | y.free_symbols or (x, y) == (0, 0):
+                raise NotPlannedError("an angle that numbers do not fix")
+            return tidy_angle(sp.atan2(y, x))
+        return self._there(value, numbers)
+
+    def _there(self, value: Any, numbers: Mapping[str, sp.Expr]) -> sp.Expr:
+        own = self._in_data(value)
+        put = {each: numbers[each.name] for each in own.free_symbols if each.name in numbers}
+        return _plain(own.xreplace(put))
+
+    def _number(self, tree: Expression) -> float | None:
+        """What a side is worth, as a float; None for a vector."""
+        value = self._value(tree, self.numbers)
+        if isinstance(value, Vector):
+            return None
+        value = sp.sympify(value, strict=True)
+        return float(value.xreplace(dict.fromkeys(value.free_symbols, sp.Integer(1))))
+
+
+def _plain(x: sp.Expr) -> sp.Expr:
+    return tidy(sp.sqrtdenest(sp.radsimp(sp.expand(x)))) if x.is_number else tidy(x)
+
+
+def _numbers(scene: Scene, given: Mapping[str, str]) -> Iterator[tuple[str, sp.Expr]]:
+    """The numbers for which a claim fails, by the letters of the statement."""
+    known = roles(scene.problem)
+    for name, text in given.items():
+        if name in known:
+            value: Any = evaluate(read_expression(text.replace("**", "^")), sp.Symbol)
+            yield name, sp.sympify(value, strict=True)

@@ -1,0 +1,138 @@
+"""Workings of claims that are not true: what they speak of is worked out, then numbers refute."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from restitution.explain import explain, to_text
+from restitution.explaining.derivation import Derivation, Link
+from restitution.explaining.follower import Complaint, follow
+from restitution.explaining.storing import from_json, to_json
+from restitution.expression.tree import Letter, rational
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
+
+WALL = """
+wall V: along j
+sphere S: mass 3m, velocity v at theta to V
+S hits V
+"""
+OBLIQUE = """
+sphere A: mass m, velocity 2u at theta
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/3
+"""
+LINE = """
+sphere A: mass 4m, velocity 3u i
+sphere B: mass m, at rest
+sphere C: mass {c}, at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+"""
+
+# A statement, and what its working says in the end; each stands in place of a proof.
+CLAIMS = {
+    "a value": (WALL + "show speed(S) = e v", "The speed of S is not ev: it is v√("),
+    "an impulse": (
+        WALL + "show impulse = 3(1 - e) m v sin(theta)",
+        "The magnitude of the impulse is not 3(1 − e)mv sin θ: it is 3(1 + e)mv sin θ.",
+    ),
+    "an inequality": (
+        OBLIQUE + "show energy_lost > 1/2 energy(0)",
+        "It is not true in general that kinetic energy lost > ½ × total kinetic energy",
+    ),
+    "one side of a chain": (
+        WALL + "show 1/3 v < speed(S) <= v",
+        "It is not true in general that",
+    ),
+    "a velocity at rest": (
+        OBLIQUE + "show A at rest",
+        "A is not at rest: 𝐯_A = 2u",
+    ),
+    "a right angle": (
+        "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, velocity -i\n"
+        "A hits B: along i, e = 1/2\nshow velocity(A) perpendicular to velocity(B)",
+        "𝐯_A is not perpendicular to 𝐯_B.",
+    ),
+    "a meeting": (
+        LINE.format(c="8m") + "show A and B do not collide again",
+        "So A and B will collide again, and the claim is not true.",
+    ),
+    "a meeting for some masses": (
+        LINE.format(c="k m") + "show A and B collide again",
+        "It is not true in general that A and B will collide again: with k =",
+    ),
+    "a value to three figures": (
+        "wall V: along j\nsphere S: velocity 5u at 35° to V\nS hits V: e = 0.3\n"
+        "show speed(S) = 4.25u to 3 s.f.",
+        "The speed of S is not 4.25u: it is 4.19u.",
+    ),
+    "a relation of letters": (
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
+        "given A at rest\nshow k < 2",
+        "It is not true in general that k < 2: with e = ½, for instance, k = 2.",
+    ),
+    "a range": (
+        WALL + "show range of speed(S): speed(S) > 0",
+        "The range of possible values is not",
+    ),
+}
+
+
+def planned(text: str) -> tuple[Solution, Derivation]:
+    solution = solve(parse(text))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == ()
+    assert from_json(to_json(derivation)) == derivation
+    return solution, derivation
+
+
+def complaints(solution: Solution, derivation: Derivation) -> tuple[Complaint, ...]:
+    return follow(derivation, Oracle(roles(solution.problem)))
+
+
+@pytest.mark.parametrize("name", CLAIMS)
+def test_a_claim_that_is_not_true(name: str) -> None:
+    text, ending = CLAIMS[name]
+    solution, derivation = planned(text)
+    (note,) = derivation.notes
+    assert note.kind == "refuted"
+    assert ending in " ".join(to_text(explain(solution)).split())
+
+
+def test_claims_beside_it_are_shown() -> None:
+    text = WALL + (
+        "show impulse = 3(1 - e) m v sin(theta)\nshow impulse = 3(1 + e) m v sin(theta)\n"
+        "find tan(angle(velocity(S), V))"
+    )
+    _, derivation = planned(text)
+    assert [each.item for each in derivation.notes] == ["1"]
+    assert [(each.item, each.shown) for each in derivation.items] == [("2", True), ("3", False)]
+
+
+def test_an_instance_has_to_refute() -> None:
+    """With e = 1 and θ = 90° the speed is v, so that these numbers show nothing."""
+    solution, derivation = planned(WALL + "show speed(S) < 1/2 v")
+    (note,) = derivation.notes
+    assert complaints(solution, derivation) == ()
+    value = rational(Fraction(1, 1000))
+    changed = replace(
+        note,
+        instance=tuple(
+            Link(each.left, "=", value) if each.left == Letter("v") else each
+            for each in note.instance
+        ),
+        claim=None,
+    )
+    reasons = [e.reason for e in complaints(solution, replace(derivation, notes=(changed,)))]
+    assert reasons == ["not-excluded"]
+    without = replace(note, premises=())
+    assert [e.reason for e in complaints(solution, replace(derivation, notes=(without,)))] == [
+        "leads-nowhere"
+    ] * len(derivation.lines)
