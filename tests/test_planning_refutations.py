@@ -56,8 +56,10 @@ CLAIMS = {
         "A is not at rest: 𝐯_A = 2u",
     ),
     "a right angle": (
-        "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, velocity -i\n"
-        "A hits B: along i, e = 1/2\nshow velocity(A) perpendicular to velocity(B)",
+        (
+            "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, velocity -i\n"
+            "A hits B: along i, e = 1/2\nshow velocity(A) perpendicular to velocity(B)"
+        ),
         "𝐯_A is not perpendicular to 𝐯_B.",
     ),
     "a meeting": (
@@ -69,13 +71,17 @@ CLAIMS = {
         "It is not true in general that A and B will collide again: with k =",
     ),
     "a value to three figures": (
-        "wall V: along j\nsphere S: velocity 5u at 35° to V\nS hits V: e = 0.3\n"
-        "show speed(S) = 4.25u to 3 s.f.",
+        (
+            "wall V: along j\nsphere S: velocity 5u at 35° to V\nS hits V: e = 0.3\n"
+            "show speed(S) = 4.25u to 3 s.f."
+        ),
         "The speed of S is not 4.25u: it is 4.19u.",
     ),
     "a relation of letters": (
-        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
-        "given A at rest\nshow k < 2",
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
+            "given A at rest\nshow k < 2"
+        ),
         "It is not true in general that k < 2: with e = ½, for instance, k = 2.",
     ),
     "a range": (

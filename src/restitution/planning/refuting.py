@@ -92,9 +92,18 @@ class _Refutation:
             for each in dict.fromkeys(q for tree in trees for q in claims.worths.quantities(tree)):
                 if not claims.worths.is_data(each):
                     lines.append(claims.worths.quantity(each))
-            if not lines:
-                lines = claims.ties.lines()
-            self.note(tuple(dict.fromkeys(lines)), trees)
+        self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
+
+    def _found(self, trees: Iterable[Expression]) -> Iterator[int]:
+        """The lines that say what letters are that are worked out."""
+        scene = self.scene
+        for name in sorted({name for tree in trees for name in letters(tree)}):
+            symbol = scene.model.unknowns.letter(name)
+            if symbol not in scene.model.final:
+                continue
+            self.solver.determine([symbol])
+            known = scene.desk.known(Letter(name))
+            yield from (each for each in (known.refs if known else ()) if isinstance(each, int))
 
     def _trees(self) -> Iterator[Expression]:
         """What the claim compares, with its letters for quantities opened."""
