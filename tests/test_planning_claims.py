@@ -318,3 +318,36 @@ def test_an_angle_has_its_letter_before_its_tangent() -> None:
     )
     lines = [each for each in derivation.lines if each.move.record == "tan-deflection"]
     assert [write_relation(each.relation)[:10] for each in lines] == ["tan(delta)"]
+
+
+# --- walls with ends ------------------------------------------------------------------------------
+
+CORNER = """
+point O: (0, 0)
+wall OX: from O to ({x}, 0)
+wall OY: from O to (0, {y})
+sphere P: at {at}, velocity {velocity}
+P hits OX: e = {e}
+P hits OY
+find range of {asked}
+"""
+
+
+@pytest.mark.parametrize(
+    ("corner", "last"),
+    [
+        (("6", "1/3", "(4, 3)", "-i - j", "e", "e"), "0 < e < 1/3"),
+        (("5d", "2d", "(3d, d)", "-k u i - u j", "1/2", "k"), "3/5 < k < 3"),
+        (("4a", "2a", "(2a, a)", "u at alpha from -i", "1/3", "cot(alpha)"), ""),
+    ],
+)
+def test_where_a_wall_is_hit_bounds_a_letter(corner: tuple[str, ...], last: str) -> None:
+    x, y, at, velocity, e, asked = corner
+    statement = CORNER.format(x=x, y=y, at=at, velocity=velocity, e=e, asked=asked)
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert any("within 2" in each.premises for each in derivation.lines)
+    if last:
+        assert write_relation(derivation.items[-1].answer) == last

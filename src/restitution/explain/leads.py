@@ -119,7 +119,10 @@ class Leads:
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")
             return
-        if line.move.id == "identity" and line.move.record in _BY:
+        within = self._between(line)
+        if within is not None:
+            yield within
+        elif line.move.id == "identity" and line.move.record in _BY:
             how = say(_BY[line.move.record])
             equations = () if source is None else self._numbers(source)
             if equations:
@@ -146,6 +149,14 @@ class Leads:
         if stage < event.number:
             return say("resolved-spheres.before")
         return say("resolved-spheres.after")
+
+    def _between(self, line: Line) -> Sentence | None:
+        """That a sphere comes to a wall between its ends, where that is what a line says."""
+        for ref in line.premises:
+            if isinstance(ref, str) and ref.startswith("within "):
+                event = self._naming.events[int(ref.removeprefix("within "))]
+                return say("given.between", body=event.bodies[0], wall=event.bodies[1])
+        return None
 
     def _source(self, source: Source) -> Iterator[Sentence]:
         equations = self._numbers(source)

@@ -232,6 +232,27 @@ class _Facts:
             return -1 if world.scalar(gap).vanishes else None
         return side
 
+    def _within(self, step: Impact, number: int) -> Relation | None:
+        """That a sphere comes to a wall between its ends, where that is along **i** or **j**."""
+        wall = self.walls.get(step.second)
+        if wall is None or wall.end is None or self._sphere(step.first).radius is not None:
+            return None
+        if not isinstance(self._sphere(step.first).position, Expression):
+            return None
+        match self._place(wall.start), self._place(wall.end):
+            case Pair(a, b), Pair(c, d) if _is_nothing(_difference(d, b)):
+                ends, unit = (a, c), Unit("i")
+            case Pair(a, b), Pair(c, d) if _is_nothing(_difference(c, a)):
+                ends, unit = (b, d), Unit("j")
+            case _:
+                return None
+        side = self._sign(Binary("-", ends[1], ends[0]))
+        if side is None:
+            return None
+        low, high = ends if side > 0 else ends[::-1]
+        place = Quantity("along", (Quantity("position", (Name(step.first),), number), unit))
+        return Relation(((Link(low, "<", place), Link(place, "<", high)),))
+
     def _sphere(self, name: str) -> Any:
         return next(each for each in self.problem.spheres if each.name == name)
 
@@ -319,6 +340,9 @@ class _Facts:
                     yield self._fact(f"contact {number}", left, right, step.place, "=", "geometry")
             if not isinstance(step, Impact):
                 continue
+            within = self._within(step, number)
+            if within is not None:
+                yield Fact(f"within {number}", "geometry", within, None, step.place)
             e = Letter("e") if step.e is None else step.e
             yield self._fact(f"e {number}", Quantity("restitution", (), number), e, step.place)
             axis = Quantity("line_of_centres", (), number)

@@ -395,6 +395,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.line": "It is given that {fact}. So the line of centres is parallel to {way}.",
     "given.wall": "It is given that {fact}. So {wall} is parallel to {way}.",
     "given.rest": "{body} is at rest:",
+    "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",
     "given.velocity": "By the speed and the direction of {body} after the impact,",
     "given.velocity-kick": "By the speed and the direction of {body} after the impulse,",

@@ -367,9 +367,12 @@ class Claims:
                 if found is not None:
                     return found
                 written.append(number_)
-        if written:
-            return self.compared([*base, *written], relation)
-        return None
+        if not written:
+            return None
+        found = self.compared([*base, *written], relation)
+        if found is None and self.conditions.lines(wanted):
+            found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
+        return found
 
     def compared(
         self, refs: Sequence[Ref], relation: Relation, known_only: Sequence[Ref] = ()

@@ -23,6 +23,7 @@ from restitution.planning.frames import Frame
 from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
 from restitution.planning.quantities import body_and_stage, frame_after
 from restitution.planning.tangents import cosine_of_deflection
+from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
 
 _BOUNDED = ("<", "<=", ">", ">=")
@@ -56,13 +57,17 @@ class Conditions:
     def _inequalities(self) -> Iterator[Fact]:
         desk = self.scene.desk
         for fact in desk.facts:
-            if fact.kind not in ("given", "range") or not desk.holds(fact.id):
+            if not desk.holds(fact.id):
+                continue
+            if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
                 continue
             (link, *_) = fact.relation.only
             if link.sign in _BOUNDED and has_quantity_in(fact.relation):
                 yield fact
 
     def _condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+        if fact.id.startswith("within "):
+            return write_between(self.worths, fact, wanted)
         (link,) = fact.relation.only
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection", _, int()) as angle, Degrees(value) if value == 90:

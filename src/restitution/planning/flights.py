@@ -6,8 +6,9 @@ import sympy as sp
 
 from restitution.explaining.derivation import Ref
 from restitution.expression.tree import Binary, Expression
-from restitution.planning.closing import nonzero
+from restitution.planning.desk import together
 from restitution.planning.forms import difference, negative, product, swept, tree_of
+from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.scene import Scene
 
 
@@ -24,9 +25,10 @@ def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) ->
 
 def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
     """What tells that a speed is not zero: nothing, where the way plainly is not."""
-    if all(_is_plainly_not_zero(scene, each) for each in sp.Mul.make_args(sp.factor(way))):
+    open_ = [x for x in sp.Mul.make_args(sp.factor(way)) if not _is_plainly_not_zero(scene, x)]
+    if not open_:
         return ()
-    return nonzero(scene, pace)
+    return together(nonzero(scene, pace), *(sign_known(scene, each) for each in open_))
 
 
 def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:

@@ -63,7 +63,8 @@ def sign_known(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
         for letter in sorted(base.free_symbols, key=lambda s: s.name):
             role = scene.model.unknowns.roles.get(letter.name)
             if role is not None and role.kind == "restitution":
-                falls = scene.model.sign(sp.diff(base, letter)) < 0
+                # It falls towards 0, from either side.
+                falls = scene.model.sign(sp.diff(base, letter)) * scene.model.sign(base) < 0
                 refs.append(f"{letter.name} <= 1" if falls else f"{letter.name} >= 0")
     return tuple(dict.fromkeys(refs))
 
