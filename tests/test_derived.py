@@ -14,6 +14,7 @@ from playwright.sync_api import Page
 
 import restitution.examples
 from restitution.errors import StatementError
+from restitution.explain import explain
 from restitution.explain.derived import explanation_of
 from restitution.explain.html import STYLE, to_body, to_html
 from restitution.explain.markup import columns, to_latex, to_markdown
@@ -36,6 +37,7 @@ from restitution.problem import trees as trees_of_problem
 from restitution.render.layout import Phrase, Words
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width
+from restitution.solve import solve
 
 FILES = sorted(FOLDER.glob("*.txt"))
 EACH = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -542,3 +544,16 @@ def test_every_quantity_of_every_statement_has_a_name() -> None:
             said.append("".join(w if isinstance(w, str) else one_line(w) for w in words))
         for text in said:
             assert not re.search(r"\bevents?\b|\bq_?\d|None|_of_|  ", text), (path.name, text)
+
+
+def test_a_square_of_a_name_of_several_words_has_brackets() -> None:
+    question = """
+    sphere A: mass m, velocity u at alpha
+    sphere B: mass m, velocity v at beta from -i
+    A hits B: along i, e = 0
+    given speed(A) = speed(B)
+    find u/v in terms of alpha, beta
+    """
+    text = to_text(explain(solve(parse(question))))
+    assert "(speed of B)²" in text
+    assert "speed of B²" not in text.replace("(speed of B)²", "")

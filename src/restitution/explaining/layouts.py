@@ -218,6 +218,9 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         inside = _put(layout.argument, vectors, called)
         words = isinstance(inside, lay.Phrase | lay.Words)
         return replace(layout, argument=lay.Brackets(inside) if words else inside)
+    if isinstance(layout, lay.Power):
+        base, exponent = (_put(each, vectors, called) for each in (layout.base, layout.exponent))
+        return lay.Power(_worded(base), exponent)
     if isinstance(layout, lay.Fraction) and called:
         above, below = (_put(each, vectors, called) for each in (layout.above, layout.below))
         return lay.Fraction(_worded(above), _worded(below))
