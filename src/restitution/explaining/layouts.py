@@ -81,6 +81,8 @@ def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> An
 class Forms:
     """The one form in which a number is printed: no root below a line, unless it was typed so.
 
+    A long root stays where it is, as in 93/√28249.
+
     ``typed`` are trees of the statement: a number that stands there with a root below a line is
     printed like that everywhere.
     """
@@ -120,6 +122,8 @@ class Forms:
         if above is None or below is None:
             return None
         (p, n, first), (q, m, second) = above, below
+        if n == 1 and m >= lay.LONG_SURD:
+            return None
         size = p / (q * m)
         root, radicand = _square_free(n * m)
         known = self._typed.get((size * root, radicand))

@@ -567,6 +567,8 @@ def _class(symbol: Symbol) -> Literal["coefficient", "ratio", "mass", "other"]:
 
 # Products: which factor comes first, what stands above and below the line.
 
+LONG_SURD = 100  # from here on a root is not worth writing a second time, as in 11√185/185
+
 
 def _from_product(value: Expr) -> Layout:
     sign = 1
@@ -633,8 +635,9 @@ def _assemble(
         elif merged:
             inside_above.insert(0, Integer(surd))
             surd = 1
-        elif p == 1 and q == surd:
-            below_surd, surd, q = surd, 1, 1
+        elif q % surd == 0 and ((p == 1 and q == surd) or surd >= LONG_SURD):
+            # 1/√3, and 11/√185, but 2√3/3
+            below_surd, surd, q = surd, 1, q // surd
     if merged or (roots_below and surd != 1 and not above):
         if surd != 1:
             inside_above.insert(0, Integer(surd))
