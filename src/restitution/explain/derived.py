@@ -93,6 +93,7 @@ class _Writer:
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
         self.case: int | None = None
+        self.group: int | None = None
         self.entered: set[int] = set()
         self.stay: list[Line] = []
         self.recalled: set[tuple[str | None, int]] = set()
@@ -244,7 +245,7 @@ class _Writer:
             return
         if line.move.record in _OF_THE_WHOLE:
             return
-        if line.move.id == "define" and number in self.entered:
+        if number in self.entered and (line.move.id == "define" or line.move.record == "impulse"):
             return
         event = self.naming.events.get(number)
         if event is not None and event.kind == "impact":
@@ -256,9 +257,14 @@ class _Writer:
     def _unchanged(self, lines: Sequence[Line]) -> Step:
         """The components that stay as a sentence."""
         title, sentence = self.staying.said(lines)
+        again = title == self.title
+        if again:
+            sentence = say("derived.sentence", sentence=sentence)
         self.afresh()
+        self.title = title
         points: Marks = tuple(_because(mark) for line in lines for mark in line.marks)
-        return Step("principle", (), title, (sentence,), points, item=self.ends.place(lines[0]))
+        own = None if again else title
+        return Step("principle", (), own, (sentence,), points, item=self.ends.place(lines[0]))
 
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
@@ -287,13 +293,12 @@ class _Writer:
         )
         if decimals is not None:
             rows.append(replace(decimals, points=points))
-        return Step(
-            kind,
-            tuple(rows),
-            None if named else title,
-            sentences,
-            item=self.ends.place(line),
-        )
+        item = self.ends.place(line)
+        if resolved is not None:
+            # Components under one heading belong together, whatever items need them.
+            item = self.group if not sentences else item
+            self.group = item
+        return Step(kind, tuple(rows), None if named else title, sentences, item=item)
 
 
 def _because(mark: Mark) -> Mark:

@@ -252,8 +252,12 @@ class Naming:
                 return self._during(say("derived.impulse", of=(body,)), stage)
             case Quantity("speed", (Name(body),), _):
                 return self._after(say("derived.speed", of=(body,)), tree, body)
-            case Quantity("energy", bodies, _):
-                return self._after(self._energy(bodies), tree, None)
+            case Quantity("energy", bodies, stage):
+                words = self._energy(bodies)
+                if not self.several and stage and self._of_other_times(tree):
+                    after = say("event.after", event=say("event.only"))
+                    return say("derived.when", quantity=words, when=after)
+                return self._after(words, tree, None)
             case Quantity("energy_lost", _, stage):
                 return self._during(say("derived.energy-lost"), stage)
             case Quantity("total_energy_lost", _, _):
@@ -278,6 +282,13 @@ class Naming:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)
         return say("derived.value", value=lay.from_tree(self._timeless(tree)))
+
+    def _of_other_times(self, tree: Quantity) -> bool:
+        """Whether the working speaks of the same quantity at another time."""
+        return any(
+            (each.kind, each.arguments) == (tree.kind, tree.arguments) and each.stage != tree.stage
+            for each in self._often
+        )
 
     def of_letter(self, meaning: Meaning) -> Sentence:
         """What a letter stands for."""

@@ -83,14 +83,17 @@ class Forms:
 
     A long root stays where it is, as in 93/√28249.
 
-    ``typed`` are trees of the statement: a number that stands there with a root below a line is
-    printed like that everywhere.
+    ``typed`` are trees of the statement: a number that stands there with a root below a line, or as
+    a decimal, is printed like that everywhere. A half may be that of a kinetic energy.
     """
 
     def __init__(self, typed: Iterable[Expression] = ()) -> None:
         self._typed: dict[tuple[Ratio, int], Expression] = {}
+        self._decimals: set[Ratio] = set()
         for tree in typed:
             for node in walk(tree):
+                if isinstance(node, Number) and node.value.denominator > 2:
+                    self._decimals.add(node.value)
                 if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
@@ -104,6 +107,8 @@ class Forms:
         match node:
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
+            case Binary("/", Number(a), Number(b)) if a / b in self._decimals:
+                return Number(a / b)
             case Binary("/", left, right) if _root_below(right):
                 return self._rational(left, right) or node
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
@@ -228,6 +233,8 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
     if isinstance(layout, lay.Fraction) and called:
         above, below = (_put(each, vectors, called) for each in (layout.above, layout.below))
         return lay.Fraction(_worded(above), _worded(below))
+    if isinstance(layout, lay.Power) and called:
+        return replace(layout, base=_worded(_put(layout.base, vectors, called)))
     if isinstance(layout, lay.Product) and called:
         put = tuple(_put(each, vectors, called) for each in layout.factors)
         named = [each for each in put if isinstance(each, lay.Phrase | lay.Words)]

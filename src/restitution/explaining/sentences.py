@@ -613,6 +613,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "from it, after the impact."
     ),
     "derived.value": "{value}",
+    "derived.sentence": "{sentence:capital}",
     "derived.when": "{quantity} {when}",
     "derived.before": "before {event}",
     "derived.at-the-start": "at the start",

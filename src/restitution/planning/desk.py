@@ -90,6 +90,15 @@ def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relati
     return Relation((tuple(links),))
 
 
+def _goes_further(one: Relation | Meaning, other: Relation | Meaning) -> bool:
+    """Whether a chain begins with another, and works it out."""
+    if isinstance(one, Meaning) or isinstance(other, Meaning):
+        return False
+    if len(one.options) != 1 or len(other.options) != 1:
+        return False
+    return one.only[: len(other.only)] == other.only
+
+
 def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
     """Whether two lines are one; an inequality may be written from either side."""
     if one == other:
@@ -142,7 +151,13 @@ class Desk:
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
         for each in self.lines if move.id not in _LAST else ():
-            if _is_same(each.relation, relation) and self.holds(each.number):
+            if not self.holds(each.number):
+                continue
+            if _is_same(each.relation, relation):
+                return each.number
+            if (each.move, set(each.premises)) == (move, set(refs)) and _goes_further(
+                each.relation, relation
+            ):
                 return each.number
         number = len(self.lines) + 1
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))

@@ -9,10 +9,21 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Binary, Expression, Letter, Name, Polar, Quantity, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.circles import chord_from, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
+    ONE,
     difference,
     factors,
     neat,
@@ -349,13 +360,20 @@ def momentum(scene: Scene, frame: Frame) -> int:
         ends = (before(scene, "along", body, frame), _now(scene, body, frame))
         for side, source in zip(sides, ends, strict=True):
             refs += source.whole
-            side.append(product(tree_of(mass.value), tree_of(source.value)))
-    left, right = (swept(total(each)) for each in sides)
+            side.append(_momentum_of(tree_of(mass.value), tree_of(source.value)))
+    left, right = map(total, sides)
     return scene.desk.write(
         Move("law", "momentum", frame.number, scene.bodies(frame.number)),
         together(refs, frame.names_axis("along")),
         chain(left, (right, None)),
     )
+
+
+def _momentum_of(mass: Expression, velocity: Expression) -> Expression:
+    """Mass times velocity; of numbers, a negative velocity keeps its sign: 3 × (−2)."""
+    if isinstance(velocity, Negate) and mass != ONE and not (letters(mass) or letters(velocity)):
+        return Binary("*", mass, velocity)
+    return swept(product(mass, velocity))
 
 
 def restitution(scene: Scene, frame: Frame) -> int:
