@@ -6,7 +6,9 @@ import random
 from functools import cache
 
 import pytest
-from laws_of_workings import LAWS, answers, complaints, false_lines, storing
+from laws_of_printing import PRINTED
+from laws_of_workings import LAWS as MADE
+from laws_of_workings import answers, complaints, false_lines, storing
 from numbers_of_workings import BeyondError, worlds
 from planned import LIST, listed, planned, statements
 
@@ -29,8 +31,18 @@ def working(name: str) -> tuple[Solution, Derivation]:
     return made
 
 
+LAWS = {**MADE, **PRINTED}
 # Workings that do not keep a law yet; the list is to become shorter.
 NOT_YET = {
+    # A quantity is used in words before its letter comes.
+    "letters come first": {
+        "075-range-of-offset",
+        "100-turned-through-more-than-a-right-angle",
+        "207-obtuse-deflection-show",
+        "236-distance-apart-t",
+        "423-half-angle",
+        "greatest-deflection-shown",
+    },
     "vectors stay vectors": {"286-triangular-table"},
     "numbers are plain": {"308-mirrored-unequal-speeds"},
 }

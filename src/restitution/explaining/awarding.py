@@ -695,7 +695,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "read-off": _read_off,
     "again": _again,
     "alone": lambda work, line: len(_alike(work, line)) == 1,
-    "first-of-several": lambda work, line: _alike(work, line)[0] == line,
+    "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
