@@ -557,3 +557,15 @@ def test_a_square_of_a_name_of_several_words_has_brackets() -> None:
     text = to_text(explain(solve(parse(question))))
     assert "(speed of B)²" in text
     assert "speed of B²" not in text.replace("(speed of B)²", "")
+
+
+def test_an_answer_that_is_a_difference_of_quantities_has_its_unit() -> None:
+    question = """
+    wall W: along i
+    sphere P: mass 2, velocity 3i - 4j
+    P hits W: e = 1/2
+    find energy(P, 0) - energy(P), speed(P)/speed(P, 0)
+    """
+    text = to_text(explain(solve(parse(question))))
+    assert re.search(r"= 12 J\b", text)
+    assert re.search(r"0\.721 +A1", text), "a ratio has none"

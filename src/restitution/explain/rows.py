@@ -182,7 +182,7 @@ class Rows:
         """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
         left, right = links[0].left, links[-1].right
         end = self._ends.of(line)
-        unit = self._measures.unit(left) if _is_value(left) else ""
+        unit = self._measures.unit(left) if _is_value(left) or end is not None else ""
         asked = self._ends.asked(line)
         if end is not None and not end.shown:
             if isinstance(asked, Value) and asked.percentage:
