@@ -157,11 +157,19 @@ def product(*factors: Expression) -> Expression:
             return ZERO
         if each != ONE:
             kept.append(each)
-    kept.sort(key=lambda each: not isinstance(each, Number))  # 2w, not w × 2
+    kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2
     total: Expression = kept[0] if kept else ONE
     for each in kept[1:]:
         total = Binary("*", total, each)
     return Negate(total) if minus else total
+
+
+def is_rational(tree: Expression) -> bool:
+    """Whether a tree is a number or a fraction of two."""
+    match tree:
+        case Number() | Binary("/", Number(), Number()):
+            return True
+    return False
 
 
 def factors(tree: Expression) -> list[Expression]:

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Name,
+    Negate,
     Polar,
     Quantity,
     Unit,
@@ -470,12 +471,16 @@ def velocity_source(scene: Scene, body: str, stage: int) -> Source:
     return Source(own.value, own.refs)
 
 
-_HALF = number(1), number(2)
-
-
-def half(tree: Expression) -> Expression:
-    """Half of a tree."""
-    return Binary("*", Binary("/", *_HALF), tree)
+def _half(mass: Expression, squares: Expression) -> Expression:
+    """Half of a mass times squares of speeds, in this order: ½ × 2(3² − 1²)."""
+    if is_zero(squares):
+        return squares
+    if isinstance(squares, Negate):
+        return Negate(_half(mass, squares.operand))
+    factor: Expression = Binary("/", number(1), number(2))
+    if mass != number(1):
+        factor = Binary("*", factor, mass)
+    return Binary("*", factor, squares)
 
 
 def _energy(scene: Scene, quantity: Quantity) -> Formula:
@@ -489,19 +494,13 @@ def _energy(scene: Scene, quantity: Quantity) -> Formula:
         if stage and stage != quantity.stage:
             own = together(own, scene.frame(stage).unit_free)
         mass = scene.mass(body)
-        terms.append(_kinetic(tree_of(mass.value), tree))
+        terms.append(_half(tree_of(mass.value), tree))
         values.append(mass.value * value / 2)
         refs += [*(() if value == 0 else mass.refs), *own]
     move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
     return Formula(
         move, _itself, quantity, total(terms), tidy(sp.expand(sum(values))), together(refs)
     )
-
-
-def _kinetic(mass: Expression, speed_squared: Expression) -> Expression:
-    if is_zero(speed_squared):
-        return speed_squared
-    return product(Binary("/", *_HALF), mass, speed_squared)
 
 
 def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
@@ -517,7 +516,7 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         mass = scene.mass(body)
         squared = [square(tree_of(each.value)) for each in (early, late)]
         change = difference(*squared)
-        terms.append(product(Binary("/", *_HALF), tree_of(mass.value), change))
+        terms.append(_half(tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
         own = () if values[-1] == 0 else mass.refs
         refs += [*own, *early.whole, *late.whole]
