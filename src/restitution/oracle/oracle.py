@@ -239,6 +239,10 @@ class Oracle:
         """What coefficients and normal forms alone show."""
         if not isinstance(claim, Relation):
             return None
+        own = _scaled_sign(claim.value, self.roles)
+        if own is not None:
+            holds = holds_with(claim, {claim.value: own})
+            return Verdict("proved" if holds else "refuted", "algebra") if holds else None
         try:
             world = Polynomials([claim.value], self.roles)
             above, below = world.quotient(claim.value)
@@ -283,6 +287,9 @@ class Oracle:
     def _sign(self, x: sp.Expr) -> int | None:
         if x.is_Rational:
             return int(sp.sign(x))
+        scaled = _scaled_sign(x, self.roles)
+        if scaled is not None:
+            return scaled
         positive, negative, zero = Relation(x, ">"), Relation(-x, ">"), Relation(x, "=")
         seen = _seen(self._known(_letters_of(positive)), x)
         if len(seen) > 1:
@@ -479,6 +486,50 @@ def _tester(formula: Formula) -> _Tester:
 @lru_cache(maxsize=4096)
 def _letters_of(formula: Formula) -> frozenset[str]:
     return letters_of(formula)
+
+
+def _scaled_sign(x: sp.Expr, roles: Mapping[str, Role]) -> int | None:
+    """The sign of a number times powers of positive letters, if digits show it; else None."""
+    if not _is_scaled(x, roles):
+        return None
+    number = x.xreplace({symbol: sp.Integer(1) for symbol in x.free_symbols})
+    if number.has(sp.nan, sp.zoo, sp.oo):
+        return None
+    return Program.of([number]).signs({})[0]
+
+
+def _is_scaled(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
+    letters_ = x.free_symbols
+    if not all(s.is_positive and roles.get(s.name, REAL).low == 0 for s in letters_):
+        return False
+    return _powers(x) is not None
+
+
+def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
+    """The powers of letters to which an expression is proportional; None where it is not."""
+    if not x.free_symbols:
+        return {}
+    if x.is_Symbol:
+        return {x: sp.Integer(1)}
+    if x.is_Add:
+        first, *others = (_powers(each) for each in x.args)
+        return first if all(each == first for each in others) else None
+    if x.is_Mul:
+        total: dict[sp.Symbol, sp.Expr] = {}
+        for each in x.args:
+            own = _powers(each)
+            if own is None:
+                return None
+            for symbol, power in own.items():
+                total[symbol] = total.get(symbol, sp.Integer(0)) + power
+        return {symbol: power for symbol, power in total.items() if power}
+    if x.is_Pow and x.exp.is_Rational:
+        inside = _powers(x.base)
+        return None if inside is None else {s: power * x.exp for s, power in inside.items()}
+    if isinstance(x, sp.Abs):
+        return _powers(x.args[0])
+    inner = [_powers(each) for each in x.args]
+    return {} if inner and all(each == {} for each in inner) else None
 
 
 def _vanishes_at(x: sp.Expr, point: Point) -> bool:

@@ -11,6 +11,7 @@ is too hard is refused after the same steps on every machine.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -21,6 +22,7 @@ from restitution.errors import UnsupportedError
 from restitution.exact import denested
 from restitution.expression.enclosed import Enclosed
 from restitution.oracle.roles import Role
+from restitution.solve.cosines import gathered, has_cosines
 from restitution.solve.neat import neat
 from restitution.solve.numbers import at, vanishes
 from restitution.solve.polynomials import (
@@ -270,7 +272,7 @@ def _trig_in(x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.S
 
 def _polynomial(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
     """A polynomial that vanishes where an equation holds: a product, where that is known."""
-    return sp.Mul(*[numerator(each) for each in _rational(x, unknowns)])
+    return sp.Mul(*[gathered(numerator(each)) for each in _rational(x, unknowns)])
 
 
 def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.Expr]:
@@ -331,7 +333,8 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
         inside = chosen.args[0]
         made = [even - odd * inside, even + odd * inside]
         whole = numerator(sp.Mul(*made))
-        if _hasrational_below(made[0]) and not _hasrational_below(whole):
+        conjugate = _hasrational_below(made[0]) and not _hasrational_below(whole)
+        if conjugate and not has_cosines(whole):
             made = [whole]  # conjugates of each other, which are solved as one
     else:
         afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
@@ -683,15 +686,35 @@ def roots(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
     Raises UnsupportedError where there is no formula for people (degree above 2 with letters).
     """
+    equation = gathered(equation)
     parts = coefficients(equation, x)
     if len(parts) < 2:
         return []
     if len(parts) == 2:
         a, b = parts
-        return [_tidy_root(-b / a)]
+        return _in_degrees(equation, x, [_tidy_root(-b / a)])
     found: list[sp.Expr] = []
     for factor in _factors_of(equation, x):
         found += [each for each in _roots_of(factor, x) if each not in found]
+    return _in_degrees(equation, x, found)
+
+
+def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[sp.Expr]:
+    """Roots that are tangents of whole degrees as such, where degrees stand in the equation."""
+    if equation.free_symbols != {x} or not x.name.startswith("tan_") or not has_cosines(equation):
+        return values
+    parts = coefficients(equation, x)
+    numbers = [float(at(value, {}).fraction) for value in values]
+    found = list(values)
+    for number in numbers:
+        angle = sp.Rational(round(2 * math.degrees(math.atan(number))), 360) * sp.pi
+        c, s = sp.cos(angle), sp.sin(angle)
+        powers = [c**n * s ** (len(parts) - 1 - n) for n in range(len(parts))]
+        total = sp.Add(*[each * power for each, power in zip(parts, powers, strict=True)])
+        if gathered(sp.expand(total)) == 0:
+            # It is a root: that which is nearest to it.
+            gaps = [abs(other - math.tan(float(angle))) for other in numbers]
+            found[gaps.index(min(gaps))] = sp.tan(angle)
     return found
 
 
@@ -764,7 +787,7 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
     if a.has(sp.CRootOf):
         b, c = (rational_below(each / a) if each.is_number else each / a for each in (b, c))
         a = sp.Integer(1)
-    elif a.is_number and not a.is_Rational:
+    elif a.is_number and not a.is_Rational and not has_cosines(a):
         # Dividing first keeps surds out of the denominator under the root.
         over = plain_number(1 / a)
         b, c = (
@@ -772,7 +795,7 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
             for each in (b, c)
         )
         a = sp.Integer(1)
-    discriminant = sp.expand(b * b - 4 * a * c)
+    discriminant = gathered(sp.expand(b * b - 4 * a * c))
     if discriminant.is_number:
         discriminant = rational_below(discriminant)
         if sign(discriminant) in (-1, None):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+import sympy as sp
+
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import Expression, Letter, Name, Place
@@ -125,10 +127,21 @@ def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[
         return [
             Equation(one.y * other.x - one.x * other.y, why, place, True),
             Condition(
-                one.x * other.x + one.y * other.y, ">", "the angles would differ by 180°", "fact"
+                _same_sense(story, one, other), ">", "the angles would differ by 180°", "fact"
             ),
         ]
     return [Equation(left - right, why, place, True)]
+
+
+def _same_sense(story: Story, one: Angle, other: Angle) -> Scalar:
+    """What is positive where two angles with the same tangent are the same.
+
+    Beside an angle in numbers that is no right angle, a cosine of the same sign says all.
+    """
+    for a, b in ((one, other), (other, one)):
+        if isinstance(b.x, sp.Expr) and b.x.is_number and (b.x.is_positive or b.x.is_negative):
+            return a.x if b.x.is_positive else -a.x
+    return one.x * other.x + one.y * other.y
 
 
 def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:

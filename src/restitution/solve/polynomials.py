@@ -671,6 +671,8 @@ def plain_number(x: sp.Expr) -> sp.Expr | None:
 
     A root of a root that could be taken may stand in the way: then None too.
     """
+    if x.has(sp.sin, sp.cos):
+        return None
     try:
         field = Field([x])
         if not all(atom.is_Pow or isinstance(atom, sp.CRootOf) for atom in field.atoms):
@@ -766,6 +768,8 @@ def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
     conjugates; a root without a formula stands in a polynomial of lower degree than its own. What
     is more comes back as it is.
     """
+    if x.has(sp.sin, sp.cos):
+        return x
     if x.has(sp.CRootOf):
         plain = plain_number(x)
         return x if plain is None else plain

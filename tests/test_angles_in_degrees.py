@@ -1,0 +1,121 @@
+"""Angles that are sought where walls and lines of centres stand at any number of degrees.
+
+What is expected is worked out in floats by the law of reflection alone.
+"""
+
+import math
+import random
+
+import pytest
+import sympy as sp
+
+from restitution import parse, solve
+from restitution.solve.cosines import gathered, has_cosines
+
+DEGREE = sp.pi / 180
+
+
+def _number(rng: random.Random) -> sp.Expr:
+    total = sp.Integer(0)
+    for _ in range(rng.randint(1, 5)):
+        term = sp.Rational(rng.randint(-5, 5), rng.randint(1, 4))
+        for _ in range(rng.randint(0, 3)):
+            angle = rng.choice([10, 18, 20, 25, 37, 40, 50, 60, 70])
+            term *= rng.choice([sp.sin, sp.cos])(angle * DEGREE)
+        if rng.random() < 0.3:
+            term *= sp.sqrt(rng.choice([2, 3, 5, 6, 7, 15]))
+        total += term
+    return total
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_products_of_cosines_as_sums_have_the_same_value(seed: int) -> None:
+    rng, t = random.Random(seed), sp.Symbol("t")
+    x = _number(rng) + _number(rng) * t + _number(rng) * t**2
+    gap = (gathered(x) - x).subs(t, sp.Rational(7, 3))
+    assert abs(sp.N(gap, 40)) < 1e-30
+
+
+def test_what_is_zero_or_plain_in_disguise_is_seen() -> None:
+    c, s = (lambda d: sp.cos(d * DEGREE)), (lambda d: sp.sin(d * DEGREE))
+    assert gathered(s(70) * c(20) + s(20) ** 2 - 1) == 0
+    assert gathered(c(20) * c(40) * c(80)) == sp.Rational(1, 8)
+    assert gathered(s(37) * c(37)) == c(16) / 2
+    assert gathered(c(20) * sp.sqrt(3) - 2 * c(50) + 2 * c(80)) == gathered(c(20) * sp.sqrt(3)) + (
+        gathered(2 * c(80) - 2 * c(50))
+    )
+    assert not has_cosines(sp.cos(sp.Symbol("alpha")) + sp.sqrt(3))
+
+
+def _reflected(v: complex, wall: float, e: float) -> complex:
+    turned = v * complex(math.cos(wall), -math.sin(wall))
+    return complex(turned.real, -e * turned.imag) * complex(math.cos(wall), math.sin(wall))
+
+
+def _roots(gap, steps: int = 4000) -> list[float]:
+    """Where a function of an acute angle changes its sign, in degrees."""
+    step = math.pi / 2 / steps
+    found = []
+    for n in range(1, steps - 1):
+        low, high = n * step, (n + 1) * step
+        if (gap(low) < 0) == (gap(high) < 0):
+            continue
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if (gap(middle) < 0) == (gap(low) < 0) else (low, middle)
+        found.append(math.degrees(low))
+    return found
+
+
+def _turned(v: complex, w: complex) -> float:
+    return math.acos(max(-1.0, min(1.0, (v.conjugate() * w).real / abs(v) / abs(w))))
+
+
+WALLS = [
+    # walls, coefficients, the fact, and the same of the velocities before, between and after
+    ((20, 70), (0.5, 0.5), "speed(P) = 2/3 speed(P, 0)", lambda v: abs(v[2]) - 2 / 3 * abs(v[0])),
+    ((10, 80), (0.5, 0.25), "speed(P) = 1/2 speed(P, 0)", lambda v: abs(v[2]) - abs(v[0]) / 2),
+    ((25,), (1 / 4, 0), "deflection(P) = 60°", lambda v: _turned(v[0], v[1]) - math.pi / 3),
+    ((40,), (1, 0), "deflection(P) = 60°", lambda v: _turned(v[0], v[1]) - math.pi / 3),
+    ((30, 75), (0.5, 0.5), "speed(P) = 3/5 speed(P, 0)", lambda v: abs(v[2]) - 0.6 * abs(v[0])),
+]
+
+
+@pytest.mark.parametrize(("walls", "es", "fact", "gap"), WALLS)
+def test_every_angle_is_found_and_no_other(walls, es, fact, gap) -> None:
+    names = "VW"[: len(walls)]
+    lines = [f"wall {name}: along {d}°" for name, d in zip(names, walls, strict=True)]
+    lines += ["sphere P: velocity u at alpha"]
+    lines += [f"P hits {name}: e = {e}" for name, e in zip(names, es, strict=False)]
+    solution = solve(parse("\n".join([*lines, f"given {fact}", "find alpha"])))
+
+    def difference(alpha: float) -> float:
+        velocities = [complex(math.cos(alpha), math.sin(alpha))]
+        for d, e in zip(walls, es, strict=False):
+            velocities.append(_reflected(velocities[-1], math.radians(d), e))
+        return float(gap(velocities))
+
+    answers = sorted(math.degrees(float(each.decimal)) for each in solution["alpha"].distinct)
+    assert answers == pytest.approx(_roots(difference), abs=1e-7)
+    assert all(not each.condition for each in solution["alpha"].distinct)
+
+
+def test_degrees_come_out_as_degrees() -> None:
+    text = """sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along 40°, e = 1/2
+given deflection(A) = 60°
+find alpha"""
+    answers = solve(parse(text))["alpha"].distinct
+    assert {each.value for each in answers} == {10 * DEGREE, 70 * DEGREE}
+
+
+def test_a_deflection_where_the_coefficient_is_a_letter() -> None:
+    text = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+    item = solve(parse(f"{text}given deflection(P) = 60°\nfind alpha"))["alpha"]
+    (answer,) = item.distinct
+    assert not answer.condition
+    for e in (0.2, 0.7, 1.0):
+        (letter,) = answer.value.free_symbols
+        t = math.tan(float(answer.value.xreplace({letter: sp.Float(e)})))
+        assert math.degrees(math.atan(t) + math.atan(e * t)) == pytest.approx(60)
