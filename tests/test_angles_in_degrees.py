@@ -40,10 +40,8 @@ def test_what_is_zero_or_plain_in_disguise_is_seen() -> None:
     c, s = (lambda d: sp.cos(d * DEGREE)), (lambda d: sp.sin(d * DEGREE))
     assert gathered(s(70) * c(20) + s(20) ** 2 - 1) == 0
     assert gathered(c(20) * c(40) * c(80)) == sp.Rational(1, 8)
-    assert gathered(s(37) * c(37)) == c(16) / 2
-    assert gathered(c(20) * sp.sqrt(3) - 2 * c(50) + 2 * c(80)) == gathered(c(20) * sp.sqrt(3)) + (
-        gathered(2 * c(80) - 2 * c(50))
-    )
+    x = sp.Symbol("x")
+    assert gathered(x**2 * (s(70) - c(20)) + x * (4 * s(20) * s(70) - 2 * s(40))) == 0
     assert not has_cosines(sp.cos(sp.Symbol("alpha")) + sp.sqrt(3))
 
 

@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
     walk,
 )
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
@@ -115,6 +116,31 @@ class Setting:
     def tree(self, text: str) -> Expression:
         """The tree of a text, such as what a move eliminates."""
         return settled(read_tree(text, self.names), self.events)
+
+    def of_letters(self, names: frozenset[str]) -> Setting:
+        """The same setting, without letters introduced of which nothing is said."""
+        kept = set(names & self.meanings.keys())
+        pending = list(kept)
+        while pending:
+            inside = letters(self.meanings[pending.pop()].quantity)
+            more = inside & self.meanings.keys() - kept
+            kept |= more
+            pending += more
+        if len(kept) == len(self.meanings):
+            return self
+        return replace(
+            self,
+            meanings={n: each for n, each in self.meanings.items() if n in kept},
+            values={n: each for n, each in self.values.items() if n in kept},
+        )
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        mappings = (self.roles, self.meanings, self.names, self.values)
+        return hash((self.events, *(tuple(sorted(each.items())) for each in mappings)))
 
     @cached_property
     def angles(self) -> frozenset[str]:

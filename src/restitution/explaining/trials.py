@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
+import sympy as sp
+
 from restitution.errors import StatementError
 from restitution.explaining.algebra import NotComparableError
 from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
@@ -14,8 +16,19 @@ from restitution.explaining.moves import follows
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Degrees, Letter, Name, Number, Quantity, letters, walk
-from restitution.oracle import All, Oracle, compared
+from restitution.expression.tree import (
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import All, Oracle, broken_off, compared
+from restitution.work import remembered
 
 
 @dataclass(frozen=True)
@@ -47,7 +60,7 @@ class Trial:
 
         Raises NotComparableError where that is beyond what is compared.
         """
-        return follows(self.step(move, premises), relation)
+        return _followed(self.step(move, premises), relation)
 
     def needed(
         self,
@@ -72,6 +85,45 @@ class Trial:
             except NotComparableError:
                 continue
         return kept
+
+
+class _OpenError(Exception):
+    """A reading that is not kept: a clock may have ended the search for what it rests on."""
+
+    def __init__(self, right: bool | None) -> None:
+        self.right = right
+
+
+def _followed(step: Step, relation: Relation) -> bool:
+    """Whether a line follows, as it was read before where it cited the same."""
+    own = [relation, *(c.relation for c in step.cited), *(k.relation for k in step.known)]
+    setting = step.setting.of_letters(frozenset(name for each in own for name in names_in(each)))
+    try:
+        right = _read(setting, step.move, step.cited, step.known, relation)
+    except _OpenError as open_:
+        right = open_.right
+    if right is None:
+        raise NotComparableError
+    return right
+
+
+@remembered(4096)
+def _read(
+    setting: Setting,
+    move: Move,
+    cited: tuple[Cited, ...],
+    known: tuple[Known, ...],
+    relation: Relation,
+) -> bool | None:
+    """Whether a line follows; None where that is beyond what is compared."""
+    open_ = broken_off()
+    try:
+        right = follows(Step(setting, move, cited, known), relation)
+    except NotComparableError:
+        right = None
+    if broken_off() != open_:
+        raise _OpenError(right)
+    return right
 
 
 def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
@@ -141,6 +193,8 @@ def _of_a_coefficient(relation: Relation) -> bool:
 
 
 def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
+    if len(relation.options) == 1 and all(_is_end(e, setting) for e in relation.options[0]):
+        return True
     step = Step(setting, Move("let"), (), ())
     names = names_in(relation)
     roles = {name: setting.role(name) for name in sorted(names)}
@@ -158,6 +212,36 @@ def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
     if len(relation.options) != 1:
         return False
     return _proved(tuple(roles.items()), All(tuple(formulas)))
+
+
+def _is_end(link: Link, setting: Setting) -> bool:
+    """Whether a link bounds a letter by no less than its role does."""
+    match link:
+        case Link(Letter(name), sign, Number() | Degrees() | Negate() as bound):
+            lower = {">": True, ">=": True, "<": False, "<=": False}.get(sign)
+        case Link(Number() | Degrees() | Negate() as bound, sign, Letter(name)):
+            lower = {"<": True, "<=": True, ">": False, ">=": False}.get(sign)
+        case _:
+            return False
+    role, number = setting.role(name), _number(bound)
+    end = None if lower is None else role.low if lower else role.high
+    if end is None or number is None:
+        return False
+    gap = (end - number) * (1 if lower else -1)
+    closed = role.closed[0 if lower else 1]
+    return bool(gap > 0) or (gap == 0 and ("=" in sign or not closed))
+
+
+def _number(tree: Expression) -> sp.Expr | None:
+    match tree:
+        case Negate(inner):
+            own = _number(inner)
+            return None if own is None else -own
+        case Number(value):
+            return sp.Rational(*value.as_integer_ratio())
+        case Degrees(value):
+            return sp.Rational(*value.as_integer_ratio()) * sp.pi / 180
+    return None
 
 
 @lru_cache(maxsize=256)

@@ -19,7 +19,15 @@ from restitution.oracle.formula import (
     negation,
     relations,
 )
-from restitution.oracle.oracle import Answer, Oracle, Proof, Verdict, holds_at, holds_with
+from restitution.oracle.oracle import (
+    Answer,
+    Oracle,
+    Proof,
+    Verdict,
+    broken_off,
+    holds_at,
+    holds_with,
+)
 from restitution.oracle.points import BeyondError, Point, Program
 from restitution.oracle.roles import REAL, Role
 
@@ -39,6 +47,7 @@ __all__ = [
     "Role",
     "Some",
     "Verdict",
+    "broken_off",
     "compared",
     "holds_at",
     "holds_with",

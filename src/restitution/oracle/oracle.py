@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from threading import local
 from typing import Any, Literal
 
 import sympy as sp
@@ -179,6 +180,8 @@ class Oracle:
             answer = decision.covers(world, prepared[:-1], prepared[-1], free)
         except (TooLargeError, BeyondError):
             answer = "unknown"
+        if answer == "unknown":
+            _OPEN.count = broken_off() + 1
         if answer == "yes" and not world.loose:
             return Verdict("proved", "decision")
         return Verdict("undecided", "undecided")
@@ -241,8 +244,7 @@ class Oracle:
             return None
         own = _scaled_sign(claim.value, self.roles)
         if own is not None:
-            holds = holds_with(claim, {claim.value: own})
-            return Verdict("proved" if holds else "refuted", "algebra") if holds else None
+            return Verdict("proved", "algebra") if holds_with(claim, {claim.value: own}) else None
         try:
             world = Polynomials([claim.value], self.roles)
             above, below = world.quotient(claim.value)
@@ -325,7 +327,10 @@ class Oracle:
         try:
             world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
             prepared = [_prepared(each, self.roles) for each in formulas]
-            return decision.satisfy(world, prepared), world
+            reply = decision.satisfy(world, prepared)
+            if reply.satisfiable == "unknown" and reply is not decision.UNKNOWN:
+                _OPEN.count = broken_off() + 1
+            return reply, world
         except (TooLargeError, BeyondError):
             return decision.UNKNOWN, None
 
@@ -465,6 +470,17 @@ def _decided_some(known: _Known, claim: Formula, free: frozenset[str]) -> Verdic
 @remembered(512)
 def _possible(known: _Known) -> Verdict:
     return _kept(_oracle(known)._satisfied())
+
+
+_OPEN = local()
+
+
+def broken_off() -> int:
+    """How many questions the decision procedure has given up in this thread so far.
+
+    A clock may have ended them: what follows from that may be another time's proof.
+    """
+    return int(getattr(_OPEN, "count", 0))
 
 
 def _kept(verdict: Verdict) -> Verdict:

@@ -686,13 +686,13 @@ def roots(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
 
     Raises UnsupportedError where there is no formula for people (degree above 2 with letters).
     """
-    equation = gathered(equation)
     parts = coefficients(equation, x)
     if len(parts) < 2:
         return []
     if len(parts) == 2:
         a, b = parts
         return _in_degrees(equation, x, [_tidy_root(-b / a)])
+    equation = gathered(equation)
     found: list[sp.Expr] = []
     for factor in _factors_of(equation, x):
         found += [each for each in _roots_of(factor, x) if each not in found]

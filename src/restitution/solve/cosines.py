@@ -22,6 +22,7 @@ MOST_BASIS = 24
 _SURDS = {2: 4, 3: 6, 5: 5}
 
 _Sum = dict[int, Fraction]  # of powers of a root of unity
+_NOTHING = Fraction(0)
 
 
 def has_cosines(x: sp.Expr) -> bool:
@@ -33,7 +34,7 @@ def has_cosines(x: sp.Expr) -> bool:
 def gathered(x: sp.Expr) -> sp.Expr:
     """A polynomial whose coefficients are sums of cosines in place of products of them.
 
-    What is no polynomial in its letters comes back as it is.
+    What is no polynomial in its letters comes back as it is; so does what would not be shorter.
     """
     if not has_cosines(x):
         return x
@@ -42,12 +43,13 @@ def gathered(x: sp.Expr) -> sp.Expr:
         terms = terms_in(x, letters) if letters else {(): sp.expand(x)}
     except (sp.PolynomialError, TooLargeError):
         return x
-    return sp.Add(
+    found = sp.Add(
         *[
             _shorter(c) * sp.Mul(*[g**p for g, p in zip(letters, m, strict=True)])
             for m, c in terms.items()
         ]
     )
+    return found if sp.count_ops(found) < sp.count_ops(x) else x
 
 
 def _turn(x: sp.Expr) -> Fraction | None:
@@ -164,16 +166,16 @@ class _Circle:
     def _reduced(self, total: _Sum, size: int) -> _Sum:
         """By the cosines of the first multiples of the least angle, which are independent."""
         modulus = _cyclotomic(self.order)
-        left = [Fraction(0)] * self.order
+        left = [_NOTHING] * self.order
         for k, c in total.items():
             left[(k + size - 1) % self.order] += c
         afford(self.order * len(modulus))
         top = len(modulus) - 1
         for n in range(self.order - 1, top - 1, -1):
             if left[n]:
-                for m, c in enumerate(modulus):
-                    left[n - top + m] -= left[n] * c if m < top else 0
-                left[n] = Fraction(0)
+                for m, part in enumerate(modulus[:top]):
+                    left[n - top + m] -= left[n] * part
+                left[n] = _NOTHING
         halves = left[size - 1 : 2 * size - 1]
         found = {k: c * (1 if k == 0 else 2) for k, c in enumerate(halves) if c}
         return self._folded(found.items())
