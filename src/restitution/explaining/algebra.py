@@ -371,7 +371,7 @@ class World:
         unit = self._at_angle(self.turn(tree.angle))
         cosine, sine = unit.x, unit.y
         if tree.wall is not None:
-            along = self._unit(Quantity("direction", (tree.wall,)))
+            along = self.unit(Quantity("direction", (tree.wall,)))
             x, y = along.x * cosine + along.y * sine, along.y * cosine - along.x * sine
         elif tree.origin is None:
             x, y = cosine, sine
@@ -379,15 +379,17 @@ class World:
             turned = self._at_angle(self.turn(tree.angle) + self.turn(tree.origin))
             x, y = turned.x, turned.y
         else:
-            from_ = self._unit(tree.origin)
+            from_ = self.unit(tree.origin)
             x, y = from_.x * cosine - from_.y * sine, from_.x * sine + from_.y * cosine
         return Plane(self.reduced(size * x), self.reduced(size * y))
 
-    def _unit(self, tree: Expression) -> Plane:
+    def unit(self, tree: Expression) -> Plane:
         """The unit vector in a direction, where that is known, or the generators of one."""
         vector = self.direction(tree)
         if vector is None:
             return self._plane(tree)
+        if self._is_at_angle(tree):
+            return vector
         size = self.size(vector)
         return Plane(self.reduced(vector.x / size), self.reduced(vector.y / size))
 

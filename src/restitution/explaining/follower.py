@@ -108,7 +108,7 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
         and len(line.relation.options) == 1
         and isinstance(line.relation.only[0].left, Apply)
     }
-    facts = {each.id for each in derivation.facts}
+    facts = {each.id for each in derivation.facts if not _is_ratio(each.relation)}
     read = _Reader(settled_derivation(derivation), oracle, frozenset())
     lines = []
     for line in derivation.lines:
@@ -125,6 +125,14 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             line = replace(line, premises=read.needed(line.number, known))
         lines.append(line)
     return replace(derivation, lines=tuple(lines))
+
+
+def _is_ratio(relation: Relation) -> bool:
+    """Whether a fact is a sine, cosine or tangent of an angle."""
+    match relation.options:
+        case (((Link(Apply("sin" | "cos" | "tan", Letter())),),),):
+            return True
+    return False
 
 
 def settled_derivation(derivation: Derivation) -> Derivation:

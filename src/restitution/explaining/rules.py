@@ -39,6 +39,25 @@ class Rules:
         elif isinstance(value, Quotient):
             self._add(own, value * CONSTANT(sense))
 
+    def assemble(
+        self,
+        vector: Expression,
+        axis: Expression,
+        along: tuple[Expression, int],
+        across: tuple[Expression, int],
+    ) -> None:
+        """Take up a vector by its components, each with its sense, in directions in letters."""
+        try:
+            own, unit = self.world.value(vector), self.world.unit(axis)
+            parts = [self.world.scalar(tree) * CONSTANT(sense) for tree, sense in (along, across)]
+        except NotComparableError:
+            return
+        if not isinstance(own, Plane) or all(map(self._of_a_vector, (unit.x, unit.y))):
+            return  # where the directions are numbers each component is a rule by itself
+        a, b = parts
+        self._add(own.x, self.world.reduced(a * unit.x - b * unit.y))
+        self._add(own.y, self.world.reduced(a * unit.y + b * unit.x))
+
     def _add(self, own: Quotient, value: Quotient) -> None:
         plane = self._of_a_vector(own)
         own, value = self.put_into(own), self.put_into(value)  # type: ignore[assignment]

@@ -177,9 +177,25 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
         return by_root
     above, below = without_common(line.above, expected.above)
     if below == expected.above:
-        return None  # they have no factor in common that could vanish
+        return _squared(world, line, expected)  # they have no factor in common that could vanish
     under, over = without_common(line.below, expected.below)
     return Quotient(*without_common(above * over, below * under))
+
+
+def _squared(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
+    """K where a line is a = b with a root in it, both sides squared: a + b, without its factors."""
+    one = expected.above.ring.one
+    for root, key in world.keys(expected.above).items():
+        if key[0] != "root" or key[1].is_ground:
+            continue
+        other = expected.above.ring.from_dict(
+            {m: -v if m[root] % 2 else v for m, v in expected.above.items()}
+        )
+        whole = world.reduced(Quotient(expected.above * other, one))
+        above, below = without_common(line.above * whole.below, whole.above * line.below)
+        if below != whole.above * line.below:
+            return Quotient(above * other * expected.below, below)
+    return None
 
 
 def _strangers(world: World, line: Quotient, expected: Quotient) -> bool:

@@ -347,6 +347,7 @@ class Step:
         if cited is None:
             return self._rules
         rules = Rules(self.world)
+        self._put_together(cited, rules)
         for each in cited:
             if isinstance(each.relation, Meaning):
                 meaning = each.relation
@@ -359,6 +360,23 @@ class Step:
         for left, right in self._resolved(tuple(cited), rules):
             rules.add(left, right)
         return rules
+
+    def _put_together(self, cited: Sequence[Cited], rules: Rules) -> None:
+        """Vectors of which both components are cited, in directions that are told in letters.
+
+        Both directions are unit vectors at right angles: no identity of angles is needed.
+        """
+        parts: dict[tuple[Expression, Expression], dict[str, tuple[Expression, int]]] = {}
+        for each in cited:
+            sense = self._sense(each.relation) if isinstance(each.relation, Meaning) else 1
+            for left, right in self._cited_values(each):
+                match left:
+                    case Quantity("along" | "across" as kind, (Quantity() as vector, axis)):
+                        if axis in self.world.directions:
+                            parts.setdefault((vector, axis), {})[kind] = right, sense
+        for (vector, axis), pair in parts.items():
+            if len(pair) == 2:
+                rules.assemble(vector, axis, *(pair[kind] for kind in _COMPONENTS))
 
     @cached_property
     def _rules(self) -> Rules:
@@ -382,6 +400,7 @@ class Step:
                         yield Quantity("speed", arguments, stage), size
                     case Quantity("velocity", arguments, stage), Pair(Number(0), Number(0)):
                         yield Quantity("speed", arguments, stage), right.x
+                        yield from self._of_nothing(left, right.x)
                 match left:
                     case Quantity("speed", (body,), int(stage)):
                         speeds[Quantity("velocity", (body,), stage)] = right
@@ -416,6 +435,16 @@ class Step:
                 sense = self._sense_along(Quantity("across", (before, centres)), rules)
                 if sense is not None:
                     yield across, cosine if sense == 1 else Negate(cosine)
+
+    def _of_nothing(
+        self, velocity: Expression, zero: Expression
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """Who is at rest has no component in any direction, whether that is cited or not."""
+        for event in self.setting.events:
+            axis = Quantity("line_of_centres", (), event.number)
+            if axis not in self.world.directions:
+                for kind in _COMPONENTS:
+                    yield Quantity(kind, (velocity, axis)), zero
 
     def _sense_along(self, component: Expression, rules: Rules) -> int | None:
         """1 or −1 where a component, with what is cited put in, is never of the other sign."""

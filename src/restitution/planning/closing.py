@@ -16,7 +16,16 @@ from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt, said
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    letters,
+    walk,
+)
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
@@ -181,7 +190,7 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     sides = [link.left, link.right]
     if not any(_has_root(each, symbol) for each in sides):
         return None
-    squares = [_square_of(each) for each in sides]
+    squares = [_square_of(scene, each) for each in sides]
     if any(each is None for each in squares):
         return None
     relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
@@ -201,15 +210,27 @@ def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
     )
 
 
-def _square_of(tree: Expression) -> Expression | None:
+def _square_of(scene: Scene, tree: Expression) -> Expression | None:
+    """A side squared: a number, a root, a product or a quotient with a root in it."""
+    if not letters(tree):
+        return tree_of(tidy(scene_value(scene, tree) ** 2))
     match tree:
         case Apply("sqrt", inside):
             return inside
-        case Binary("*", left, Apply("sqrt", inside)):
-            return Binary("*", Binary("^", left, Number(Fraction(2))), inside)
-    if any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree)):
+        case Negate(operand):
+            return _square_of(scene, operand)
+        case Binary("*" | "/" as op, left, right) if any(_is_root(e) for e in (left, right)):
+            squares = [_square_of(scene, each) for each in (left, right)]
+            if None in squares:
+                return None
+            return Binary(op, squares[0], squares[1])  # type: ignore[arg-type]
+    if any(_is_root(each) for each in walk(tree)):
         return None
     return Binary("^", tree, Number(Fraction(2)))
+
+
+def _is_root(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function == "sqrt"
 
 
 def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

@@ -59,6 +59,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         return _on_a_chord(scene, kind, body, begin, frame)
     if last == 0:
         initial = scene.initial(body)
+        if not any(initial.value):
+            return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         if _is_slanted(frame) and not _is_polar(scene, body):
             return _by_scalar_product(scene, tree, initial, frame, direction)
@@ -126,8 +128,6 @@ def _by_scalar_product(
     if more:
         source = Source(scene.put(source.value)[0], together(source.refs, more))
     value = tidy(value)
-    if value == 0 and not any(source.value) and direction.x.is_number:
-        return Source(value, source.refs, frame.refs)
     terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
     number = scene.desk.write(
         Move("define", "component", frame.number, _body(quantity)),

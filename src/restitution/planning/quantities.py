@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
     walk,
 )
 from restitution.planning import journeys, place_trees
@@ -37,8 +38,8 @@ from restitution.planning.forms import (
     vector,
 )
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import blown, in_direction, whole_direction
-from restitution.planning.premises import not_negative, sign_known
+from restitution.planning.impacts import after, blown, in_direction, whole_direction
+from restitution.planning.premises import background, needed, not_negative, sign_known
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
@@ -155,8 +156,6 @@ def _velocity(scene: Scene, quantity: Quantity) -> Formula:
     if known is not None:
         return _once_more(scene, quantity, body, stage, known)
     frame = frame_after(scene, body, stage)
-    if not all(each.is_number for each in frame.n):
-        raise NotPlannedError("a velocity put together of directions at an angle in letters")
     along, across = parts(scene, body, stage, frame)
     value = frame.n * along.value + frame.t * across.value
     refs = together(along.refs, across.refs, frame.unit_free if stage else ())
@@ -358,14 +357,20 @@ def _direction(scene: Scene, quantity: Quantity) -> Formula:
     x, y = in_the_plane(scene, body, stage)
     if scene.model.identically_zero(x.value):
         raise NotPlannedError("a direction along j")
+    along_the_line = _along_the_line(scene, body, stage)
     return Formula(
         Move("define", "tan-direction", stage or None, (body,)),
         tangent,
         quantity,
-        Binary("/", tree_of(y.value), tree_of(x.value)),
-        tidy(y.value / x.value),
-        _along_the_line(scene, body, stage) or together(x.whole, y.whole),
+        *_slope(y.value, x.value, along_the_line),
+        along_the_line or together(x.whole, y.whole),
     )
+
+
+def _slope(y: sp.Expr, x: sp.Expr, simple: Any) -> tuple[Expression, sp.Expr]:
+    """The tangent of a direction; of that of a line of centres, without the size of the velocity."""
+    value = tidy(y / x)
+    return tree_of(value) if simple else Binary("/", tree_of(y), tree_of(x)), value
 
 
 def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
@@ -381,7 +386,11 @@ def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
     for kind in ("across", "along"):
         own = in_direction(scene, kind, body, stage, frame)
         if own.value == 0:
-            return together(own.refs, frame.refs)
+            # A direction in letters is that of the velocity with both its components.
+            plain = all(each.is_number for each in scene.model.frames[stage].n)
+            other = "along" if kind == "across" else "across"
+            whole = () if plain else after(scene, other, body, frame).refs
+            return together(own.refs, whole, frame.refs)
     return ()
 
 
@@ -636,9 +645,21 @@ def write_formula(scene: Scene, own: Formula) -> int:
         if _trivial(own.right, final):
             right = final
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
-        number = scene.desk.write(own.move, refs, chain(own.left, (right, None), (final, by)))
+        relation = chain(own.left, (right, None), (final, by))
+        if _has_roots_of_letters(own.right):
+            refs = needed(scene, own.move, refs, relation, background(scene, letters(right))) or refs
+        number = scene.desk.write(own.move, refs, relation)
     scene.desk.know(own.quantity, own.value, (number,))
     return number
+
+
+def _has_roots_of_letters(tree: Expression) -> bool:
+    """Whether a root of letters stands in it, below the root of the whole if it is one."""
+    inside = tree.argument if isinstance(tree, Apply) else tree
+    return any(
+        isinstance(each, Apply) and each.function == "sqrt" and letters(each.argument)
+        for each in walk(inside)
+    )
 
 
 def _trivial(right: Expression, final: Expression) -> bool:

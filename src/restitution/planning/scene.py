@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -82,13 +82,17 @@ class Scene:
         return len(self.model.story.happenings)
 
     def frame(self, number: int) -> Frame:
-        """The frame of an impact."""
+        """The frame of an impact; of directions in letters, with the values that are known by now."""
         if number not in self.frames:
             if self.find_frame is not None:
                 self.frames[number] = self.find_frame(self, number)
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)
-        return self.frames[number]
+        own = self.frames[number]
+        if not any(sp.sympify(each, strict=True).free_symbols for each in own.n):
+            return own
+        (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
+        return replace(own, n=n, t=t, refs=together(own.refs, n_refs, t_refs))
 
     def bodies(self, number: int) -> tuple[str, ...]:
         """The bodies in an event."""

@@ -137,8 +137,6 @@ def _across_a_frame(
     about: tuple[Ref, ...],
 ) -> int:
     """By the components in the directions of an impact that slants."""
-    if not all(each.is_number for each in frame.n):
-        raise NotPlannedError("a tie across directions at an angle in letters")
     sources = [in_direction(scene, kind, body, stage, frame) for kind in _KINDS]
     shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
     if move.record == "parallel":
