@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression, Name, Negate, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+)
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
@@ -18,7 +27,7 @@ from restitution.vector import Vector
 
 
 def found_frame(scene: Scene, number: int) -> Frame:
-    """The frame of an impact whose line is not among the data, with the line that finds it.
+    """The frame of an impact; where its line is worked out, with the line that finds it.
 
     Raises NotPlannedError where no impulse and no change of a velocity is known.
     """
@@ -27,6 +36,8 @@ def found_frame(scene: Scene, number: int) -> Frame:
         return frame_by_places(scene, number, own)
     if own is None or f"axis {number}" in scene.facts:
         return frame_of(scene.model, scene.facts, number)
+    if f"axis {number}" in scene.facts:
+        return _beside_the_path(scene, number)
     if own.angle is not None or not all(each.is_number for each in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     for way in _WAYS:
@@ -39,6 +50,15 @@ def found_frame(scene: Scene, number: int) -> Frame:
             sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
             return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
     raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+
+
+def _beside_the_path(scene: Scene, number: int) -> Frame:
+    """The frame of the data; where it is told by an offset, the line of centres is a line first."""
+    frame = frame_of(scene.model, scene.facts, number)
+    match scene.facts[f"axis {number}"].relation.only:
+        case (Link(_, "=", Polar(_, Apply("arcsin"))),):
+            return replace(frame, refs=(write_axis(scene, number),))
+    return frame
 
 
 def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
@@ -138,6 +158,29 @@ def write_wall(scene: Scene, wall: str) -> int:
         (line,),
         Relation(((Link(direction, "parallel to", vector(*map(tree_of, along))),),)),
     )
+
+
+def write_axis(scene: Scene, number: int) -> int:
+    """A line of centres of the data as a line, from the first sphere to the second, or to the wall.
+
+    Raises NotPlannedError where the statement gives its direction in the other sense.
+    """
+    fact = scene.facts.get(f"axis {number}")
+    if fact is None:
+        raise NotPlannedError("a line of centres that is not given")
+    centres = Quantity("line_of_centres", (), number)
+    own, refs = scene.put(scene.vector(centres))
+    told = fact.relation.only[0]
+    if told.sign == "=":
+        given = scene.vector(told.right)
+        if scene.model.sign(given.dot(own)) < 0:
+            raise NotPlannedError("a line of centres that is given in the other sense")
+        move = Move("fact")
+    else:
+        own, _ = whole_direction(own)
+        move = Move("rearrange")
+    relation = Relation(((Link(centres, told.sign, tree_of(tuple(map(tidy, own)))),),))
+    return scene.desk.write(move, together((fact.id,), refs), relation)
 
 
 # --- impulses that are given --------------------------------------------------------------------

@@ -19,7 +19,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning import journeys, place_trees
 from restitution.planning.angles import write_other_ratio
-from restitution.planning.axes import write_wall
+from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import tree_of
@@ -177,13 +177,9 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
 
 def _axis(scene: Scene, number: int, name: str) -> None:
     """A line of centres that is asked: the line that finds it."""
-    refs = scene.frame(number).refs
-    lines = [each for each in refs if isinstance(each, int)]
-    if not lines:
-        # The line of centres of the data.
-        told = scene.facts[f"axis {number}"].relation
-        lines = [scene.desk.write(Move("fact"), refs, told)]
-    scene.desk.end(name, lines[0], scene.desk.relation(lines[0]))
+    lines = [each for each in scene.frame(number).refs if isinstance(each, int)]
+    line = lines[0] if lines else write_axis(scene, number)
+    scene.desk.end(name, line, scene.desk.relation(line))
 
 
 def _is_named(scene: Scene, asked: Quantity) -> bool:
