@@ -8,12 +8,12 @@ from restitution.explain.flights import chord_title, flight_title
 from restitution.explain.naming import Naming
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import tie_of
-from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Expression, Letter, Number, Quantity, walk
+from restitution.expression.tree import Apply, Expression, Letter, Number, Polar, Quantity, walk
 from restitution.render import layout as lay
 
 TITLED = frozenset({"law", "define"})
@@ -108,6 +108,8 @@ class Leads:
                 yield at
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
+            elif any(_is_offset(each) for each in given):
+                yield say("offset.vector")
             else:
                 yield say("given.data")
             return
@@ -225,3 +227,11 @@ class Leads:
 def is_nothing(tree: Expression) -> bool:
     """Whether a side is the number 0."""
     return isinstance(tree, Number) and not tree.value
+
+
+def _is_offset(fact: Fact) -> bool:
+    """Whether a line of centres is given by how far it lies beside a path."""
+    match fact.relation.options:
+        case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
+            return True
+    return False

@@ -146,6 +146,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "The line of centres makes an angle {angle} with the path of {body} relative to {other}, "
         "where"
     ),
+    "offset.vector": (
+        "At the impact the centres are two radii apart, of which the offset is across the path:"
+    ),
     "offset.why": (
         "At the impact the centres are two radii apart: the longest side of a right-angled "
         "triangle whose other side, across the path, is the offset. So the sine of the angle "
