@@ -350,14 +350,30 @@ def _unit(axis: str) -> Expression:
     return Unit(axis)  # type: ignore[arg-type]
 
 
-def _between_velocities(step: Step, event: Event | None) -> Iterator[Link]:
-    """The angles between velocities, at any two times, for which letters are cited."""
-    for meaning in step.lets:
-        match meaning.quantity:
-            case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
+def _between_directions(step: Step, event: Event | None) -> Iterator[Link]:
+    """The angles between velocities, at any two times, or lines, for which letters are cited."""
+    for angle in (
+        *(meaning.quantity for meaning in step.lets),
+        *(side for link in step.links for side in (link.left, link.right)),
+    ):
+        match angle:
+            case Quantity("angle", (a, b)):
+                a, b = (_pointing(step, each) for each in (a, b))
                 sizes = Binary("*", Apply("abs", a), Apply("abs", b))
                 cosine = Binary("/", Quantity("dot", (a, b)), sizes)
-                yield Link(Apply("cos", meaning.quantity), "=", cosine)
+                yield Link(Apply("cos", angle), "=", cosine)
+
+
+def _pointing(step: Step, tree: Expression) -> Expression:
+    """A vector in the direction of a wall or a line of centres that is cited; else the tree."""
+    directions = step.world.directions
+    own = Quantity("direction", (tree,)) if isinstance(tree, Name) else tree
+    seen = 0
+    while own in directions and seen < len(directions):
+        own, seen = directions[own], seen + 1
+    if step.world.is_angle(own):
+        return Polar(Number(Fraction(1)), own)
+    return own if seen else tree
 
 
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
@@ -367,6 +383,6 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "energy-lost": _energy_lost,
     "perpendicular": _tied,
     "parallel": _tied,
-    "scalar-angle": _between_velocities,
+    "scalar-angle": _between_directions,
     "chord": _chords,
 }

@@ -289,6 +289,7 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
         return False
     chosen = step.under(opaque=step.opaque | {template.left})
     rules = chosen.rules()
+    template = _from_rest(chosen, template, rules)
     values = []
     for each in (line, template):
         left, right = chosen.world.pointing(each.left), chosen.world.pointing(each.right)
@@ -302,6 +303,25 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
             values.append(left.x * right.x + left.y * right.y)
     own, expected = values
     return chosen.is_multiple(own, expected) is not None
+
+
+def _from_rest(step: Step, template: Link, rules: Rules) -> Link:
+    """The change of a velocity by the direction after it, where that is cited, of who rested."""
+    match template.right:
+        case Binary("-", Quantity("velocity", (Name() as body,), int(stage)) as late, early):
+            before = rules.put_into(step.world.value(early))
+            if not (isinstance(before, Plane) and before.x.vanishes and before.y.vanishes):
+                return template
+        case _:
+            return template
+    for link in step.links:
+        match link:
+            case Link(Quantity("direction", (own,), int(event)), "=", angle):
+                if (own, event) == (body, stage):
+                    return replace(template, right=Polar(Number(Fraction(1)), angle))
+            case Link(left, "parallel to", right) if late in (left, right):
+                return replace(template, right=right if left == late else left)
+    return template
 
 
 def _is_tie(step: Step, line: Link) -> bool:

@@ -84,8 +84,8 @@ class Setting:
     def of_angle(self, quantity: Expression) -> Role | None:
         """What an angle may be: to a wall or a line of centres, no more than a right angle."""
         match quantity:
-            case Quantity("angle", (_, other)):
-                return TO_90 if self._is_line(other) else TO_180
+            case Quantity("angle", sides):
+                return TO_90 if any(self._is_line(each) for each in sides) else TO_180
             case Quantity("deflection"):
                 return TO_180
             case Quantity("direction", (Name(name),)) if self.names.get(name) != "wall":

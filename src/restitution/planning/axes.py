@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from typing import Any
+
+import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
@@ -15,6 +18,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    walk,
 )
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import tree_of, vector
@@ -107,6 +111,36 @@ def _by_change(scene: Scene, number: int) -> int | None:
     return None
 
 
+def _by_who_rested(scene: Scene, number: int) -> int | None:
+    """The direction after the impact of a sphere that was at rest: it moves off along the line."""
+    for body in scene.spheres(number):
+        if scene.last_event(body, number - 1) or f"velocity {body}" not in scene.facts:
+            continue
+        source = scene.initial(body)
+        velocity = Quantity("velocity", (Name(body),), number)
+        if any(source.value):
+            continue
+        for each in scene.given:
+            match each.link:
+                case Link(Quantity("direction", (Name(name),), event), "=", angle) if (
+                    name == body and event == number
+                ):
+                    turn = scene.scalar(angle)
+                    right: Any = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
+                case Link(left, "parallel to", other) if velocity in (left, other):
+                    tree = other if left == velocity else left
+                    if any(isinstance(node, Quantity) for node in walk(tree)):
+                        continue
+                    right = scene.model.story.direction(tree, scene.events)
+                case _:
+                    continue
+            whole, _ = whole_direction(right)
+            refs = together(source.refs, (each.fact.id,))
+            tree = tree_of(tuple(map(tidy, whole)))
+            return _write(scene, "along-the-change", number, body, refs, tree)
+    return None
+
+
 def _parallel(
     scene: Scene,
     record: str,
@@ -133,7 +167,11 @@ def _write(
     )
 
 
-_WAYS: tuple[Callable[[Scene, int], int | None], ...] = (_by_impulse, _by_change)
+_WAYS: tuple[Callable[[Scene, int], int | None], ...] = (
+    _by_impulse,
+    _by_change,
+    _by_who_rested,
+)
 
 
 def write_wall(scene: Scene, wall: str) -> int:

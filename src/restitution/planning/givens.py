@@ -156,9 +156,11 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         return _right_angle(scene, each, own)
     if own.move.record == "tan" and _of_open_sense(scene, own):
         return _squared_tangent(scene, each, own, value, refs)
-    if own.move.record == "tan":
+    plain = isinstance(left, Apply) and left.function == "arctan"
+    if plain and own.move.record == "tan-direction":
+        relation = chain(left.argument, (swept(own.right), None))  # type: ignore[union-attr]
+    elif own.move.record == "tan":
         # First the quotient, then what is left of it.
-        plain = isinstance(left, Apply) and left.function == "arctan"
         first = left.argument if plain else own.of(left)  # type: ignore[union-attr]
         last = tree_of(in_tangents(neat(own.value)))
         relation = chain(first, (swept(own.right), None), (last, "rearrange"))

@@ -26,7 +26,8 @@ from restitution.expression.tree import (
 from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
-from restitution.planning.impacts import in_direction
+from restitution.planning.axes import write_wall
+from restitution.planning.impacts import in_direction, whole_direction
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
     Formula,
@@ -137,6 +138,8 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
             return _deflection(scene, body, event, asked, wanted)
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
             return _between(scene, asked)
+        case Quantity("angle", (first, _)) if not _moves(first):
+            return _between_lines(scene, asked)
         case Quantity("angle"):
             return _to_a_line(scene, asked)
         case Quantity("direction", (Name(),), int()):
@@ -313,6 +316,57 @@ def _between(scene: Scene, asked: Quantity) -> Ratio:
     return _by_scalar(scene, move, sources, asked)
 
 
+def _moves(tree: Expression) -> bool:
+    """Whether a direction is that of a velocity."""
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
+
+
+def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
+    """The angle between directions of the plane, walls and lines of centres, by their product."""
+    sources = [
+        _whole_velocity(scene, *body_and_stage(scene, each))
+        if _moves(each)
+        else line_source(scene, each)
+        for each in asked.arguments
+    ]
+    letter, meaning = _named(scene, asked)
+    a, b = (each.value for each in sources)
+    right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    to_a_line = any(_is_line(each) for each in asked.arguments)
+    if to_a_line and scene.model.sign(value) < 0:
+        b = -b
+        right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    refs = together((meaning,), *(each.whole for each in sources))
+    move = Move("define", "scalar-angle")
+    line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    extent = "0° <= {} <= 90°" if to_a_line else _RANGES["deflection"]
+    return Ratio(line, letter, "cos", value, extent.format(letter))
+
+
+def _is_line(tree: Expression) -> bool:
+    """Whether a direction has two senses: that of a wall, or of a line of centres."""
+    return isinstance(tree, Name) or (
+        isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+    )
+
+
+def line_source(scene: Scene, tree: Expression) -> Source:
+    """A direction of the plane, by whole numbers where there are any."""
+    refs: tuple[Ref, ...] = ()
+    match tree:
+        case Quantity("line_of_centres", (), int(number)):
+            frame = scene.frame(number)
+            return Source(whole_direction(frame.n)[0], frame.refs)
+        case Name(wall) if f"wall {wall}" in scene.facts:
+            refs = (f"wall {wall}",)
+        case Name(wall):
+            line = write_wall(scene, wall)
+            refs = (line,)
+    value, more = scene.put(scene.model.story.direction(tree, scene.events))
+    whole, _ = whole_direction(Vector(*map(tidy, value)))
+    return Source(whole, together(refs, more))
+
+
 def _whole_velocity(scene: Scene, body: str, stage: int) -> Source:
     """A velocity as a vector; where its components are not along **i** and **j**, by a line."""
     source = velocity_source(scene, body, stage)
@@ -345,10 +399,12 @@ def cosine(
         own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         alone = one[0].operand if isinstance(one[0], Negate) else one[0]
+        if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
+            continue  # a unit vector
         sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
     dot = sp.expand(sum(p * q for p, q in zip(a, b, strict=True)))
     size = sp.sqrt(sp.expand(sum(p**2 for p in a))) * sp.sqrt(sp.expand(sum(q**2 for q in b)))
-    return Binary("/", above, product(*sizes)), tidy(dot / size)
+    return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
 
 
 # --- deflections -------------------------------------------------------------------------------
