@@ -358,16 +358,16 @@ def _between_directions(step: Step, event: Event | None) -> Iterator[Link]:
     ):
         match angle:
             case Quantity("angle", (a, b)):
-                a, b = (_pointing(step, each) for each in (a, b))
-                sizes = Binary("*", Apply("abs", a), Apply("abs", b))
-                cosine = Binary("/", Quantity("dot", (a, b)), sizes)
+                p, q = (_pointing(step, each) for each in (a, b))
+                sizes = Binary("*", Apply("abs", p), Apply("abs", q))
+                cosine = Binary("/", Quantity("dot", (p, q)), sizes)
                 yield Link(Apply("cos", angle), "=", cosine)
 
 
 def _pointing(step: Step, tree: Expression) -> Expression:
     """A vector in the direction of a wall or a line of centres that is cited; else the tree."""
     directions = step.world.directions
-    own = Quantity("direction", (tree,)) if isinstance(tree, Name) else tree
+    own: Expression = Quantity("direction", (tree,)) if isinstance(tree, Name) else tree
     seen = 0
     while own in directions and seen < len(directions):
         own, seen = directions[own], seen + 1

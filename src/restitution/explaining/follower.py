@@ -130,7 +130,7 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
 def _is_ratio(relation: Relation) -> bool:
     """Whether a fact is a sine, cosine or tangent of an angle."""
     match relation.options:
-        case (((Link(Apply("sin" | "cos" | "tan", Letter())),),),):
+        case ((Link(Apply("sin" | "cos" | "tan", Letter())),),):
             return True
     return False
 

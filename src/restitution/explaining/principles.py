@@ -251,6 +251,13 @@ DEFINITIONS = (
             f"tan(angle(velocity(X, 0), {AXIS})) = {_s('X', 0)}/{_c('X', 0)}",
             f"tan(angle(velocity(X, 1), S)) = {_c('X', 1)}/{_s('X', 1)}",
             f"tan(angle(velocity(X, 0), S)) = {_c('X', 0)}/{_s('X', 0)}",
+            # Between two velocities, by what stands above and below in the formula of a difference.
+            *(
+                f"tan(angle(velocity(X, {a}), velocity(Y, {b})))"
+                f" = ({_c('X', a)} {_s('Y', b)} - {_s('X', a)} {_c('Y', b)})"
+                f"/({_c('X', a)} {_c('Y', b)} + {_s('X', a)} {_s('Y', b)})"
+                for a, b in ((1, 1), (0, 0))
+            ),
             "tan(angle(velocity(X, 1), i)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",
             "tan(angle(velocity(X, 1), j)) = along(velocity(X, 1), i)/along(velocity(X, 1), j)",
         ),

@@ -374,9 +374,9 @@ class Step:
                     case Quantity("along" | "across" as kind, (Quantity() as vector, axis)):
                         if axis in self.world.directions:
                             parts.setdefault((vector, axis), {})[kind] = right, sense
-        for (vector, axis), pair in parts.items():
+        for (whole, line), pair in parts.items():
             if len(pair) == 2:
-                rules.assemble(vector, axis, *(pair[kind] for kind in _COMPONENTS))
+                rules.assemble(whole, line, *(pair[kind] for kind in _COMPONENTS))
 
     @cached_property
     def _rules(self) -> Rules:

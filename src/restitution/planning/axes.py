@@ -38,7 +38,7 @@ def found_frame(scene: Scene, number: int) -> Frame:
     own = scene.model.frames.get(number)
     if own is not None and is_by_places(scene, number):
         return frame_by_places(scene, number, own)
-    if own is None or f"axis {number}" in scene.facts:
+    if own is None:
         return frame_of(scene.model, scene.facts, number)
     if f"axis {number}" in scene.facts:
         return _beside_the_path(scene, number)
@@ -61,7 +61,7 @@ def _beside_the_path(scene: Scene, number: int) -> Frame:
     frame = frame_of(scene.model, scene.facts, number)
     match scene.facts[f"axis {number}"].relation.only:
         case (Link(_, "=", Polar(_, Apply("arcsin"))),):
-            return replace(frame, refs=(write_axis(scene, number),))
+            return replace(frame, write=lambda: (write_axis(scene, number),))
     return frame
 
 
@@ -169,8 +169,8 @@ def _write(
 
 _WAYS: tuple[Callable[[Scene, int], int | None], ...] = (
     _by_impulse,
-    _by_change,
     _by_who_rested,
+    _by_change,
 )
 
 

@@ -17,12 +17,12 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
+from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
 from restitution.planning.quantities import body_and_stage, frame_after
-from restitution.planning.tangents import cosine_of_deflection
 from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
 

@@ -1,4 +1,4 @@
-"""A deflection that is given, as an equation in the components before and after."""
+"""Deflections: one that is given, as an equation in components; the cosine of one."""
 
 from __future__ import annotations
 
@@ -12,9 +12,20 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Name, Polar, Quantity, letters
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
+from restitution.planning.forms import (
+    ZERO,
+    difference,
+    is_zero,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import background
+from restitution.planning.quantities import Formula, cosine
 from restitution.planning.scene import GivenEquation, Scene
 
 
@@ -152,3 +163,36 @@ def turned_at_a_wall(
             return None
         lines.append(scene.desk.write(move, own, relation))
     return lines[0], lines[1]
+
+
+# --- the cosine ---------------------------------------------------------------------------------
+
+
+def _pair(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Source, Source]:
+    along, across = (in_direction(scene, each, body, stage, frame) for each in ("along", "across"))
+    return along, across
+
+
+def _product(a: Source, b: Source) -> Expression:
+    trees = tree_of(a.value), tree_of(b.value)
+    return trees[0] if is_zero(trees[0]) else product(*trees)
+
+
+def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:
+    """``cos(deflection) = (a c + b d)/(√(a² + b²) √(c² + d²))``; the value is what stands above."""
+    (name,) = quantity.arguments
+    if not isinstance(name, Name) or not isinstance(quantity.stage, int):
+        raise NotPlannedError("the deflection of what is no body")
+    event = quantity.stage
+    frame = scene.frame(event)
+    early = _pair(scene, name.name, event - 1, frame)
+    late = _pair(scene, name.name, event, frame)
+    above = total(_product(x, y) for x, y in zip(early, late, strict=True))
+    sizes = (
+        Apply("sqrt", total(square(tree_of(each.value)) for each in pair if each.value != 0))
+        for pair in (early, late)
+    )
+    refs = together(*(each.whole for each in (*early, *late)), frame.names_axis("along"))
+    value = tidy(sum(x.value * y.value for x, y in zip(early, late, strict=True)))
+    move = Move("define", "scalar-angle", event, (name.name,))
+    return Formula(move, cosine, quantity, Binary("/", above, product(*sizes)), value, refs)

@@ -202,6 +202,9 @@ def _squared_tangent(
     scene: Scene, each: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
 ) -> int:
     """The square of a tangent: on which side the angle lies is open."""
+    match own.quantity:
+        case Quantity("angle", (_, Quantity("velocity"))):
+            raise NotPlannedError("an angle between velocities that are both open")
     assert isinstance(own.right, Binary)
     squares = [square(part) for part in (own.right.left, own.right.right)]
     left = tree_of(tidy(sp.tan(angle) ** 2))

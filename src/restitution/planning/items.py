@@ -214,6 +214,8 @@ def _determine(scene: Scene, solver: Solver, asked: Expression) -> None:
     match asked:
         case Quantity("direction", (Name(body),), int(stage)):
             goals = list(scene.velocity(body, stage))
+        case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
+            goals = [*_goals(scene, a), *_goals(scene, b)]
         case Quantity() | Letter():
             pass
         case _:

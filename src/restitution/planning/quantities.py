@@ -39,7 +39,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import after, blown, in_direction, whole_direction
-from restitution.planning.premises import background, needed, not_negative, sign_known
+from restitution.planning.premises import background, not_negative, sign_known
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
@@ -274,6 +274,8 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, velocity)
     if isinstance(line, Unit):
         return _angle_to_unit(scene, quantity, body, stage, line)
+    if isinstance(line, Quantity) and line.kind == "velocity":
+        return _angle_between(scene, quantity)
     frame = _frame_of_line(scene, body, stage, line)
     along, across = parts(scene, body, stage, frame)
     if isinstance(line, Name) and line.name == frame.wall:
@@ -304,6 +306,93 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         tidy(value),
         refs,
     )
+
+
+def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
+    """The tangent of the angle between two velocities at one impact, by their components.
+
+    Raises NotPlannedError where they belong to no impact, or it is open which leads the other.
+    """
+    pair = [body_and_stage(scene, each) for each in quantity.arguments]
+    (first, late), (second, other) = pair
+    event = max(late, other)
+    together_ = late == other and event in scene.model.frames and first != second
+    if not together_ or {first, second} != set(scene.bodies(event)):
+        return _by_product(scene, quantity, pair)
+    frame = scene.frame(event)
+    (a, b), (c, d) = own = [parts(scene, *each, frame) for each in pair]
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    move = Move("define", "tan", event, (first, second))
+    for body, (along, across), zero in ((second, (a, b), d), (first, (c, d), b)):
+        if zero.value == 0:
+            own_line = after(scene, "along", body, frame)
+            right, value = _to_the_line(scene, along, across, own_line)
+            refs = together(*(each.whole for each in (along, across, zero, own_line)), names)
+            return Formula(move, tangent, quantity, right, value, refs)
+    cross = tidy(sp.expand(a.value * d.value - b.value * c.value))
+    if not _of_one_sign(scene, cross):
+        raise NotPlannedError("to which side a sphere turns is open")
+    terms = [product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, d), (b, c))]
+    if scene.model.sign(cross) < 0:
+        terms, cross = terms[::-1], -cross
+    below = total(product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, c), (b, d)))
+    value = tidy(cross / tidy(sp.expand(a.value * c.value + b.value * d.value)))
+    refs = together(*(each.whole for one in own for each in one), names)
+    return Formula(move, tangent, quantity, Binary("/", difference(*terms), below), value, refs)
+
+
+def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]]) -> Formula:
+    """The cosine of the angle between two velocities as vectors, by their scalar product."""
+    pair = list(pair)
+    sources = [_as_a_line(scene, *each) for each in pair]
+    (a, b), (c, d) = ([tree_of(each) for each in source.value] for source in sources)
+    squares_ = [tidy(sp.expand(sum(each**2 for each in source.value))) for source in sources]
+    if any(scene.model.identically_zero(each) for each in squares_):
+        raise NotPlannedError("an angle to what is at rest")
+    above = total((product(a, c), product(b, d)))
+    sizes = [
+        Apply("sqrt", total(square(tree_of(each)) for each in source.value if each != 0))
+        for source in sources
+    ]
+    dot = sum(x * y for x, y in zip(sources[0].value, sources[1].value, strict=True))
+    value = tidy(sp.expand(dot) / tidy(sp.sqrt(squares_[0])) / tidy(sp.sqrt(squares_[1])))
+    bodies = tuple(dict.fromkeys(body for body, _ in pair))
+    move = Move("define", "scalar-angle", max(stage for _, stage in pair) or None, bodies)
+    refs = together(*(each.whole for each in sources))
+    right = Binary("/", above, product(*sizes))
+    return Formula(move, cosine, quantity, right, value, refs)
+
+
+def cosine(tree: Expression) -> Expression:
+    """The cosine of an angle."""
+    return Apply("cos", tree)
+
+
+def _as_a_line(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector; where it is put together of components, by a line of its own."""
+    source = velocity_source(scene, body, stage)
+    if stage not in scene.model.frames or len(source.refs) == 1:
+        return source
+    number_ = write_formula(scene, formula(scene, Quantity("velocity", (Name(body),), stage)))
+    return Source(source.value, (number_,))
+
+
+def _to_the_line(
+    scene: Scene, along: Source, across: Source, other: Source
+) -> tuple[Expression, sp.Expr]:
+    """The tangent of the angle to a velocity along the line of centres, of which the size cancels.
+
+    ``other`` is that velocity; of its component no more than the sign is needed.
+    """
+    side = scene.model.sign(across.value)
+    sense = scene.model.sign(scene.model.in_data(other.value))
+    if not side or not sense or not _of_one_sign(scene, across.value):
+        raise NotPlannedError("to which side a sphere turns is open")
+    trees = [
+        negative(tree_of(each.value)) if sign < 0 else tree_of(each.value)
+        for each, sign in ((across, side), (along, sense))
+    ]
+    return Binary("/", *trees), tidy(side * sense * across.value / along.value)
 
 
 def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
@@ -368,7 +457,7 @@ def _direction(scene: Scene, quantity: Quantity) -> Formula:
 
 
 def _slope(y: sp.Expr, x: sp.Expr, simple: Any) -> tuple[Expression, sp.Expr]:
-    """The tangent of a direction; of that of a line of centres, without the size of the velocity."""
+    """The tangent of a direction; of a line of centres without the size of the velocity."""
     value = tidy(y / x)
     return tree_of(value) if simple else Binary("/", tree_of(y), tree_of(x)), value
 
@@ -588,6 +677,8 @@ def _deflection(scene: Scene, quantity: Quantity) -> Formula:
     early, late = (parts(scene, body, stage, frame) for stage in (event - 1, event))
     (c, s), (d, t) = early, late
     dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
+    if dot == 0:
+        raise NotPlannedError("a deflection of a right angle")
     cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
     if not _of_one_sign(scene, cross):
         raise NotPlannedError("to which side a sphere turns is open")
@@ -647,7 +738,8 @@ def write_formula(scene: Scene, own: Formula) -> int:
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
         relation = chain(own.left, (right, None), (final, by))
         if _has_roots_of_letters(own.right):
-            refs = needed(scene, own.move, refs, relation, background(scene, letters(right))) or refs
+            known = background(scene, letters(right))
+            refs = scene.judge.enough(own.move, refs, relation, known) or refs
         number = scene.desk.write(own.move, refs, relation)
     scene.desk.know(own.quantity, own.value, (number,))
     return number

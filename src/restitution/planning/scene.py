@@ -82,7 +82,7 @@ class Scene:
         return len(self.model.story.happenings)
 
     def frame(self, number: int) -> Frame:
-        """The frame of an impact; of directions in letters, with the values that are known by now."""
+        """The frame of an impact; of directions in letters, with what is known of these."""
         if number not in self.frames:
             if self.find_frame is not None:
                 self.frames[number] = self.find_frame(self, number)
@@ -92,7 +92,7 @@ class Scene:
         if not any(sp.sympify(each, strict=True).free_symbols for each in own.n):
             return own
         (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
-        return replace(own, n=n, t=t, refs=together(own.refs, n_refs, t_refs))
+        return replace(own, n=n, t=t, told=together(own.refs, n_refs, t_refs), write=None)
 
     def bodies(self, number: int) -> tuple[str, ...]:
         """The bodies in an event."""

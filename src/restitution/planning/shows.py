@@ -15,6 +15,7 @@ from restitution.explaining.facts import links_of, staged
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -29,6 +30,7 @@ from restitution.expression.tree import (
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.conditions import has_quantity_in
+from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
@@ -37,7 +39,7 @@ from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.refuting import write_refutation
 from restitution.planning.scene import Scene
-from restitution.planning.tangents import cosine_of_deflection
+from restitution.planning.turning import angle_line, is_angle
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
 from restitution.solve.solution import ItemResult
 
@@ -89,6 +91,10 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             return _to_figures(claims, links_of(scene.problem, item.relation, now)[0])
         case Compare(operators=("=",)):
             (link,) = links_of(scene.problem, item.relation, now)
+            if isinstance(link.left, Quantity) and _is_angle_in_numbers(link):
+                claims.worths.determine(link.left)
+                line = angle_line(scene, link.left)
+                return line, scene.desk.relation(line)
             return _Equation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
@@ -108,9 +114,22 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
     raise NotPlannedError("a show of several equations")
 
 
+def _is_angle_in_numbers(link: Link) -> bool:
+    """Whether an angle between two velocities is to be shown, as a number of degrees."""
+    match link.left:
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            return isinstance(link.right, Degrees) and link.right.value != 90
+    return False
+
+
 def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
     """A value that is printed to some figures: exact first, then its decimal."""
-    exact = claims.worths.worth(claims.worths.opened(link.left))
+    worths = claims.worths
+    if isinstance(link.left, Quantity) and is_angle(claims.scene, link.left):
+        worths.determine(link.left)
+        exact: int | None = angle_line(claims.scene, link.left)
+    else:
+        exact = worths.worth(worths.opened(link.left))
     if exact is None:
         raise NotPlannedError("an expression of several quantities to some figures")
     own = claims.scene.desk.last_link(exact)

@@ -24,9 +24,9 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.planning.angles import range_of
+from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
-from restitution.planning.axes import write_wall
 from restitution.planning.impacts import in_direction, whole_direction
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
@@ -100,6 +100,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if own is None:
         line = _by_sum(scene, asked)
     else:
+        if own.function == "tan" and own.angle is None:
+            _sign_of_tangent(scene, own)
         right = own.angle or _angle_of(own)
         named: tuple[Ref, ...] = ()
         if isinstance(right, Binary) and isinstance(right.right, Letter):
@@ -113,6 +115,17 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     return line
 
 
+def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
+    """The sign of a tangent; NotPlannedError where it is open whether the angle is obtuse."""
+    if own.extent.startswith("0°") and "90°" in own.extent:
+        return 1
+    value = scene.model.in_data(own.value)
+    sign = scene.model.proved_sign(value)
+    if sign is None:
+        raise NotPlannedError("it is open whether an angle is obtuse")
+    return sign
+
+
 def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Relation]:
     """The line that gives a sine, cosine or tangent of an angle of the motion, and the answer."""
     own = _ratio(scene, quantity_of(scene, angle), function)
@@ -123,6 +136,8 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
         value, line = own.value, own.line
     else:
         at = {"tan": sp.atan, "cos": sp.acos, "sin": sp.asin}[own.function](own.value)
+        if own.function == "tan" and _sign_of_tangent(scene, own) < 0:
+            at += sp.pi
         value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
         line = scene.desk.write(
             Move("triangle"),
@@ -137,7 +152,7 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
         case Quantity("deflection", (Name(body),), int(event)):
             return _deflection(scene, body, event, asked, wanted)
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
-            return _between(scene, asked)
+            return _between(scene, asked, wanted)
         case Quantity("angle", (first, _)) if not _moves(first):
             return _between_lines(scene, asked)
         case Quantity("angle"):
@@ -306,14 +321,37 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
     return Apply(function, tree)
 
 
-def _between(scene: Scene, asked: Quantity) -> Ratio:
-    """The angle between two velocities, by their scalar product."""
+def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio:
+    """The angle between two velocities, by their tangents or their scalar product."""
     pair = [body_and_stage(scene, each) for each in asked.arguments]
+    in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
+    if wanted == "tan" or (wanted is None and not in_numbers):
+        try:
+            own = formula(scene, asked)
+        except NotPlannedError:
+            pass
+        else:
+            if own.move.record == "tan" and not _is_right_angle(scene, own):
+                line, letter = _tangent_line(scene, asked, own, own.move)
+                return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
     sources = [_whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
     return _by_scalar(scene, move, sources, asked)
+
+
+def _is_vector_in_numbers(scene: Scene, body: str) -> bool:
+    """Whether a velocity at the start is given as a vector of numbers with **i** and **j**."""
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None or isinstance(fact.relation.only[0].right, Polar):
+        return False
+    return not any(each.free_symbols for each in scene.initial(body).value)
+
+
+def _is_right_angle(scene: Scene, own: Formula) -> bool:
+    """Whether what stands below in a tangent vanishes, or the angle is none."""
+    return bool(own.value.is_number and (own.value.is_infinite or own.value == 0))
 
 
 def _moves(tree: Expression) -> bool:
@@ -345,9 +383,7 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
 
 def _is_line(tree: Expression) -> bool:
     """Whether a direction has two senses: that of a wall, or of a line of centres."""
-    return isinstance(tree, Name) or (
-        isinstance(tree, Quantity) and tree.kind == "line_of_centres"
-    )
+    return isinstance(tree, Name) or (isinstance(tree, Quantity) and tree.kind == "line_of_centres")
 
 
 def line_source(scene: Scene, tree: Expression) -> Source:

@@ -33,7 +33,6 @@ from restitution.planning.impacts import in_direction, scene_value
 from restitution.planning.order import Solver, Standing
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import Scene
-from restitution.planning.tangents import tangent_of_deflection
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -172,8 +171,8 @@ class Worths:
             stages = (quantity.stage - 1, quantity.stage)
             for stage in stages:
                 self.determine(Quantity("velocity", (body,), stage))
-            return tangent_of_deflection(self.scene, quantity)
-        self.determine(quantity)
+        else:
+            self.determine(quantity)
         return formula(self.scene, quantity)
 
     def angle(self, angle: Quantity) -> int:

@@ -1,0 +1,150 @@
+"""Planned workings of angles, deflections, and of lines of centres and walls that are not given.
+
+Each is followed line by line, and its answers are those of the solver.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.solve import solve
+from restitution.solve.letters import roles
+from restitution.solve.solution import Solution
+
+STATEMENTS = {
+    "a wall at an angle that is asked": """
+wall W: along theta
+sphere P: velocity 3u i
+P hits W: e = 2/3
+given velocity(P) perpendicular to i
+find tan(theta), speed(P)
+""",
+    "a line of centres at an angle that is told by its sine": """
+sphere A: mass 2m, velocity u i
+sphere B: mass m, at rest
+A hits B: along phi, e = 1/2
+given sin(phi) = 5/13
+find velocity(A), velocity(B), impulse
+""",
+    "an offset that is asked": """
+sphere A: mass 2m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset d, e = 1/2
+given direction(B) = 60°
+find d, speed(B)
+""",
+    "a line of centres that is asked, though given": """
+sphere A: mass 1, velocity 5i, radius 2
+sphere B: mass 3, velocity -i, radius 2
+A hits B: offset 2.4, e = 1/2
+find line_of_centres, velocity(A)
+""",
+    "who was at rest goes along the line of centres": """
+sphere A: mass 3, velocity 10i
+sphere B: mass 2, at rest
+A hits B: e = 1/4
+given direction(B) = arctan(4/3)
+find line_of_centres, velocity(A), speed(B)
+""",
+    "who was at rest goes along a vector": """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass m, at rest
+A hits B: e = 1/2
+given velocity(B) parallel to 2i + j
+find velocity(B), impulse
+""",
+    "an angle to a line of centres that is found": """
+sphere A: mass 2, velocity 4i + 2j
+sphere B: mass 1, velocity -2i + j
+A hits B
+given velocity(A) = 2i
+find angle(line_of_centres, i), e
+""",
+    "the angle between two paths, in letters": """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find tan(angle(velocity(A), velocity(B)))
+""",
+    "the angle between two paths that is given": """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 4/5
+given angle(velocity(A), velocity(B)) = 30°
+find tan(alpha)
+""",
+    "the angle between the first and the last path": """
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity u at 30° to AB
+P hits AB: e = 1/2
+P hits BC: e = 1
+find angle(velocity(P), velocity(P, 0))
+""",
+}
+
+
+def planned(name: str) -> tuple[Derivation, Solution]:
+    solution = solve(parse(STATEMENTS[name]))
+    return plan(solution), solution
+
+
+@pytest.mark.parametrize("name", STATEMENTS)
+def test_a_working_of_angles_is_followed(name: str) -> None:
+    derivation, solution = planned(name)
+    oracle = Oracle(roles(solution.problem))
+    assert [str(each) for each in follow(derivation, oracle)] == []
+
+
+@pytest.mark.parametrize("name", STATEMENTS)
+def test_its_answers_are_those_of_the_solver(name: str) -> None:
+    from derivations import disagreement
+
+    derivation, solution = planned(name)
+    items = list(solution.items())
+    ends = list(derivation.items)
+    assert len(ends) == len(items)
+    for (part, item), end in zip(items, ends, strict=True):
+        assert disagreement(item, [end], dict(part.roles)) is None, write_relation(end.answer)
+
+
+def lines_of(name: str) -> list[str]:
+    derivation, _ = planned(name)
+    relations = (each.relation for each in derivation.lines)
+    return [write_relation(each) for each in relations if isinstance(each, Relation)]
+
+
+def test_an_offset_gives_the_line_of_centres_first() -> None:
+    derivation, _ = planned("a line of centres that is asked, though given")
+    first = derivation.lines[0]
+    assert first.premises == ("axis 1",)
+    assert first.relation == read_relation("line_of_centres(1) = 4/5 i + 3/5 j", {})
+
+
+def test_the_size_of_a_velocity_along_the_line_has_no_part_in_the_angle_to_it() -> None:
+    lines = lines_of("the angle between two paths that is given")
+    assert any(each.startswith("tan(30°) = u sin(alpha)/(") for each in lines)
+
+
+def test_who_is_at_rest_needs_no_direction() -> None:
+    derivation, _ = planned("who was at rest goes along the line of centres")
+    laws = [each for each in derivation.lines if each.move.record == "momentum"]
+    assert all("axis 1" not in each.premises for each in laws)
+
+
+def test_an_angle_that_may_be_obtuse_has_no_plan() -> None:
+    statement = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity v at beta from -i
+A hits B: along i
+find deflection(A)
+"""
+    with pytest.raises(NotPlannedError, match="obtuse"):
+        plan(solve(parse(statement)))
