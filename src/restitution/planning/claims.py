@@ -23,7 +23,14 @@ from restitution.expression.tree import (
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ZERO, tree_of
-from restitution.planning.inequalities import FLIPPED, is_monic, same, solve_linear, subject_of
+from restitution.planning.inequalities import (
+    FLIPPED,
+    is_monic,
+    same,
+    solve_linear,
+    subject_of,
+    turned,
+)
 from restitution.planning.letter_ties import Ties
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
@@ -304,6 +311,10 @@ class Claims:
                 found = self._eliminated(line, base, relation, target)
                 if found is not None:
                     return found
+            for line in self.ties.lines():
+                found = self._by_each_end(line, relation)
+                if found is not None:
+                    return found
             return None
 
         def by_all(base: list[Ref], relation: Relation) -> int | None:
@@ -372,6 +383,27 @@ class Claims:
         found = self.compared([*base, *written], relation)
         if found is None and self.conditions.lines(wanted):
             found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
+        return found
+
+    def _by_each_end(self, line: int, relation: Relation) -> int | None:
+        """One end after the other, by an equation and the range of a letter in it."""
+        mark = self.worths.mark()
+        written: list[int] = []
+        for link in relation.only:
+            own = turned(link) if isinstance(link.right, Letter) else link
+            if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
+                continue
+            sides = self.scene.desk.last_link(line)
+            names = letters(sides.left) | letters(sides.right)
+            pool = [line, *self.judge.known(names & set(roles(self.scene.problem)))]
+            end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
+            if end is None:
+                self.worths.back(mark)
+                return None
+            written.append(end)
+        found = self.compared(written, relation) if written else None
+        if found is None:
+            self.worths.back(mark)
         return found
 
     def compared(

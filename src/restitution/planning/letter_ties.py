@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation, Sign
+from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -120,16 +120,35 @@ class Ties:
         if written is not None:
             return written
         if each.fact.id in self.solver.used:
-            return None
+            return self._of_fact(each.fact.id)
         self.solver.used.add(each.fact.id)
         self.solver.determine(sorted(inside & components, key=str))
         self.solver.used.discard(each.fact.id)
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
-            return None
+            return self._of_fact(each.fact.id)
         line = self._neat(write_given(scene, _as_right_angle(each)))
         scene.ties[each.fact.id] = scene.desk.relation(line)
         return line
+
+    def _of_fact(self, ref: Ref) -> int | None:
+        """The first equation between letters alone that stands below a given fact."""
+        desk = self.scene.desk
+        known = set(roles(self.scene.problem))
+        free = {each.name for each in self.scene.free}
+        below: set[Ref] = {ref}
+        for line in desk.lines:
+            own = line.relation
+            if not isinstance(own, Relation) or not below & set(line.premises):
+                continue
+            below.add(line.number)
+            if len(own.options) > 1 or len(own.only) > 1 or own.only[0].sign != "=":
+                continue
+            said = {n for side in (own.only[0].left, own.only[0].right) for n in letters(side)}
+            plain = said <= known and not has_quantity_in(own) and not _has_root(own)
+            if plain and said & free and desk.holds(line.number):
+                return self._neat(line.number)
+        return None
 
     def _closed(self, symbol: sp.Symbol) -> int | None:
         """The line that says what a letter is by others."""
@@ -209,6 +228,12 @@ class Ties:
                 found.append((*own, sign))
         return found
 
+    def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
+        """Whether an expression grows with a letter, or falls; None where that is open."""
+        above, below = sp.fraction(sp.factor(sp.together(sp.diff(x, symbol))))
+        odd = [each for each in sp.Mul.make_args(below) if not each.as_base_exp()[1].is_even]
+        return certain(self.scene, above / sp.Mul(*odd))
+
     def bounded(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
         """An equation of which one side only holds a letter, with its bound put in there."""
         link = self.scene.desk.last_link(line)
@@ -218,16 +243,22 @@ class Ties:
             if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
                 continue
             role = roles(self.scene.problem)[gone.name]
-            above, below = sp.fraction(sp.together(x))
-            form = linear_in(sp.expand(above), gone, role.kind == "angle")
-            if form is None or gone in below.free_symbols:
-                return None
-            _, generator, a, b = form
-            slope = certain(self.scene, a / below)
+            if role.kind != "angle":
+                generator, slope = gone, self._slope(x, gone)
+            else:
+                form = linear_in(sp.expand(sp.fraction(sp.together(x))[0]), gone, True)
+                if form is None or gone in sp.fraction(sp.together(x))[1].free_symbols:
+                    return None
+                generator = form[1]
+                slope = certain(self.scene, form[2] / sp.fraction(sp.together(x))[1])
             ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
             if slope is None or not ends:
                 return None
-            value = tidy(sp.factor((a * ends[0] + b) / below))
+            t = sp.Dummy("t")
+            at_end = sp.together(x.subs(generator, t)).subs(t, ends[0])
+            if at_end.has(sp.zoo, sp.oo, sp.nan) or gone in at_end.free_symbols:
+                return None
+            value = tidy(sp.factor(at_end))
             return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
         return None
 
