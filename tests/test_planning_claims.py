@@ -351,3 +351,46 @@ def test_where_a_wall_is_hit_bounds_a_letter(corner: tuple[str, ...], last: str)
     assert any("within 2" in each.premises for each in derivation.lines)
     if last:
         assert write_relation(derivation.items[-1].answer) == last
+
+
+@pytest.mark.parametrize(
+    ("statement", "premise", "last"),
+    [
+        (
+            (
+                "sphere A: mass m, velocity c i\nsphere B: mass m, velocity 3i + j\n"
+                "A hits B: along i, e = 1/3\ngiven c > 0\nfind range of c"
+            ),
+            "approach 1",
+            "c > 3",
+        ),
+        (
+            (
+                "wall V: along i\nwall W: along j\nsphere P: velocity u at 60° to V\n"
+                "P hits V\nP hits W: e = 3e\nfind range of e, speed(P)"
+            ),
+            "most 2",
+            "0 <= e <= 1/3",
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: velocity u at beta to W\ngiven tan(beta) = 5/12\n"
+                "P hits W: e = 1/2\nfind speed(P)\nshow beta < 30°"
+            ),
+            "acute: beta",
+            "beta < 30°",
+        ),
+        (
+            WALL + "given angle(velocity(P), W) = 30°\npart a\nfind tan(alpha)\n"
+            "part b\nunknown e\nfind range of alpha",
+            "e <= 1",
+            "30° <= alpha < 90°",
+        ),
+    ],
+)
+def test_what_has_to_be_bounds_a_letter(statement: str, premise: str, last: str) -> None:
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert last in [write_relation(each.answer) for each in derivation.items]
+    assert any(premise in each.premises for each in derivation.lines)

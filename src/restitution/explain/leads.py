@@ -121,9 +121,9 @@ class Leads:
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")
             return
-        within = self._between(line)
-        if within is not None:
-            yield within
+        needed = self._of_the_story(line)
+        if needed is not None:
+            yield needed
         elif line.move.id == "identity" and line.move.record in _BY:
             how = say(_BY[line.move.record])
             equations = () if source is None else self._numbers(source)
@@ -152,12 +152,17 @@ class Leads:
             return say("resolved-spheres.before")
         return say("resolved-spheres.after")
 
-    def _between(self, line: Line) -> Sentence | None:
-        """That a sphere comes to a wall between its ends, where that is what a line says."""
+    def _of_the_story(self, line: Line) -> Sentence | None:
+        """What has to be for there to be such an impact, where that is what a line says."""
         for ref in line.premises:
             if isinstance(ref, str) and ref.startswith("within "):
                 event = self._naming.events[int(ref.removeprefix("within "))]
                 return say("given.between", body=event.bodies[0], wall=event.bodies[1])
+            if isinstance(ref, str) and ref.startswith("approach "):
+                event = self._naming.events[int(ref.removeprefix("approach "))]
+                return say("given.approach", one=event.bodies[0], other=event.bodies[1])
+            if isinstance(ref, str) and ref.startswith("most "):
+                return say("given.most")
         return None
 
     def _source(self, source: Source) -> Iterator[Sentence]:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
     rational,
     walk,
 )
@@ -232,6 +233,25 @@ class _Facts:
             return -1 if world.scalar(gap).vanishes else None
         return side
 
+    def _of_the_story(self, step: Impact, number: int) -> Iterator[Fact]:
+        """What has to be, or there is no such impact: of its coefficient, and of the approach."""
+        if isinstance(step.e, Expression) and not isinstance(step.e, Letter | Number):
+            one = Number(Fraction(1))
+            if letters(step.e) and self._sign(Binary("-", one, step.e)) is None:
+                most = Relation(((Link(step.e, "<=", one),),))
+                yield Fact(f"most {number}", "geometry", most, None, step.place)
+        if number > 1 or step.second in self.walls or step.along is None:
+            return
+        speeds = [self._sphere(each).velocity for each in (step.first, step.second)]
+        if all(isinstance(each, Expression) for each in speeds) and any(map(letters, speeds)):
+            axis = step.along
+            a, b = (
+                Quantity("along", (Quantity("velocity", (Name(each),), 0), axis))
+                for each in (step.first, step.second)
+            )
+            nearer = Relation(((Link(a, ">", b),),))
+            yield Fact(f"approach {number}", "geometry", nearer, None, step.place)
+
     def _within(self, step: Impact, number: int) -> Relation | None:
         """That a sphere comes to a wall between its ends, where that is along **i** or **j**."""
         wall = self.walls.get(step.second)
@@ -343,6 +363,7 @@ class _Facts:
             within = self._within(step, number)
             if within is not None:
                 yield Fact(f"within {number}", "geometry", within, None, step.place)
+            yield from self._of_the_story(step, number)
             e = Letter("e") if step.e is None else step.e
             yield self._fact(f"e {number}", Quantity("restitution", (), number), e, step.place)
             axis = Quantity("line_of_centres", (), number)

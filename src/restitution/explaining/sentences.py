@@ -398,6 +398,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.line": "It is given that {fact}. So the line of centres is parallel to {way}.",
     "given.wall": "It is given that {fact}. So {wall} is parallel to {way}.",
     "given.rest": "{body} is at rest:",
+    "given.approach": "{one} and {other} approach each other before the impact:",
+    "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",
     "given.velocity": "By the speed and the direction of {body} after the impact,",

@@ -317,14 +317,23 @@ class Claims:
                     return found
             return None
 
+        def by_ratios(base: list[Ref], relation: Relation) -> int | None:
+            return self._by_ratios(target, relation)
+
         def by_all(base: list[Ref], relation: Relation) -> int | None:
             return self.compared(
                 [*base, *self.ties.lines(), *self.conditions.lines(wanted)], relation
             )
 
+        def by_story(base: list[Ref], relation: Relation) -> int | None:
+            own = (*self.conditions.story(wanted), *self.conditions.lines(wanted))
+            return self.compared([*base, *own], relation, base)
+
         yield by_conditions
+        yield by_ratios
         yield by_ties
         yield by_all
+        yield by_story
 
     def monotone(self, line: int, relation: Relation) -> int | None:
         """The ends of what only grows, or only falls, with the one letter that has a range."""
@@ -384,6 +393,27 @@ class Claims:
         if found is None and self.conditions.lines(wanted):
             found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
         return found
+
+    def _by_ratios(self, target: set[str], relation: Relation) -> int | None:
+        """An angle of which the data give a ratio in numbers, by the tangent of it."""
+        known = roles(self.scene.problem)
+        angles = [n for n in sorted(target) if n in known and known[n].kind == "angle"]
+        if len(angles) != 1:
+            return None
+        tangent = Apply("tan", Letter(angles[0]))
+        symbol = self.scene.model.unknowns.letter(angles[0])
+        standing = self.scene.desk.known(tangent)
+        if standing is not None and not standing.value.free_symbols:
+            return self.compared(standing.refs, relation)
+        value, refs = self.scene.put(sp.tan(symbol))
+        if value.free_symbols or not refs:
+            return None
+        line = next((each for each in refs if isinstance(each, int)), None)
+        told = Relation(((Link(tangent, "=", tree_of(value)),),))
+        number = self.judge.standing(told)
+        if number is None and line is not None:
+            number = self.judge.write((Move("triangle"), Move("put")), refs, told)
+        return self.compared([*(refs if number is None else [number])], relation)
 
     def _by_each_end(self, line: int, relation: Relation) -> int | None:
         """One end after the other, by an equation and the range of a letter in it."""

@@ -38,10 +38,23 @@ class Conditions:
         self.solver = worths.solver
         self.judge = worths.judge
         self._lines: list[int] | None = None
+        self._story: list[int] | None = None
 
     def clear(self) -> None:
         """Forgets what has been taken away again."""
-        self._lines = None
+        self._lines = self._story = None
+
+    def story(self, wanted: Expression | None = None) -> list[int]:
+        """What has to be, or there are no such impacts, in letters."""
+        if self._story is None:
+            self._story = [
+                line
+                for fact in self.scene.desk.facts
+                if fact.id.startswith(("most ", "approach ")) and self.scene.desk.holds(fact.id)
+                for line in (self._condition(fact, wanted),)
+                if line is not None
+            ]
+        return self._story
 
     def lines(self, wanted: Expression | None = None) -> list[int]:
         """The given inequalities, in letters and solved as far as one line does it."""
@@ -69,6 +82,13 @@ class Conditions:
         if fact.id.startswith("within "):
             return write_between(self.worths, fact, wanted)
         (link,) = fact.relation.only
+        if fact.id.startswith("most "):
+            x = sp.expand(self.scene.scalar(link.left) - self.scene.scalar(link.right))
+            solved = solve_linear(self.scene, link.sign, x, wanted)
+            if solved is None:
+                return None
+            pool = [fact.id, *self.worths.known_in(x)]
+            return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection", _, int()) as angle, Degrees(value) if value == 90:
                 return self._obtuse(fact, link, angle, wanted)

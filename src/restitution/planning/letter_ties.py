@@ -275,7 +275,7 @@ def _as_right_angle(each: GivenEquation) -> GivenEquation:
 
 def _has_root(relation: Relation) -> bool:
     return any(
-        isinstance(each, Apply) and each.function == "sqrt"
+        isinstance(each, Apply) and each.function == "sqrt" and bool(letters(each))
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
