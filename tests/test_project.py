@@ -108,3 +108,10 @@ def test_nothing_executes_text(path):
             )
             numbers = all(isinstance(getattr(x, "value", None), int | float) for x in node.args)
             assert strict or numbers, f"{where}: sympify without strict=True"
+
+
+def test_contributing_names_files_that_are_there():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    named = re.findall(r"`((?:src|tests|scripts|benchmarks)/[\w/.]+)`", text)
+    assert len(named) > 20
+    assert [each for each in named if not (ROOT / each).exists()] == []
