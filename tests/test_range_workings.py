@@ -134,7 +134,7 @@ def test_the_corpus_has_ranges() -> None:
             given energy_lost < 500
             find range of u
             """,
-            ["Since kinetic energy lost < 500:", "kmu²(1 − e²)/(2(k + 1)) < 500"],
+            ["Since kinetic energy lost < 500:", "kmu²(1 − e²)/(2(1 + k)) < 500"],
         ),
         (
             """

@@ -173,6 +173,8 @@ class Leads:
                 yield say("derived.combine", letter=letter, equations=equations)
             case "compare" if not equations:
                 yield say("given.compare")
+            case "formula":
+                yield say("derived.formula")
             case "divide":
                 first, second = equations
                 yield say("derived.divide", first=first, second=second)

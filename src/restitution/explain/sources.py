@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
-from restitution.explaining.derivation import Derivation, Line, Ref, Relation
+from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Apply, Expression, Quantity, Unit, children
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Number,
+    Quantity,
+    Unit,
+    children,
+    walk,
+)
 
 _PAIRED = frozenset({"combine", "divide", "square-add"})
 _SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
@@ -24,7 +33,7 @@ class Source:
     into which it is.
     """
 
-    kind: Literal["compare", "combine", "add", "divide", "square-add", "put"]
+    kind: Literal["compare", "combine", "add", "divide", "square-add", "put", "formula"]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
@@ -107,6 +116,8 @@ class Sources:
                 return Source("combine", tuple(cited), eliminated=line.move.eliminated)
             kind = "add" if move == "combine" else move
             return Source(kind, tuple(cited))  # type: ignore[arg-type]
+        if move == "roots" and cited == [above] and self._is_quadratic(cited[0]):
+            return Source("formula")
         if move == "reject":
             cited = cited[:1]
         if move == "inverse":
@@ -127,6 +138,13 @@ class Sources:
             and isinstance(line.relation.options[0][0].left, Apply)
         )
 
+    def _is_quadratic(self, number: int) -> bool:
+        """Whether a line says ax² + bx + c = 0, and not by its factors."""
+        match self._lines[number].relation:
+            case Relation(((Link(Binary("+" | "-", Binary("+" | "-"), _), "=", Number(value)),),)):
+                return value == 0
+        return False
+
     def _splits(self, line: Line, cited: int) -> bool:
         """Whether a line is one component of an equation of vectors."""
         return cited in self._vectors and line.number not in self._vectors
@@ -141,15 +159,28 @@ class Sources:
             and fact.kind in ("given", "range")
         )
 
+    def _subjects(self, line: Line, target: int | None) -> Iterator[Expression]:
+        """What a line says the value of; of several ratios those that are put in."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        into = None if target is None else self._derivation.line(target)
+        if line.move.id == "triangle" and into is not None and isinstance(into.relation, Relation):
+            nodes = {node for tree in trees_of(into.relation) for node in walk(tree)}
+            used = [link.left for link in links if link.left in nodes]
+            if used:
+                yield from used
+                return
+        yield links[0].left
+
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
         values = [each for each in cited if each != target]
         letters = tuple(
-            relation.options[0][0].left
+            letter
             for each in values
             if (own := self._derivation.line(each)) is not None
-            and isinstance(relation := own.relation, Relation)
+            for letter in self._subjects(own, target)
         )
         facts = self._given(line.premises)
         numbered = () if target is None or target == above else (target,)

@@ -152,6 +152,23 @@ def _from_base(step: Step) -> Step:
     return step.under(opaque=step.opaque | own) if own else step
 
 
+def _without_angles(step: Step) -> Step:
+    """The step in which no line beside the first says what an angle is."""
+    base = _base(step)
+    kept = [
+        each
+        for each in step.cited
+        if each.relation is base
+        or isinstance(each.relation, Meaning)
+        or not any(link.left in step.world.turns for link in _links(each.relation))
+    ]
+    return step.under(cited=tuple(kept)) if len(kept) < len(step.cited) else step
+
+
+def _links(relation: Relation) -> list[Link]:
+    return [link for links in relation.options for link in links]
+
+
 def _rest(step: Step) -> tuple[Cited, ...]:
     """What is cited beside the line that a move starts from."""
     first = next((e for e in step.cited if isinstance(e.relation, Relation)), None)
@@ -407,8 +424,9 @@ def _put(step: Step, line: Link) -> bool:
     rules = step.rules(_rest(step))
     if line.sign == "parallel to":
         return any(_points_along(step, line, each, rules) for each in base.only)
+    alone = _without_angles(step)
     if step.move.id == "put" and any(
-        _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
+        _matches(alone, line, _expected(alone, each, Rules(alone.world)), each.sign)
         for each in _flat(base.only)
     ):
         return False  # nothing is put in

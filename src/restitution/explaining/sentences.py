@@ -658,6 +658,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.add": "From {equations:and}:",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
+    "derived.formula": "By the formula for the roots of a quadratic:",
     "derived.put": "Substituting for {letters:and}:",
     "derived.put-in": "Substituting for {letters:and} in {equation}:",
     "derived.put-last": "Substituting in {equation}:",

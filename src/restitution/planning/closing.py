@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles import write_other_ratio
+from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import residual, scene_value
@@ -51,6 +52,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     symbol = _unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
+    number = multiplied_out(scene, number, symbol)
     for shape in SHAPES:
         try:
             source = shape(scene, number, symbol)
@@ -243,10 +245,23 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         if poly.degree() != 1:
             continue
         value = tidy(-poly.nth(0) / poly.nth(1))
-        line = rearranged(scene, number, chain(Letter(symbol.name), (tree_of(value), None)))
+        line = rearranged(scene, number, _quotient(symbol, poly, value))
         if line is not None:
             return known_as(scene, symbol, value, line)
     return _by_identity(scene, number, symbol)
+
+
+def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:
+    """The root of a linear polynomial; below a sum with roots it is first a quotient."""
+    letter, last = Letter(symbol.name), tree_of(value)
+    below = poly.nth(1)
+    if not (below.is_number and below.is_Add):
+        return chain(letter, (last, None))
+    above = -poly.nth(0)
+    if below.is_negative:
+        above, below = -above, -below
+    first = Binary("/", tree_of(above, as_it_is=True), tree_of(below, as_it_is=True))
+    return chain(letter, (first, None), (last, "rearrange"))
 
 
 def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

@@ -48,12 +48,14 @@ _LAST = frozenset({"answer", "shown"})
 class Source:
     """A value that is known, as an expression or a vector of them, and what it rests on.
 
-    ``axis`` is what a component rests on beside that, where it is named by the line of centres.
+    ``axis`` is what a component rests on beside that, where it is named by the line of centres;
+    ``form`` is how the line writes it in which it comes of the data, where that is another tree.
     """
 
     value: Any
     refs: tuple[Ref, ...] = ()
     axis: tuple[Ref, ...] = ()
+    form: Expression | None = None
 
     @property
     def whole(self) -> tuple[Ref, ...]:

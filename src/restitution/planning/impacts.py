@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -10,7 +11,9 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move, Ref
 from restitution.expression.tree import (
+    Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -43,15 +46,23 @@ from restitution.vector import Vector
 
 
 def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
-    """A component of a velocity just before the impact of a frame."""
-    return in_direction(scene, kind, body, frame.number - 1, frame)
+    """A component of a velocity just before the impact of a frame.
+
+    Where it takes a line, that of the other one stands beside it.
+    """
+    lines = len(scene.desk.lines)
+    source = in_direction(scene, kind, body, frame.number - 1, frame)
+    if len(scene.desk.lines) > lines and _is_slanted(frame):
+        other = "across" if kind == "along" else "along"
+        in_direction(scene, other, body, frame.number - 1, frame)
+    return source
 
 
 def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
     """A component, after ``stage`` events, in one of the directions of a frame."""
     last = scene.last_event(body, stage)
     tree = frame.component(kind, body, last)
-    known = scene.desk.known(tree)
+    known = _settled(scene, tree)
     if known is not None:
         return _put(scene, known)
     direction = frame.direction(kind)
@@ -63,8 +74,10 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         if _is_slanted(frame) and not _is_polar(scene, body):
-            return _by_scalar_product(scene, tree, initial, frame, direction)
-        return _put(scene, Source(value, initial.refs, frame.refs))
+            form = by_degrees(scene, kind, body, frame, value)
+            return _by_scalar_product(scene, tree, initial, frame, direction, form)
+        form = by_degrees(scene, kind, body, frame, value)
+        return _put(scene, Source(value, initial.refs, frame.refs, form))
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if vector is not None and last not in scene.model.frames:
         return _put(scene, Source(tidy(vector.value.dot(direction)), vector.refs, frame.refs))
@@ -74,11 +87,15 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)
         if sign:
-            source = after(scene, each, body, own)
+            source = _settled(scene, own.component(each, body, last)) or after(
+                scene, each, body, own
+            )
             axis = source.axis
             if own.component(each, body, last) != tree:
                 axis = together(axis, own.unit_free, frame.unit_free)
             return _put(scene, Source(sign * source.value, source.refs, axis))
+    if vector is not None and not (direction.x and direction.y):
+        return _put(scene, Source(vector.value.dot(direction), vector.refs, frame.unit_free))
     return _resolved(scene, kind, body, last, frame)
 
 
@@ -120,23 +137,30 @@ def _is_polar(scene: Scene, body: str) -> bool:
 
 
 def _by_scalar_product(
-    scene: Scene, quantity: Quantity, source: Source, frame: Frame, direction: Vector
+    scene: Scene,
+    quantity: Quantity,
+    source: Source,
+    frame: Frame,
+    direction: Vector,
+    form: Expression | None = None,
 ) -> Source:
-    """A component of a vector of numbers in a direction that is one: a line of its own."""
+    """A component of a vector of numbers in a direction that is one: a line of its own.
+
+    ``form`` is how the component is written, where it is no scalar product.
+    """
     whole, length = whole_direction(direction)
     value, more = scene.put(source.value.dot(direction))
     if more:
         source = Source(scene.put(source.value)[0], together(source.refs, more))
     value = tidy(value)
     terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
+    first = swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
     number = scene.desk.write(
         Move("define", "component", frame.number, _body(quantity)),
         together(source.refs, frame.refs),
-        chain(
-            quantity,
-            (swept(terms if length == 1 else Binary("/", terms, tree_of(length))), None),
-            (tree_of(value), "rearrange"),
-        ),
+        chain(quantity, (form or first, None), (tree_of(value), "rearrange")),
+        # What is at rest has no component in any direction: nobody writes that down.
+        "line" if any(source.value) else "silent",
     )
     return scene.desk.know(quantity, value, (number,))
 
@@ -161,9 +185,84 @@ def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
     return Vector(sign * sp.Integer(ratio.q), sign * sp.Integer(ratio.p)), size
 
 
+def _settled(scene: Scene, tree: Expression) -> Source | None:
+    """What a component, or a letter, is known to be; None where it is not.
+
+    Where letters in it have been found since, what that makes of it is a line of its own, unless
+    a number only takes the place of a letter.
+    """
+    known = scene.desk.known(tree)
+    if known is None:
+        return None
+    own = known.value if known.value.is_Symbol else -known.value
+    if own.is_Symbol:
+        _settled(scene, Letter(own.name))
+        return known
+    value, refs = scene.put(known.value)
+    lines = [each for each in known.refs if isinstance(each, int)]
+    if value == known.value or len(lines) != 1 or _is_plain(known.value, value):
+        return known
+    (line,) = lines
+    if scene.desk.last_link(line).left != tree:
+        return known
+    move = Move("put")
+    line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
+    return scene.desk.know(tree, value, (line,))
+
+
+def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
+    """Whether a product of letters and a rational number still is one, of one letter less."""
+    return not (
+        sp.Mul.make_args(before_)[0].is_Add
+        or before_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.atoms(sp.Add, sp.Function, sp.Pow)
+        or len(before_.free_symbols - after_.free_symbols) != 1
+    )
+
+
 def _put(scene: Scene, source: Source) -> Source:
     value, refs = scene.put(source.value)
-    return Source(value, together(source.refs, refs), source.axis)
+    form = source.form if not refs else None
+    return Source(value, together(source.refs, refs), source.axis, form)
+
+
+def tree_in_law(source: Source) -> Expression:
+    """A component as a law has it: as it comes of the data, or as what it is worth."""
+    return tree_of(source.value) if source.form is None else source.form
+
+
+def by_degrees(
+    scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
+) -> Expression | None:
+    """A component at the start by the angle in degrees: ``u cos 60°``; None without one."""
+    initial = scene.initial(body).value
+    (link,) = scene.facts[f"velocity {body}"].relation.only
+    if isinstance(link.right, Polar):
+        size = scene.scalar(link.right.size)
+    elif initial.x == 0 or initial.y == 0:
+        size = initial.x + initial.y
+        size = -size if scene.model.sign(size) < 0 else size
+    else:
+        return None
+    ratio = tidy(value / size) if size != 0 else size
+    # At a wall, angles are measured from it.
+    function = "sin" if (frame.wall is not None) == (kind == "along") else "cos"
+    share = share_by_degrees(ratio, function)
+    if share is None:
+        return None
+    own = product(tree_of(size), share)
+    return negative(own) if scene.model.sign(value) < 0 else own
+
+
+def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
+    """The size of a ratio as the sine or cosine of whole degrees; None where it is none."""
+    if not ratio.is_number or ratio.atoms(sp.sin, sp.cos, sp.tan) or abs(ratio) in (0, 1):
+        return None
+    size = sp.Abs(ratio)
+    angle = (sp.asin if function == "sin" else sp.acos)(size) * 180 / sp.pi
+    if not angle.is_Integer:
+        return None
+    return Apply(function, Degrees(Fraction(int(angle))))
 
 
 def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
@@ -181,8 +280,12 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
     put = [_put(scene, each) for each in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
+    functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
+    names = [share_by_degrees(b, f) for b, f in zip(shares, functions, strict=True)]
     terms = [
-        product(tree_of(a.value), tree_of(b)) for a, b in zip(put, shares, strict=True) if a.value
+        product(tree_of(a.value), tree_of(b) if name is None else _signed(name, b))
+        for a, b, name in zip(put, shares, names, strict=True)
+        if a.value
     ]
     refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     quantity = frame.component(kind, body, stage)
@@ -192,6 +295,10 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
         chain(quantity, (swept(total(terms)), None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(quantity, value, (number,))
+
+
+def _signed(tree: Expression, value: sp.Expr) -> Expression:
+    return negative(tree) if value < 0 else tree
 
 
 def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
@@ -299,7 +406,7 @@ def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
     number = scene.desk.write(
         Move("law", "unchanged", frame.number, (body,)),
         together(source.whole, frame.names_axis("across")),
-        chain(quantity, (tree_of(source.value), None)),
+        chain(quantity, (tree_in_law(source), None), (tree_of(source.value), "rearrange")),
     )
     return scene.desk.know(quantity, source.value, (number,))
 
@@ -310,7 +417,7 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     e = scene.coefficient(frame.number)
     quantity = frame.component("along", body, frame.number)
     value = neat(-e.value * source.value)
-    first = product(tree_of(e.value), negative(tree_of(source.value)))
+    first = product(tree_of(e.value), negative(tree_in_law(source)))
     last = tree_of(value)
     if factors(first) == factors(last):
         first = last  # nothing is worked out
@@ -360,7 +467,7 @@ def momentum(scene: Scene, frame: Frame) -> int:
         ends = (before(scene, "along", body, frame), _now(scene, body, frame))
         for side, source in zip(sides, ends, strict=True):
             refs += source.whole
-            side.append(_momentum_of(tree_of(mass.value), tree_of(source.value)))
+            side.append(_momentum_of(tree_of(mass.value), tree_in_law(source)))
     left, right = map(total, sides)
     return scene.desk.write(
         Move("law", "momentum", frame.number, scene.bodies(frame.number)),
@@ -388,7 +495,7 @@ def restitution(scene: Scene, frame: Frame) -> int:
     told = late if e.value == 0 else (*early, *late)
     refs = together(e.refs, *(each.whole for each in told), frame.names_axis("along"))
     v, w = (tree_of(each.value) for each in late)
-    u, x = (tree_of(each.value) for each in early)
+    u, x = (tree_in_law(each) for each in early)
     approach = difference(u, x)
     if scene.model.sign(early[0].value - early[1].value) < 0:
         v, w, approach = w, v, difference(x, u)

@@ -62,7 +62,9 @@ def by_roots(
     kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
     roots = [*kept, *(each for each in roots if each not in kept)]
     dropped = [each for each in roots if each not in kept]
-    number = _in_standard_form(scene, number, above, generator, subject)
+    whole = sp.expand(sp.Mul(*(base**power for base, power in factors)))
+    number = _in_standard_form(scene, number, whole, generator, subject)
+    number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
     alternatives = Relation(tuple(_option(subject, each) for each in roots))
     names = {each.name for each in above.free_symbols}
     refs = scene.judge.enough(Move("roots"), (number,), alternatives, background(scene, names))
@@ -113,15 +115,7 @@ def _in_standard_form(
         value = tidy(-polynomial.nth(0) / polynomial.nth(2))
         relation = chain(squared, (tree_of(value), None))
     else:
-        x = sp.Dummy(real=True)
-        content, rest = sp.Poly(above.xreplace({generator: x}), x).primitive()
-        del content
-        names = rest.as_expr()
-        if rest.free_symbols_in_domain:
-            return number
-        if rest.LC() < 0:
-            names = -names
-        tree = _polynomial_tree(sp.Poly(names, x), subject)
+        tree = _polynomial_tree(_plain(scene, above, generator), subject)
         relation = Relation(((Link(tree, "=", ZERO),),))
     if scene.desk.relation(number) == relation:
         return number
@@ -129,6 +123,34 @@ def _in_standard_form(
     names_ = {each.name for each in residual(scene, number).free_symbols}
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
+    """A polynomial without a common factor, and with what is positive in front."""
+    x = sp.Dummy(real=True)
+    _, rest = sp.Poly(above.xreplace({generator: x}), x).primitive()
+    return -rest if scene.model.sign(rest.LC()) < 0 else rest
+
+
+def _in_factors(
+    scene: Scene,
+    number: int,
+    factors: Sequence[sp.Expr],
+    generator: sp.Expr,
+    subject: Expression,
+) -> int:
+    """A quadratic as the product of two linear factors, where it is one."""
+    if len(factors) != 2 or any(sp.Poly(each, generator).degree() != 1 for each in factors):
+        return number
+    if scene.desk.last_link(number).right != ZERO:
+        return number
+    plain = [_plain(scene, each, generator) for each in factors]
+    plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
+    trees = [_polynomial_tree(each, subject) for each in plain]
+    relation = Relation(((Link(product(*trees), "=", ZERO),),))
+    names = {each.name for each in residual(scene, number).free_symbols}
+    refs = needed(scene, Move("rearrange"), (number,), relation, background(scene, names))
+    return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
 
 
 def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:

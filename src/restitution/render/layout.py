@@ -506,11 +506,17 @@ def _is_negative(term: Expr) -> bool:
 
 
 def _numbers_first(others: list[Expr]) -> bool:
-    """``1 + e``, ``1 − tan²α``; but ``k + 1``, ``t² + 2t + 3``."""
+    """``1 + e``, ``1 − tan²α``, ``1 + k``; but ``k² + k + 1``, ``t + 1``, ``t² + 2t + 3``."""
     letters = set().union(*[each.free_symbols for each in others])
     if any(each.has(*_DIRECT) for each in others):
         return True
-    return any(_class(each) == "coefficient" for each in letters)
+    if any(_class(each) == "coefficient" for each in letters):
+        return True
+    return all(
+        (each / each.as_coeff_Mul()[0]).is_Symbol
+        and _class(next(iter(each.free_symbols))) == "ratio"
+        for each in others
+    )
 
 
 def _term_order(term: Expr) -> tuple[Any, ...]:

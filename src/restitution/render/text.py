@@ -236,14 +236,25 @@ def _slash(fraction: Fraction) -> str:
     if isinstance(fraction.below, Product) and fraction.below.factors[0] == Words("d"):
         return f"d/d{_text(fraction.below.factors[1])}"  # a rate of change
     above, below = _text(fraction.above), _text(fraction.below)
-    if isinstance(fraction.above, Fraction):
-        above = f"({_slash(fraction.above)})"
-    elif isinstance(fraction.above, Sum | Relation | Phrase) or _open_ended(fraction.above):
-        above = f"({above})"
     simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function | Root)
     if not simple:
         below = f"({_slash(fraction.below) if isinstance(fraction.below, Fraction) else below})"
+    # The angle of (u sin α)/2 ends at the bracket; that of u sin α/(1 + k) ends at the slash.
+    ended = below.startswith("(") and _ends_in_a_letter(fraction.above)
+    if isinstance(fraction.above, Fraction):
+        above = f"({_slash(fraction.above)})"
+    elif isinstance(fraction.above, Sum | Relation | Phrase) or (
+        _open_ended(fraction.above) and not ended
+    ):
+        above = f"({above})"
     return f"{above}/{below}"
+
+
+def _ends_in_a_letter(layout: Layout) -> bool:
+    """Whether a product without a sign ends in the sine, cosine or tangent of a letter."""
+    if isinstance(layout, Product):
+        return not layout.sign and _ends_in_a_letter(layout.factors[-1])
+    return isinstance(layout, Function) and isinstance(layout.argument, Letter)
 
 
 def _open_ended(layout: Layout) -> bool:

@@ -1,0 +1,259 @@
+"""Equations multiplied out: what is common to all terms is gone, and each side is a polynomial.
+
+A line from which its unknown is read at once stays as it is. One that takes several steps (a
+common factor, brackets, an unknown in several terms or below a line) gets a line between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, walk
+from restitution.planning.desk import chain
+from restitution.planning.forms import (
+    alike,
+    difference,
+    is_zero,
+    number,
+    product,
+    tree_of,
+)
+from restitution.planning.impacts import residual, scene_value
+from restitution.planning.premises import background, needed
+from restitution.planning.scene import Scene
+
+_TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
+# More steps than this are not made in one line.
+_MOST = 1
+
+
+def multiplied_out(scene: Scene, line: int, symbol: sp.Symbol) -> int:
+    """The line with both sides multiplied out, as a line, where that is a step of its own."""
+    link = scene.desk.last_link(line)
+    if link.sign != "=" or _is_plain(link, symbol.name):
+        return line
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    generators = _generators(sides, symbol)
+    if generators is None:
+        return line
+    polynomials = _without_common(scene, sides, generators)
+    if polynomials is None:
+        return line
+    steps = _steps(link, symbol.name) + _has_common(sides, polynomials)
+    if steps <= _MOST:
+        return line
+    left, right = _sides(scene, polynomials, generators)
+    relation = chain(left, (right, None))
+    if is_zero(left) or (alike(left, link.left) and alike(right, link.right)):
+        return line
+    names = {each.name for each in residual(scene, line).free_symbols}
+    for move in (Move("rearrange"), Move("cancel")):
+        refs = needed(scene, move, (line,), relation, background(scene, names))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return line
+
+
+def _is_plain(link: Link, name: str) -> bool:
+    """Whether the unknown stands alone on a side."""
+    return Letter(name) in (link.left, link.right)
+
+
+def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
+    """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
+    functions = {f for each in sides for f in each.atoms(sp.Function) if symbol in f.free_symbols}
+    bare = [each.xreplace(dict.fromkeys(functions, sp.Dummy())) for each in sides]
+    inside = any(symbol in each.free_symbols for each in bare)
+    roots = {p for each in sides for p in each.atoms(sp.Pow) if not p.exp.is_Integer}
+    if any(symbol in each.free_symbols for each in roots):
+        return None
+    if not functions:
+        return (symbol,) if inside else None
+    if inside or any(not isinstance(f, _TRIGONOMETRIC) or f.args != (symbol,) for f in functions):
+        return None
+    if all(isinstance(each, sp.tan) for each in functions):
+        return (sp.tan(symbol),)
+    if any(isinstance(each, sp.tan) for each in functions):
+        return None
+    return sp.sin(symbol), sp.cos(symbol)
+
+
+Polynomials = tuple[sp.Poly, sp.Poly]
+
+
+def _without_common(
+    scene: Scene, sides: Sequence[sp.Expr], generators: tuple[sp.Expr, ...]
+) -> Polynomials | None:
+    """Both sides as polynomials without denominators, and without letters common to all terms."""
+    whole = [sp.fraction(sp.together(each)) for each in sides]
+    below = sp.lcm(*(each[1] for each in whole))
+    if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
+        return None
+    above = [sp.expand(sp.cancel(n * below / d)) for n, d in whole]
+    polynomials = [sp.Poly(each, *generators) for each in above]
+    coefficients = [c for each in polynomials for c in each.coeffs() if c != 0]
+    if not coefficients or any(
+        {*generators, *(g for each in generators for g in each.free_symbols)} & c.free_symbols
+        for c in coefficients
+    ):
+        return None
+    common = _common(coefficients)
+    left, right = (
+        sp.Poly.from_dict(
+            {m: sp.expand(sp.cancel(c / common)) for m, c in each.terms()}
+            or {(0,) * len(generators): 0},
+            *generators,
+        )
+        for each in polynomials
+    )
+    return left, right
+
+
+def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
+    """What divides all of some coefficients: positive letters, a root, and fractions of one."""
+    common = sp.Integer(1)
+    terms = [term for each in coefficients for term in sp.Add.make_args(sp.expand(each))]
+    powers = [term.as_powers_dict() for term in terms]
+    for base in powers[0]:
+        if base.is_Symbol and base.is_positive:
+            common *= base ** min(each.get(base, 0) for each in powers)
+    root = sp.sqrt(1)
+    first = [p for p in sp.Mul.make_args(terms[0]) if p.is_Pow and p.exp == sp.S.Half]
+    for each in first:
+        if each.base.is_Integer and all(each in sp.Mul.make_args(x) for x in terms):
+            root *= each
+    numbers = [sp.Mul(*(x for x in sp.Mul.make_args(t) if x.is_Rational)) for t in terms]
+    lowest = sp.ilcm(1, *(x.q for x in numbers))
+    greatest = sp.igcd(*(int(x * lowest) for x in numbers))
+    return common * root * sp.Rational(int(greatest), int(lowest))
+
+
+def _has_common(sides: Sequence[sp.Expr], polynomials: Polynomials) -> int:
+    """1 where a letter was common to all terms, and is gone."""
+    before = {x for each in sides for x in each.free_symbols}
+    after = {x for each in polynomials for x in each.free_symbols_in_domain}
+    after |= {x for each in polynomials for g in each.gens for x in g.free_symbols}
+    return int(bool(before - after))
+
+
+def _sides(
+    scene: Scene, polynomials: Polynomials, generators: tuple[sp.Expr, ...]
+) -> tuple[Expression, Expression]:
+    """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
+    left, right = ([(m, c) for m, c in each.terms() if c != 0] for each in polynomials)
+    if not right and len(generators) == 2:
+        signed = [(m, c, scene.model.sign(c)) for m, c in left]
+        left = [(m, c) for m, c, sign in signed if sign > 0]
+        right = [(m, -c) for m, c, sign in signed if sign < 0]
+    if not right and polynomials[0].degree() == 2 and len(left) == 3:
+        # a x² + b x + c = 0
+        minus = scene.model.sign(left[0][1]) < 0
+        return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
+    return _tree(left, generators), _tree(right, generators)
+
+
+Term = tuple[tuple[int, ...], sp.Expr]
+"""Powers of the generators, with their coefficient."""
+
+
+def _tree(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
+    """A polynomial: from its highest power in letters of angles, from its lowest in others."""
+    if len(generators) == 1:
+        terms = sorted(terms, key=lambda each: each[0])
+    own = [_term(each, generators) for each in terms]
+    first = next((n for n, each in enumerate(own) if not isinstance(each, Negate)), 0)
+    if own:
+        own.insert(0, own.pop(first))
+    return _total(own)
+
+
+def _descending(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
+    return _total(_term(each, generators) for each in terms)
+
+
+def _term(term: Term, generators: tuple[sp.Expr, ...]) -> Expression:
+    """A coefficient with its powers; a letter stands before the ratios of another angle."""
+    powers, coefficient = term
+    if coefficient.has(*_TRIGONOMETRIC) and all(each.is_Symbol for each in generators):
+        whole = coefficient * sp.Mul(*(g**n for g, n in zip(generators, powers, strict=True)))
+        return tree_of(tidy(whole))
+    sum_of_roots = coefficient.is_number and coefficient.is_Add
+    tree = tree_of(coefficient, as_it_is=True) if sum_of_roots else tree_of(tidy(coefficient))
+    return product(tree, *(_power(g, n) for g, n in zip(generators, powers, strict=True) if n))
+
+
+def _total(terms: Iterable[Expression]) -> Expression:
+    whole: Expression = number(0)
+    for each in terms:
+        whole = each if is_zero(whole) else _added(whole, each)
+    return whole
+
+
+def _added(left: Expression, right: Expression) -> Expression:
+    if isinstance(right, Negate):
+        return difference(left, right.operand)
+    return Binary("+", left, right)
+
+
+def _power(generator: sp.Expr, exponent: int) -> Expression:
+    tree: Expression = tree_of(generator)
+    return tree if exponent == 1 else Binary("^", tree, number(exponent))
+
+
+# --- how far it is to the unknown ---------------------------------------------------------------
+
+
+def _steps(link: Link, name: str) -> int:
+    """How many steps lead to the unknown, beside the last: brackets, terms, what stands below."""
+    terms = [term for side in (link.left, link.right) for term in _terms(side)]
+    several = sum(_has(each, name) for each in terms) > 1
+    return (
+        min(2, sum(_brackets(each, name) for each in terms))
+        + several
+        + any(_stands_below(each, name) for each in terms)
+    )
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Negate(operand):
+            yield from _terms(operand)
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case _ if not is_zero(tree):
+            yield tree
+
+
+def _has(tree: Expression, name: str) -> bool:
+    return any(isinstance(each, Letter) and each.name == name for each in walk(tree))
+
+
+def _brackets(term: Expression, name: str) -> int:
+    """The sums in a product or a power that hold the unknown, or roots of numbers and letters."""
+    return sum(
+        isinstance(each, Binary)
+        and each.op in ("+", "-")
+        and (_has(each, name) or (_has(term, name) and _is_no_number(each)))
+        for each in walk(term)
+    )
+
+
+def _is_no_number(tree: Expression) -> bool:
+    """Whether a sum is more than a number of times the same letter."""
+    names = {each.name for each in walk(tree) if isinstance(each, Letter)}
+    return len(names) > 1 or any(isinstance(each, Apply) for each in walk(tree))
+
+
+def _stands_below(term: Expression, name: str) -> bool:
+    return any(
+        isinstance(each, Binary) and each.op == "/" and _has(each.right, name)
+        for each in walk(term)
+    )
+
+
+__all__ = ["multiplied_out"]
