@@ -46,6 +46,8 @@ def multiplied_out(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     steps = _steps(link, symbol.name) + _has_common(sides, polynomials)
     if steps <= _MOST:
         return line
+    if len(generators) == 2 and _is_of_tangents(link, symbol.name):
+        polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
     left, right = _sides(scene, polynomials, generators)
     relation = chain(left, (right, None))
     if is_zero(left) or (alike(left, link.left) and alike(right, link.right)):
@@ -130,6 +132,26 @@ def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
     lowest = sp.ilcm(1, *(x.q for x in numbers))
     greatest = sp.igcd(*(int(x * lowest) for x in numbers))
     return common * root * sp.Rational(int(greatest), int(lowest))
+
+
+def _is_of_tangents(link: Link, name: str) -> bool:
+    """Whether a line has an angle in tangents alone."""
+    kinds = {
+        each.function
+        for side in (link.left, link.right)
+        for each in walk(side)
+        if isinstance(each, Apply) and each.argument == Letter(name)
+    }
+    return kinds == {"tan"}
+
+
+def _in_tangents(polynomials: Polynomials) -> Polynomials:
+    """Forms of one degree in sine and cosine, divided by the power of the cosine."""
+    t = sp.Dummy("t")
+    left, right = (
+        sp.Poly.from_dict({(m[0],): c for m, c in each.terms()}, t) for each in polynomials
+    )
+    return left, right
 
 
 def _has_common(sides: Sequence[sp.Expr], polynomials: Polynomials) -> int:
