@@ -130,7 +130,7 @@ def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
             root *= each
     numbers = [sp.Mul(*(x for x in sp.Mul.make_args(t) if x.is_Rational)) for t in terms]
     lowest = sp.ilcm(1, *(x.q for x in numbers))
-    greatest = sp.igcd(*(int(x * lowest) for x in numbers))
+    greatest = sp.igcd(0, *(int(x * lowest) for x in numbers))
     return common * root * sp.Rational(int(greatest), int(lowest))
 
 
