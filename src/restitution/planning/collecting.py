@@ -23,7 +23,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
-from restitution.planning.premises import background, needed
+from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 
 _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
@@ -54,7 +54,7 @@ def multiplied_out(scene: Scene, line: int, symbol: sp.Symbol) -> int:
         return line
     names = {each.name for each in residual(scene, line).free_symbols}
     for move in (Move("rearrange"), Move("cancel")):
-        refs = needed(scene, move, (line,), relation, background(scene, names))
+        refs = scene.judge.enough(move, (line,), relation, background(scene, names))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     return line

@@ -149,7 +149,7 @@ def _in_factors(
     trees = [_polynomial_tree(each, subject) for each in plain]
     relation = Relation(((Link(product(*trees), "=", ZERO),),))
     names = {each.name for each in residual(scene, number).free_symbols}
-    refs = needed(scene, Move("rearrange"), (number,), relation, background(scene, names))
+    refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
 
 
