@@ -23,6 +23,7 @@ from restitution.render import layout as lay
 from restitution.solve.letters import roles
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
 # A longer expression is told by the name of what it is worth.
 _LONGEST = 24
 ZERO = Number(Fraction(0))
@@ -39,6 +40,8 @@ class Reasons:
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
+        if self._by_pythagoras(line):
+            return (say("derived.pythagoras"),)
         if line.move.id not in _REASONED and not self._ordered(line):
             return ()
         reasons = (*self._monotone(line), *self._square(line), *self._known(line))
@@ -47,6 +50,13 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    @staticmethod
+    def _by_pythagoras(line: Line) -> bool:
+        """Whether a sum of squares is worked out by sin² + cos² = 1."""
+        assert isinstance(line.relation, Relation)
+        steps = {link.by for links in line.relation.options for link in links}
+        return line.move.record in _OF_SQUARES and "identity" in steps
 
     @staticmethod
     def _ordered(line: Line) -> bool:

@@ -250,7 +250,9 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     if not all(isinstance(own.right, Apply) for own in (a, b)):
         return None
     inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
-    known = scene.desk.write(b.move, b.refs, chain(square(other), (inside[1], None)))
+    # The second speed stands in the line of the first: it has none that is printed.
+    relation = chain(square(other), (inside[1], None))
+    known = scene.desk.write(b.move, b.refs, relation, "silent")
     right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
     return scene.desk.write(
         a.move, together((each.fact.id,), a.refs, (known,)), chain(right, (inside[0], None))

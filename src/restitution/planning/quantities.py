@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     letters,
     walk,
 )
@@ -189,9 +190,30 @@ def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, t
         return tree, sum(each**2 for each in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
+    speed = (
+        None if any(scene.unknown(each.value) for each in own) else _known_speed(scene, body, stage)
+    )
+    if speed is not None:
+        return square(tree_of(speed.value)), speed.value**2, speed.refs
     refs = together(*(each.refs for each in own), _bridge(frame, own))
     tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
     return tree, sum(each.value**2 for each in own), refs
+
+
+def _known_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is given, or a line already; None where it is neither."""
+    quantity = Quantity("speed", (Name(body),), stage)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        value, refs = scene.put(known.value)
+        return Source(value, together(known.refs, refs))
+    for each in scene.given:
+        if each.link.sign == "=" and each.link.left == quantity:
+            if has_quantity(each.link.right):
+                continue
+            value, refs = scene.put(scene.scalar(each.link.right))
+            return Source(value, together((each.fact.id,), refs))
+    return None
 
 
 def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
