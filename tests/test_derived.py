@@ -549,10 +549,9 @@ def test_every_quantity_of_every_statement_has_a_name() -> None:
 def test_a_square_of_a_name_of_several_words_has_brackets() -> None:
     question = """
     sphere A: mass m, velocity u at alpha
-    sphere B: mass m, velocity v at beta from -i
-    A hits B: along i, e = 0
-    given speed(A) = speed(B)
-    find u/v in terms of alpha, beta
+    sphere B: mass m, at rest
+    A hits B: along i, e = 1/2
+    find speed(B)^2
     """
     text = to_text(explain(solve(parse(question))))
     assert "(speed of B)²" in text
