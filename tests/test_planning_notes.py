@@ -7,12 +7,17 @@ from dataclasses import replace
 import pytest
 
 from restitution.explain import explain, to_text
+from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import Complaint, follow
 from restitution.explaining.storing import from_json, to_json
 from restitution.language import parse
 from restitution.oracle import Oracle
+from restitution.planning import planner
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.order import Solver
 from restitution.planning.planner import plan
+from restitution.planning.scene import Scene
 from restitution.solve import Solution, solve
 from restitution.solve.letters import roles
 
@@ -139,3 +144,50 @@ def test_the_follower_reads_notes() -> None:
     assert reasons(premises=(line, "e <= 1", "e >= 0")) == ["premise-not-needed"]
     assert reasons(premises=(99, "e <= 1"))[0] == "premise-unknown"
     assert "leads-nowhere" in reasons(premises=())
+
+
+IN_PARTS = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+part a
+find speed(P), impulse
+part b
+find range of speed(P) in terms of u
+"""
+
+
+@pytest.fixture
+def without_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
+    def write_range(scene: Scene, solver: Solver, *_: object) -> None:
+        solver.determine([scene.velocity("P", 1).x])
+        raise NotPlannedError("a range")
+
+    monkeypatch.setattr(planner, "write_range", write_range)
+
+
+@pytest.mark.usefixtures("without_ranges")
+def test_one_item_without_a_plan_leaves_the_others_theirs() -> None:
+    solution = solve(parse(IN_PARTS))
+    with pytest.raises(NotPlannedError, match="a range"):
+        plan(solution)
+    derivation = plan(solution, partial=True)
+    assert complaints(solution, derivation) == ()
+    (note,) = derivation.notes
+    assert (note.item, note.part, note.kind) == ("b1", "b", "unwritten")
+    assert [each.item for each in derivation.items] == ["a1", "a2"]
+    printed_note = to_text(explanation_of(derivation, solution.problem))
+    assert "range of speed(P): 0 < speed of P < u. No working of this is written" in " ".join(
+        printed_note.split()
+    )
+
+
+@pytest.mark.usefixtures("without_ranges")
+def test_a_part_without_a_plan_is_explained_the_older_way() -> None:
+    solution = solve(parse(IN_PARTS))
+    first, second = explain(solution, check=True).parts
+    assert first.derivation is not None
+    assert second.derivation is None
+    assert second.steps
+    assert explain(solution, "a").parts == (first,)
+    assert explain(solution, "b").parts == (second,)

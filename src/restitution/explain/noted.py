@@ -12,8 +12,8 @@ from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.render import layout as lay
 
-# These notes are of one claim each.
-_ALONE = frozenset({"refuted", "undecided"})
+# These notes are of one item each.
+_ALONE = frozenset({"refuted", "undecided", "unwritten"})
 
 
 class Notes:
@@ -64,6 +64,8 @@ class Notes:
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":
             return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
+        if first.kind == "unwritten":
+            return say("note.unwritten", item=items[0], answer=first.reason)
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         name = "note.none-asks" if first.reason.endswith("?") else "note.none"

@@ -25,8 +25,8 @@ from restitution.explain.quantities import inside
 from restitution.explain.steps import Explanation, PartExplanation, Step
 from restitution.explain.working import Working
 from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Meaning
-from restitution.explaining.follower import follow
+from restitution.explaining.derivation import Derivation, Meaning, Note
+from restitution.explaining.follower import Complaint, follow
 from restitution.explaining.marks import STYLES, Style
 from restitution.explaining.printing import look
 from restitution.explaining.saying import Sentence, say
@@ -34,7 +34,7 @@ from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Letter, Quantity, has_quantity, letters
 from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
-from restitution.planning.planner import plan
+from restitution.planning.planner import plan, pruned
 from restitution.problem import Part, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -100,7 +100,7 @@ def explain(
         if derivation is None:
             explanation = in_style(_explained(solution, part), marks)
         else:
-            explanation = _printed(solution, awarded(derivation, marks), part, check)
+            explanation = _printed(solution, awarded(derivation, marks), part, check, marks)
         confirm()
     return explanation
 
@@ -109,7 +109,8 @@ def _too_late(seconds: float) -> TimeLimitError:
     return TimeLimitError(f"no working within the time limit of {seconds:g} s")
 
 
-def _explained(solution: Solution, part: str | None) -> Explanation:
+def _explained(solution: Solution, part: str | None, last: str | None = None) -> Explanation:
+    """The working in the older way, of one part, or of all up to the last that is wanted."""
     carried: Carried = {}
     told: list[PartExplanation] = []
     warnings = list(solution.warnings)
@@ -119,29 +120,74 @@ def _explained(solution: Solution, part: str | None) -> Explanation:
         if part is None or label == part:
             told.append(made)
             warnings += [str(say("amiss.line", line=line)) for line in dropped]
+        if last is not None and label == last:
+            break
     return Explanation(solution.problem.title, tuple(told), tuple(warnings), solution)
 
 
 def _planned(solution: Solution, route: int) -> Derivation | None:
-    """The working as a derivation; None where there is no plan for some item."""
+    """The working as a derivation; None where no part has a plan for all of its items.
+
+    A part without one has notes in its place.
+    """
+    several = len(solution.parts) > 1
     try:
-        return plan(solution, route)
+        derivation = plan(solution, route, partial=several)
     except TimeLimitError:
         raise
     except (NotPlannedError, *_FAILURES):
         return None
+    if not _unplanned(derivation):
+        return derivation
+    complaints = follow(derivation, Oracle(roles(solution.problem)))
+    for part in {_part_of(derivation, each) for each in complaints}:
+        derivation = _without(derivation, part)
+    return None if _unplanned(derivation) >= set(derivation.asked.values()) else derivation
+
+
+def _part_of(derivation: Derivation, complaint: Complaint) -> str | None:
+    """The part of which a complaint is."""
+    line = None if complaint.line is None else derivation.line(complaint.line)
+    return None if line is None else derivation.asked.get(line.item or "")
+
+
+def _without(derivation: Derivation, part: str | None) -> Derivation:
+    """The same working without the lines of a part, which has notes in their place."""
+    items = [each for each, own in derivation.asked.items() if own == part]
+    notes = tuple(
+        Note(each, "unwritten", n, part) for n, each in enumerate(derivation.asked) if each in items
+    )
+    return pruned(
+        replace(
+            derivation,
+            items=tuple(each for each in derivation.items if each.part != part),
+            notes=(*(each for each in derivation.notes if each.part != part), *notes),
+        )
+    )
+
+
+def _unplanned(derivation: Derivation) -> set[str | None]:
+    """The parts of which some item has no plan."""
+    return {each.part for each in derivation.notes if each.kind == "unwritten"}
 
 
 def _printed(
-    solution: Solution, derivation: Derivation, part: str | None, check: bool
+    solution: Solution, derivation: Derivation, part: str | None, check: bool, marks: Style
 ) -> Explanation:
-    """A derivation in steps and rows."""
+    """A derivation in steps and rows; a part without a plan for all of its items the older way."""
+    older = _unplanned(derivation) & ({part} if part is not None else solution.parts.keys())
+    others: dict[str | None, PartExplanation] = {}
+    if older:
+        last = max(older, key=list(solution.parts).index)
+        others = {e.label: e for e in in_style(_explained(solution, None, last), marks).parts}
     whole = explanation_of(
         derivation, solution.problem, conditions=_conditions(solution, derivation)
     )
     steps = {each.label: each.steps for each in whole.parts}
     parts = tuple(
-        PartExplanation(
+        others[label]
+        if label in older
+        else PartExplanation(
             label,
             tuple(_question(item) for item in each.items),
             steps.get(label, ()),

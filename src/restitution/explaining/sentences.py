@@ -562,6 +562,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- answers ----------------------------------------------------------------------------------
     "answer.none": "{item}: no answer, as {reason}.",
     "note.none": "{items:and}: no answer, as {reason}.",
+    "note.unwritten": "{item}: {answer}. No working of this is written here.",
     "note.none-either": "{items:and}: no answer either.",
     "note.none-asks": "{items:and}: no answer, as {reason}",
     "note.none-data-above-one": (

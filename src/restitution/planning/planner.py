@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components import model, protected_letters
 from restitution.errors import MissingError
-from restitution.explaining.derivation import Derivation, Line
+from restitution.explaining.derivation import Derivation, Line, Meaning
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import without_spare
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
@@ -24,7 +24,7 @@ from restitution.planning.gathering import gathered
 from restitution.planning.items import write_item
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
-from restitution.planning.refusals import note_of, write_refusal
+from restitution.planning.refusals import note_of, note_unwritten, write_refusal
 from restitution.planning.scene import Scene
 from restitution.planning.shows import write_show
 from restitution.problem import (
@@ -38,18 +38,19 @@ from restitution.solve.letters import roles
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 
 
-def plan(solution: Solution, route: int = 1) -> Derivation:
+def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Derivation:
     """The working of a question as a derivation.
 
     ``route`` chooses among the cheapest ways to what is asked, the best being 1; where there are
-    fewer it is the last. Raises NotPlannedError for what is not planned, with the reason.
+    fewer it is the last. Raises NotPlannedError for what is not planned, with the reason; of a
+    ``partial`` working an item that is not planned has a note, and the others have their lines.
     """
     problem = solution.problem
     _require_plain(solution)
     desk = Desk(events_of(problem), facts_of(problem), route)
     try:
         for part in solution.parts.values():
-            desk = _write_part(solution, part, desk)
+            desk = _write_part(solution, part, desk, partial)
     except UnwrittenError as error:
         raise NotPlannedError(f"no line says {error}") from error
     whole = pruned(
@@ -63,7 +64,6 @@ def plan(solution: Solution, route: int = 1) -> Derivation:
             tuple(desk.notes),
         )
     )
-    _require_closed(whole)
     return gathered(without_spare(without_idle(whole), Oracle(roles(problem))))
 
 
@@ -90,11 +90,11 @@ def _is_plain_power(node: Binary) -> bool:
     return isinstance(exponent, Number) and exponent.value <= _MOST_POWER
 
 
-def _require_closed(derivation: Derivation) -> None:
-    """Refuses a working in which an answer holds a letter that only the working knows."""
-    own = derivation.meanings.keys()
-    for each in derivation.items:
-        if each.shown:
+def _require_closed(desk: Desk, name: str) -> None:
+    """Refuses an item whose answer holds a letter that only the working knows."""
+    own = {each.relation.letter for each in desk.lines if isinstance(each.relation, Meaning)}
+    for each in desk.ends:
+        if each.item != name or each.shown:
             continue  # what is shown of two bodies may be said in the letters of both
         for links in each.answer.options:
             if any(own & letters(link.right) for link in links):
@@ -134,8 +134,8 @@ def pruned(derivation: Derivation) -> Derivation:
     )
 
 
-def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
-    """The desk with the lines of a part."""
+def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: bool) -> Desk:
+    """The desk with the lines of a part; of a ``partial`` one, of the items that have a plan."""
     if not part.items:
         return desk
     problem = solution.problem
@@ -152,13 +152,22 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk) -> Desk:
     for told in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
-        _write_items(Scene(problem, part.part, part, told, draft, others, find_frame=found_frame))
-        require_true(told, draft.lines[len(desk.lines) :], draft.lines, draft.facts)
+        scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
+        _write_items(scene, partial)
         drafts.append(draft)
-    return drafts[0] if len(drafts) == 1 else joined(desk, drafts)
+    if len(drafts) == 1:
+        return drafts[0]
+    try:
+        return joined(desk, drafts)
+    except NotPlannedError:
+        if not partial:
+            raise
+    for index, each in enumerate(part.items, 1):
+        note_unwritten(desk, each, f"{desk.part or ''}{index}")
+    return desk
 
 
-def _write_items(scene: Scene) -> None:
+def _write_items(scene: Scene, partial: bool) -> None:
     solver = Solver(scene)
     problem, part = scene.problem, scene.solution
     label = part.part.label
@@ -173,10 +182,20 @@ def _write_items(scene: Scene) -> None:
         ) -> None:
             _write_item(scene, solver, item, result, now, name)
 
-        if result.error is None:
-            write()
-        else:
-            write_refusal(scene, solver, result, write, name)
+        standing, start = solver.mark(), len(scene.desk.lines)
+        try:
+            if result.error is None:
+                write()
+            else:
+                write_refusal(scene, solver, result, write, name)
+            lines = scene.desk.lines
+            require_true(scene.model, lines[start:], lines, scene.desk.facts)
+            _require_closed(scene.desk, name)
+        except (NotPlannedError, UnwrittenError):
+            if not partial:
+                raise
+            solver.back(standing)
+            note_unwritten(scene.desk, result, name)
 
 
 def _write_item(

@@ -39,6 +39,16 @@ def note_of(desk: Desk, result: ItemResult, name: str) -> None:
     desk.note(name, kind, reason)
 
 
+def note_unwritten(desk: Desk, result: ItemResult, name: str) -> None:
+    """Notes that an item has no working here: its answer, or why it has none."""
+    if result.error is not None:
+        note_of(desk, result, name)
+        return
+    outcome = {True: "shown", False: "not true", None: "not decided"}[result.holds]
+    answers = " or ".join(each.display for each in result.distinct)
+    desk.note(name, "unwritten", outcome if result.kind == "show" else answers)
+
+
 def write_refusal(
     scene: Scene, solver: Solver, result: ItemResult, write: Callable[[], None], name: str
 ) -> None:
@@ -48,7 +58,7 @@ def write_refusal(
     what cannot be.
     """
     desk = scene.desk
-    mark = desk.mark()
+    standing = solver.mark()
     if isinstance(result.error, ImpossibleError) and not scene.others:
         try:
             premises = _impossible(scene, solver, result, write)
@@ -57,7 +67,7 @@ def write_refusal(
         if premises is not None:
             desk.note(name, "impossible", COEFFICIENTS, premises=premises)
             return
-        desk.back(mark)
+        solver.back(standing)
     note_of(desk, result, name)
 
 

@@ -52,12 +52,12 @@ def write_refutation(
         scene.desk.note(name, "undecided")
         return
     refutation = _Refutation(scene, solver, item, result, now, name)
-    mark = scene.desk.mark()
+    standing = solver.mark()
     if not scene.others and item.subject is None:
         try:
             refutation.write()
         except (NotPlannedError, UnwrittenError):
-            scene.desk.back(mark)
+            solver.back(standing)
         else:
             return
     refutation.note(())
