@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.render import layout as lay
 
@@ -143,7 +144,8 @@ class Introductions:
         if fact is None:
             return None
         axis = fact.relation.only[0].right
-        if isinstance(axis, Polar):
+        by_places = any(isinstance(each, Quantity) for each in walk(axis))
+        if isinstance(axis, Polar) or by_places:
             return None
         if isinstance(axis, Degrees | Letter):
             unit = self._naming.laid(Negate(Unit("i")) if turned else Unit("i"))

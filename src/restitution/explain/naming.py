@@ -333,15 +333,15 @@ class Naming:
         return {each.name for each in self.problem.walls if each.centre is not None}
 
     def at_a_circle(self, fact: Fact) -> Sentence | None:
-        """That a body is as far from the centre of a circular wall as the radius; else None."""
+        """How far a body is from a centre that a contact tells of; None of another contact."""
         kind, _, number = fact.id.partition(" ")
         event = self.events.get(int(number)) if kind == "contact" else None
-        if event is None or event.bodies[-1] not in self._circles:
-            return None
-        match fact.relation.only[0].right:
-            case Binary("^", radius, _):
-                body, wall = event.bodies
-                return say("circle.at", body=body, wall=wall, radius=self.laid(radius))
+        match fact.relation.only[0]:
+            case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
+                one, other = event.bodies
+                if other in self._circles:
+                    return say("circle.at", body=one, wall=other, radius=self.laid(radius))
+                return say("touch.apart", one=one, other=other, distance=self.laid(radius))
         return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:

@@ -86,8 +86,9 @@ class Reasons:
                 return None
             # A law stands above: that a root contradicts it is told by what bounds the root.
             known = own.move.id == "law" or self._offers(own.relation, line)
-            placed = own.move.record == "straight-line"
-            return None if known or placed else own.relation
+            # That bodies approach is a reason by itself.
+            approach = any(str(each).startswith("towards") for each in line.premises)
+            return None if known or approach else own.relation
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None

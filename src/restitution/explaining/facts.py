@@ -165,6 +165,9 @@ class _Facts:
                 theirs = self._beside_it(step, number)
                 if theirs is not None:
                     yield own, theirs
+                elif (both := self._touching(step)) is not None:
+                    way = _between(step, number)
+                    yield Quantity("dot", (way, way)), Binary("^", both, Number(Fraction(2)))
             elif isinstance(place := self._place(step.target), Expression):
                 yield own, place
             return
@@ -302,14 +305,28 @@ class _Facts:
             return None
         if step.along not in (Unit("i"), Unit("j")):
             return None
-        if not all(isinstance(each, Pair) for each in places):
+        if all(isinstance(each, Pair) for each in places):
+            part = "x" if step.along == Unit("i") else "y"
+            side = self._sign(Binary("-", *(getattr(each, part) for each in reversed(places))))
+        elif any(isinstance(each, Pair) for each in places):
             return None
-        part = "x" if step.along == Unit("i") else "y"
-        side = self._sign(Binary("-", *(getattr(each, part) for each in reversed(places))))
+        else:
+            side = self._approach(first, second, step.along)
         if side is None:
             return None
         apart = Binary("*", Binary("*", Number(Fraction(2)), first.radius), step.along)
         return Binary("-" if side > 0 else "+", theirs, apart)
+
+    def _approach(self, first: Any, second: Any, axis: Expression) -> int | None:
+        """In which sense of an axis the first sphere comes nearer to the second at the start."""
+        paces = [
+            Number(Fraction(0)) if _at_rest(each.velocity) else each.velocity
+            for each in (first, second)
+        ]
+        if not all(isinstance(each, Expression) for each in paces):
+            return None
+        a, b = (Quantity("dot", (each, axis)) if not _is_nothing(each) else each for each in paces)
+        return self._sign(Binary("-", a, b))
 
     def _sign(self, tree: Expression) -> int | None:
         """The sign of an expression in letters, where it is plain."""
@@ -376,11 +393,44 @@ class _Facts:
                     yield self._fact(f"axis {number}", axis, centres, step.place, "=", "geometry")
             elif step.second in self.walls and self.walls[step.second].centre is not None:
                 yield from self._of_circle(step, number)
+            elif step.second not in self.walls and self._touching(step) is not None:
+                yield from self._of_touching(step, number)
             elif step.second in self.walls:
                 normal = self._into_the_wall(step, number)
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
+
+    def _touching(self, step: Impact) -> Expression | None:
+        """Both radii of spheres that begin at places, where nothing else tells how they meet."""
+        first, second = (self._sphere(each) for each in (step.first, step.second))
+        placed = all(isinstance(each.position, Expression) for each in (first, second))
+        if not placed or step.along is not None or step.offset is not None:
+            return None
+        if not isinstance(first.radius, Expression):
+            return None
+        return self._doubled(first.radius)
+
+    def _doubled(self, tree: Expression) -> Expression:
+        """Twice a length, as a number where it is one."""
+        value = _world_of(self.problem).scalar(tree)
+        if value.above.is_ground and value.below.is_ground:
+            number = 2 * value.above.LC / value.below.LC
+            return rational(Fraction(int(number.numerator), int(number.denominator)))
+        return Binary("*", Number(Fraction(2)), tree)
+
+    def _of_touching(self, step: Impact, number: int) -> Iterator[Fact]:
+        """The line of centres of spheres that touch, by their places, and that they approach."""
+        way = _between(step, number)
+        axis = Quantity("line_of_centres", (), number)
+        yield self._fact(f"axis {number}", axis, way, step.place, "parallel to", "geometry")
+        first, second = (
+            settled(Quantity("velocity", (Name(each),), number - 1), self.events)
+            for each in (step.first, step.second)
+        )
+        towards = Quantity("dot", (Binary("-", first, second), way))
+        zero = Number(Fraction(0))
+        yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
 
     def _of_circle(self, step: Impact, number: int) -> Iterator[Fact]:
         """The normal of a circular wall where it is struck, and which of two times that is.
@@ -636,6 +686,14 @@ class _Facts:
     ) -> Fact:
         relation = Relation(((Link(left, sign, settled(right, self.events)),),))
         return Fact(name, kind, relation, None, place)
+
+
+def _between(step: Impact, number: int) -> Expression:
+    """The way from the first centre to the second at an impact of two spheres."""
+    first, second = (
+        Quantity("position", (Name(each),), number) for each in (step.first, step.second)
+    )
+    return Binary("-", second, first)
 
 
 def _is_range(links: tuple[Link, ...]) -> bool:

@@ -30,6 +30,7 @@ from restitution.explaining.senses import oriented
 from restitution.explaining.step import Cited, Step, alike
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Binary,
     Degrees,
     Expression,
@@ -246,6 +247,10 @@ def records_of(step: Step) -> Iterator[Link]:
 def _is_template(step: Step, line: Link, link: Link) -> bool:
     if link.sign in ("parallel to", "perpendicular to"):
         return _is_tied(step, line, link)
+    match link.left:
+        case Quantity("position", _, AtTime()):
+            # The event of the move is where this way begins, and not where it ends.
+            step = step.under(move=replace(step.move, event=None))
     try:
         rules = step.rules()
         part = _one_signed(step, link)
@@ -812,8 +817,13 @@ def _reject(step: Step, relation: Relation) -> bool:
     if len(kept) != len(relation.options) or len(kept) == len(base.options):
         return False
     rest = step.under(cited=_rest(step))
+    moving = [link for link in rest.links if _is_of_vectors(link)]
     for n, option in enumerate(base.options):
         if n in kept:
+            continue
+        if moving:
+            if not any(_is_contradicted(rest, option, each) for each in moving):
+                return False
             continue
         dropped = rest.formula(Relation((option,)))
         oracle = Oracle(rest.roles, (*rest.facts, dropped))
@@ -823,6 +833,32 @@ def _reject(step: Step, relation: Relation) -> bool:
         if not oracle.proves(rest.formula(relation)):
             return False
     return True
+
+
+def _is_of_vectors(link: Link) -> bool:
+    """Whether an inequality is about a scalar product, such as that bodies approach."""
+    return (
+        link.sign in ("<", "<=", ">", ">=")
+        and isinstance(link.left, Quantity)
+        and (link.left.kind == "dot")
+    )
+
+
+def _is_contradicted(step: Step, option: tuple[Link, ...], bound: Link) -> bool:
+    """Whether an inequality is false, with an option and all else that is cited put in."""
+    chosen = step.under(cited=(*step.cited, Cited("", Relation((option,)))))
+    try:
+        value = chosen.residual(bound, chosen.rules())
+    except NotComparableError:
+        return False
+    if isinstance(value, Plane):
+        return False
+    if value.vanishes:
+        return bound.sign in ("<", ">")
+    if any(key[0] in ("quantity", "x", "y") for key in chosen.world.keys(value.above).values()):
+        return False
+    sign = chosen.signs.of(value)
+    return sign is not None and sign != 0 and (sign > 0) == (bound.sign[0] == "<")
 
 
 def _same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:

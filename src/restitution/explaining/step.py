@@ -359,6 +359,8 @@ class Step:
                     rules.add(left, right)
         for left, right in self._resolved(tuple(cited), rules):
             rules.add(left, right)
+        for left, right in self._stays(tuple(cited), rules):
+            rules.add(left, right)
         return rules
 
     def _put_together(self, cited: Sequence[Cited], rules: Rules) -> None:
@@ -382,6 +384,46 @@ class Step:
     def _rules(self) -> Rules:
         """What is cited in all, as values."""
         return self.rules(self.cited)
+
+    def _stays(
+        self, cited: Sequence[Cited], rules: Rules
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """Coordinates that are the same at the next event, as a body does not move that way."""
+        placed: set[tuple[Name, int]] = set()
+        for each in cited:
+            for left, _ in self._cited_values(each):
+                match left:
+                    case Quantity("position", (Name() as body,), int(stage)):
+                        placed.add((body, stage))
+                    case Quantity(
+                        "along", (Quantity("position", (Name() as body,), int(stage)), _)
+                    ):
+                        placed.add((body, stage))
+        # A line about the way of a body says itself where that leads.
+        own = self.move.bodies if self.move.record == "straight-line" else ()
+        for body, stage in sorted(placed, key=repr):
+            velocity = rules.put_into(self.world.value(Quantity("velocity", (body,), stage)))
+            if not isinstance(velocity, Plane):
+                continue
+            for unit, pace in ((Unit("i"), velocity.x), (Unit("j"), velocity.y)):
+                if pace.vanishes:
+                    for number in self._until(body, stage):
+                        ends = number == self.move.event and body.name in own
+                        if ends or (body, number) in placed:
+                            continue
+                        later, now = (
+                            Quantity("along", (Quantity("position", (body,), each), unit))
+                            for each in (number, stage)
+                        )
+                        yield later, now
+
+    def _until(self, body: Expression, stage: int) -> Iterator[int]:
+        """The events after one, to the next in which a body takes part."""
+        for event in self.setting.events:
+            if event.number > stage:
+                yield event.number
+                if isinstance(body, Name) and body.name in event.bodies:
+                    return
 
     def _resolved(
         self, cited: Sequence[Cited], rules: Rules
@@ -555,6 +597,8 @@ class Step:
                 found += self._of_meaning(each.relation)
             else:
                 found.append(self.formula(each.relation))
+        for left, right in self._stays(self.cited, self._rules):
+            found += self._formulas(Link(left, "=", right))
         for known in self.known:
             if not known.letters or not all(
                 self.roles.get(n, REAL).kind == "angle" for n in known.letters

@@ -11,7 +11,8 @@ from restitution.vector import Vector
 def circle_of(scene: Scene, number: int) -> tuple[Expression, Expression] | None:
     """The way from the centre of a circular wall to who is at it, and its radius.
 
-    None where an event is at no circular wall, or no place is given.
+    Of two spheres that touch, the way from the one centre to the other, and both radii. None where
+    a contact is told in another way, or not at all.
     """
     fact = scene.facts.get(f"contact {number}")
     if fact is None:
@@ -43,7 +44,7 @@ def chord_from(scene: Scene, body: str, number: int) -> int | None:
     None where a body does not come to a circular wall from another point of it.
     """
     circle = circle_of(scene, number)
-    if circle is None:
+    if circle is None or len(scene.spheres(number)) > 1:
         return None
     since = scene.model.story.latest(body, number - 1)
     if since is not None:

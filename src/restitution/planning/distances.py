@@ -19,7 +19,7 @@ from restitution.planning.place_trees import time_tree
 from restitution.planning.places import spot, time_of
 from restitution.planning.scene import Scene
 from restitution.planning.separations import separation_direction, separation_known
-from restitution.planning.whereabouts import standing, tidied
+from restitution.planning.whereabouts import are_apart, standing, tidied
 
 
 def distance(scene: Scene, asked: Quantity) -> Source:
@@ -150,6 +150,8 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
         return None
     (met,) = pieces
     if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+        return None
+    if are_apart(scene, met):
         return None
     frame = scene.frame(met)
     early = time_of(scene, met)

@@ -7,9 +7,10 @@ import sympy as sp
 from restitution.explaining.derivation import Ref
 from restitution.expression.tree import Binary, Expression
 from restitution.planning.desk import together
-from restitution.planning.forms import difference, negative, product, swept, tree_of
+from restitution.planning.forms import difference, negative, product, swept, total, tree_of
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.scene import Scene
+from restitution.vector import Vector
 
 
 def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
@@ -49,3 +50,9 @@ def time_quotient(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) ->
         last, first, pace = first, last, -pace
     way = difference(tree_of(last), tree_of(first))
     return Binary("/", way, tree_of(pace))
+
+
+def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
+    """A place and a velocity for some time."""
+    own = tree_of(pace)
+    return swept(total((tree_of(first), product(flight, own))))

@@ -8,9 +8,10 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import AtTime, Binary, Expression, Quantity, letters
 from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.flights import added
 from restitution.planning.forms import difference, tree_of
 from restitution.planning.place_trees import time_tree
-from restitution.planning.places import added, spot, time_of, velocity_then, write_place
+from restitution.planning.places import spot, time_of, velocity_then, write_place
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import standing
 from restitution.vector import Vector

@@ -13,7 +13,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.distances import distance, sized
 from restitution.planning.flights import divisor_refs, time_quotient
 from restitution.planning.forms import difference, swept, tree_of
-from restitution.planning.instants import place_then
+from restitution.planning.instants import piece, place_then
 from restitution.planning.paths import without_walls
 from restitution.planning.place_trees import AXES, place_tree, time_tree
 from restitution.planning.places import (
@@ -24,7 +24,7 @@ from restitution.planning.places import (
     time_of,
 )
 from restitution.planning.scene import Scene
-from restitution.planning.whereabouts import axis_for, last_move, standing, velocity
+from restitution.planning.whereabouts import are_apart, axis_for, last_move, standing, velocity
 from restitution.vector import Vector
 
 
@@ -34,6 +34,15 @@ def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
     What a wall does to a component follows from the component before it, and is written when the
     working comes to that wall.
     """
+    match asked:
+        case Quantity("distance", (Name(a), Name(b)), AtTime(time)) if (
+            {a, b} <= set(scene.model.story.spheres)
+            and (met := piece(scene, a, time)) == piece(scene, b, time)
+            and met
+            and are_apart(scene, met)
+        ):
+            both = [scene.velocity(each, met) for each in (a, b)]
+            return [without_walls(scene, sp.sympify(x, strict=True)) for v in both for x in v]
     value = scene.value(asked)
     parts = list(value) if isinstance(value, Vector) else [value]
     return [without_walls(scene, sp.sympify(each, strict=True)) for each in parts]

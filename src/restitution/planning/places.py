@@ -17,10 +17,10 @@ from restitution.expression.tree import Binary, Expression, Quantity, walk
 from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.flights import divisor_refs, time_quotient
+from restitution.planning.flights import added, divisor_refs, time_quotient
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree, time_tree
-from restitution.planning.rims import time_on_a_chord, time_to_circle
+from restitution.planning.rims import Way, time_of_touching, time_on_a_chord
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
     axis_for,
@@ -60,17 +60,23 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
     known = standing(scene, coordinate_tree(body, stage, axis))
     if known is not None:
         return known
+    if last_move(scene, body, stage) == 0 and rests(scene, body, stage):
+        # Who rests stays where it is.
+        own = coordinate_given(scene, body, 0, axis)
+        return None if own is None else Source(own.value, together(own.refs, (f"velocity {body}",)))
     if body not in scene.bodies(stage):
         return None
     if "origin" in scene.facts and stage == start(scene)[0]:
-        refs: tuple[Ref, ...] = ("origin",)
-        if body != scene.bodies(stage)[0]:
-            refs = (f"contact {stage}", "origin")
-        return Source(sp.Integer(0), refs)
+        if body == scene.bodies(stage)[0]:
+            return Source(sp.Integer(0), ("origin",))
+        offset = offset_at(scene, body, stage, axis)
+        return source_of(scene, offset, (f"contact {stage}", "origin"))
     given = of_contact(scene, body, stage, axis)
     if given is not None:
         return given
     other = partner_of(scene, body, stage)
+    if circle_of(scene, stage) is not None:
+        return None  # how far apart they are does not tell in which direction
     if other is None or not any(True for _ in contact_of(scene, stage)):
         return None
     theirs = standing(scene, coordinate_tree(other, stage, axis))
@@ -166,12 +172,6 @@ def write_place(
     if own != tree:
         number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
     return number
-
-
-def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
-    """A place and a velocity for some time."""
-    own = tree_of(pace)
-    return swept(total((tree_of(first), product(flight, own))))
 
 
 def _know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
@@ -282,7 +282,7 @@ def _time_to_circle(scene: Scene, body: str, number: int) -> Source:
     if chord_from(scene, body, number) is not None:
         return time_on_a_chord(scene, body, number, since, early)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
-    return time_to_circle(scene, body, number, first, pace, early)
+    return time_of_touching(scene, number, [Way(body, first, pace, early)])
 
 
 def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:
@@ -328,12 +328,24 @@ def _time_of_meeting(scene: Scene, number: int, step: Impact) -> Source:
     """The time at which two spheres meet, from the one direction in which they approach."""
     if not any(True for _ in contact_of(scene, number)):
         raise NotPlannedError("where spheres with radii touch")
+    if circle_of(scene, number) is not None:
+        return time_of_touching(
+            scene, number, [_way(scene, each, number) for each in scene.bodies(number)]
+        )
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number):
             return _time_to_resting(scene, number, body, other)
     if any(offset_at(scene, step.first, number, axis) != 0 for axis in AXES):
         raise NotPlannedError("where two spheres with radii touch that both move")
     return _time_of_two(scene, number, step.first, step.second)
+
+
+def _way(scene: Scene, body: str, number: int) -> Way:
+    """How a body comes to an event."""
+    since = last_move(scene, body, number)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    early = None if rests(scene, body, number) else time_of(scene, since)
+    return Way(body, first, pace, early)
 
 
 def _time_to_resting(scene: Scene, number: int, body: str, other: str) -> Source:

@@ -1,19 +1,24 @@
-"""When a body comes to a circular wall: along a chord, or from a point beside it."""
+"""When a body touches a circular wall, or another body: along a chord, or from beside it."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary
 from restitution.planning.circles import circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.flights import added
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import after, in_direction
 from restitution.planning.place_trees import place_tree, time_tree
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
+from restitution.vector import Vector
 
 
 def time_on_a_chord(scene: Scene, body: str, number: int, since: int, early: Source) -> Source:
@@ -60,53 +65,81 @@ def time_on_a_chord(scene: Scene, body: str, number: int, since: int, early: Sou
     return scene.desk.know(t, value, (line,))
 
 
-def time_to_circle(
-    scene: Scene, body: str, number: int, first: Source, pace: Source, early: Source
-) -> Source:
-    """The time at which a body is at the distance of the radius from the centre.
+@dataclass(frozen=True)
+class Way:
+    """How a body comes to an event: from where, how fast, and since when; at rest without that."""
 
-    Of the two times one is before the last event, or that at which it would leave the circle.
+    body: str
+    first: Source
+    pace: Source
+    early: Source | None
+
+
+def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
+    """The time at which a body is so far from a centre, or from that of another body.
+
+    Of the two times of the equation one is before the last event, or that at which they would
+    part again.
     """
     circle = circle_of(scene, number)
     if circle is None:
-        raise NotPlannedError("the time to a wall whose place is not given")
+        raise NotPlannedError("the time of a contact whose place is not given")
     t = time_tree(number)
-    flight = difference(t, tree_of(early.value))
-    open_ = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        together(first.refs, pace.refs, early.refs),
-        chain(
-            place_tree(body, number),
-            (swept(total((tree_of(first.value), product(flight, tree_of(pace.value))))), None),
-        ),
-    )
-    way = from_centre(scene, number, first.value)
+    refs: list[Ref] = [f"contact {number}"]
+    begins = [each.early for each in ways if each.early is not None]
+    begin = begins[0]
+    flight = difference(t, tree_of(begin.value))
+    lines: list[Ref] = []
+    at, pace = Vector(sp.Integer(0), sp.Integer(0)), Vector(sp.Integer(0), sp.Integer(0))
+    for way, sign in zip(ways, (1, -1), strict=False):
+        if way.early is None:
+            refs += [*way.first.refs, *way.pace.refs]
+            at += sign * way.first.value
+            continue
+        own = difference(t, tree_of(way.early.value))
+        open_ = scene.desk.write(
+            Move("define", "straight-line", number, (way.body,)),
+            together(way.first.refs, way.pace.refs, way.early.refs),
+            chain(
+                place_tree(way.body, number),
+                (added(way.first.value, own, way.pace.value), None),
+            ),
+        )
+        lines.append(open_)
+        late = tidy(begin.value - way.early.value)
+        at += sign * (way.first.value + way.pace.value * late)
+        pace += sign * way.pace.value
+    if len(ways) == 1:
+        at = from_centre(scene, number, at)
     sides = []
-    for a, v in zip(way, pace.value, strict=True):
-        own = swept(total((tree_of(tidy(a)), product(tree_of(v), flight))))
+    for a, v in zip(at, pace, strict=True):
+        a, v = tidy(a), tidy(v)
         if a != 0 or v != 0:
-            sides.append(square(own))
-    radius, refs = scene.put(scene.scalar(circle[1]))
+            sides.append(square(swept(total((tree_of(a), product(tree_of(v), flight))))))
+    radius, more = scene.put(scene.scalar(circle[1]))
     fact = scene.desk.write(
         Move("fact"),
-        together((f"contact {number}", open_), refs),
+        together(refs, lines, more),
         Relation(((link(swept(total(sides)), square(tree_of(radius))),),)),
     )
-    speed = tidy(sp.expand(pace.value.dot(pace.value)))
-    both = tidy(-2 * way.dot(pace.value) / speed)
+    speed = tidy(sp.expand(pace.dot(pace)))
+    both = tidy(-2 * at.dot(pace) / speed)
     when, _ = scene.put(scene.value(t))
     if scene.unknown(when):
-        raise NotPlannedError("a time to a circular wall that is open")
-    other = tidy(2 * early.value + both - when)
+        raise NotPlannedError("a time of a contact that is open")
+    other = tidy(2 * begin.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
     letters = {each.name for each in (when - other).free_symbols}
     premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
     if premises is None:
-        raise NotPlannedError("the times at which a circle is met")
+        raise NotPlannedError("the times of a contact")
     line = scene.desk.write(Move("roots"), premises, roots)
-    inside = f"order {number}" in scene.facts
-    why = (f"order {number}", *early.refs) if inside else (f"towards {number}", *pace.refs, open_)
     chosen = chain(t, (tree_of(when), None))
+    if f"order {number}" in scene.facts:
+        why: tuple[Ref, ...] = (f"order {number}", *begin.refs)
+    else:
+        why = (f"towards {number}", *lines)
+        why = together(why, refs[1:], *(each.pace.refs for each in ways))
     kept = scene.judge.enough(Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
     if kept is None:
         raise NotPlannedError("which of two times it is")

@@ -107,6 +107,12 @@ def offset_at(scene: Scene, body: str, stage: int, axis: Axis) -> sp.Expr:
     return sp.Integer(0)
 
 
+def are_apart(scene: Scene, stage: int) -> bool:
+    """Whether the centres of two spheres are not in one place when they touch."""
+    own = next(contact_of(scene, stage), None)
+    return own is not None and not isinstance(own.right, Quantity)
+
+
 def rests(scene: Scene, body: str, stage: int) -> bool:
     """Whether a body is at rest until an event."""
     own, _ = scene.put(scene.velocity(body, last_move(scene, body, stage)))

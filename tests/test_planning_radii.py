@@ -1,0 +1,97 @@
+"""Spheres with radii that touch: when, along which line, and where their centres are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from laws_of_workings import answers as wrong_answers
+
+from restitution.explain.derived import explanation_of
+from restitution.explain.text import to_text
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+AT_REST = """
+sphere A: mass 2, radius 5, at (0, 1), velocity 3i
+sphere B: mass 1, radius 5, at (20, 7), at rest
+A hits B: e = 1/2
+find time(1), line_of_centres, velocity(B), distance(A, B, at 6)
+"""
+
+
+def planned(statement: str) -> tuple[Problem, Derivation]:
+    """A statement and its working, which the follower accepts and which has its answers."""
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert wrong_answers(solution, derivation) == []
+    return problem, derivation
+
+
+def printed(problem: Problem, derivation: Derivation) -> str:
+    """The working as text."""
+    return to_text(explanation_of(awarded(derivation), problem))
+
+
+def test_the_line_of_centres_is_between_the_places_at_the_impact() -> None:
+    problem, derivation = planned(AT_REST)
+    text = printed(problem, derivation)
+    assert "A and B touch when their centres are 10 apart:" in text
+    assert "t = 4 s, as A is moving towards B then" in text
+    assert "the line of centres is parallel to 4𝐢 + 3𝐣" in text
+    assert "position of B at the impact" not in text  # who rests stays where it is
+
+
+def test_two_that_move() -> None:
+    planned(
+        """
+        sphere A: mass m, radius 5a, at (0, 0), velocity 2u i
+        sphere B: mass m, radius 5a, at (20a, 6a), velocity -2u i
+        A hits B: e = 1
+        find time(1), velocity(A)
+        """
+    )
+
+
+def test_centres_are_two_radii_apart_when_a_distance_is_counted() -> None:
+    problem, derivation = planned(
+        """
+        sphere A, B: radius 2
+        sphere A: mass 1, velocity 4i + j
+        sphere B: mass 1, velocity -2i + 3j
+        A hits B: along i, e = 1/3
+        find distance(A, B, at 3)
+        """
+    )
+    assert "4𝐢 + 3(2𝐢 + 3𝐣)" in printed(problem, derivation).replace("\n", "")
+
+
+def test_a_sense_or_a_radius_that_is_wrong_is_refused() -> None:
+    problem, derivation = planned(AT_REST)
+    oracle = Oracle(roles(problem))
+    spoiled = 0
+    for line in derivation.lines:
+        text = write_relation(line.relation) if isinstance(line.relation, Relation) else ""
+        for old, new in (
+            ("parallel to 4i + 3j", "parallel to -4i - 3j"),
+            ("parallel to 4i + 3j", "parallel to 4i - 3j"),
+            ("= 10^2", "= 5^2"),
+        ):
+            if old in text:
+                other = read_relation(text.replace(old, new), {"A": "sphere", "B": "sphere"})
+                lines = tuple(
+                    replace(each, relation=other) if each is line else each
+                    for each in derivation.lines
+                )
+                assert follow(replace(derivation, lines=lines), oracle) != ()
+                spoiled += 1
+    assert spoiled == 3
