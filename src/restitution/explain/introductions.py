@@ -147,7 +147,7 @@ class Introductions:
         by_places = any(isinstance(each, Quantity) for each in walk(axis))
         if isinstance(axis, Polar) or by_places:
             return None
-        if isinstance(axis, Degrees | Letter):
+        if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):
             unit = self._naming.laid(Negate(Unit("i")) if turned else Unit("i"))
             return _AT, {"axis": self._naming.laid(axis), "unit": unit}
         sense: Expression = axis

@@ -13,7 +13,16 @@ from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Apply, Expression, Letter, Number, Polar, Quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Number,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
 from restitution.render import layout as lay
 
 TITLED = frozenset({"law", "define"})
@@ -68,6 +77,9 @@ class Leads:
                     pass
                 case _:
                     return (say("given.product", fact=told),)
+        other = _across(facts[0].relation.options[0][0].right)
+        if line.move.record == "parallel" and nothing and other is not None:
+            return (say("given.component", fact=told, axis=self._naming.laid(other)),)
         if line.move.record == "parallel":
             return (say("given.proportion", fact=told),)
         return (say("given.fact", fact=told),)
@@ -140,6 +152,8 @@ class Leads:
         match line.relation.options[0][0].left:
             case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
                 event = self._naming.event_of_axis(axis)
+                if event is None and stage < (line.move.event or 0):
+                    event = self._naming.events.get(line.move.event or 0)
             case _:
                 return None
         if event is None:
@@ -229,6 +243,11 @@ class Leads:
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
+
+
+def _across(axis: Expression) -> Unit | None:
+    """The other one of **i** and **j**."""
+    return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
 
 
 def is_nothing(tree: Expression) -> bool:

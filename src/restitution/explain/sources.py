@@ -122,21 +122,22 @@ class Sources:
             cited = cited[:1]
         if move == "inverse":
             # In which quadrant the angle lies, the signs of the components tell without a word.
-            cited = [each for each in cited if self._is_ratio(each)] or cited
+            cited = [each for each in cited if self._is_ratio_of(line, each)] or cited
         if cited == [self._cases.get(line.number)]:
             return None  # the heading of the case says it
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None
 
-    def _is_ratio(self, number: int) -> bool:
-        """Whether a line says what a sine, a cosine or a tangent is."""
-        line = self._lines.get(number)
-        return (
-            line is not None
-            and isinstance(line.relation, Relation)
-            and isinstance(line.relation.options[0][0].left, Apply)
-        )
+    def _is_ratio_of(self, angle: Line, number: int) -> bool:
+        """Whether a line says what the sine, the cosine or the tangent of an angle is."""
+        above = self._lines.get(number)
+        if above is None or not isinstance(above.relation, Relation):
+            return False
+        assert isinstance(angle.relation, Relation)
+        left = above.relation.options[0][0].left
+        own = angle.relation.options[0][0].left
+        return isinstance(left, Apply) and left.argument == own
 
     def _is_quadratic(self, number: int) -> bool:
         """Whether a line says ax² + bx + c = 0, and not by its factors."""

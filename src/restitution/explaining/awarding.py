@@ -257,8 +257,9 @@ class _Awarding:
                 end = self.ends[line.number]
                 # What is printed has to be reached by something.
                 lone = end is not None and end.shown and end.part not in earned
-                law = line.move.id == "law"  # the principle and its value are one mark
-                own = [e for e in points[line.number] if e != "B" or not law]
+                # A principle, or a component, and its value are one mark.
+                one = line.move.id in ("law", "define")
+                own = [e for e in points[line.number] if e != "B" or not one]
                 points[line.number] = own + (["M", "A"] if lone else ["A"])
                 if line.move.record == "component" and _by_its_letter(self, line):
                     for each in self.cited(line):

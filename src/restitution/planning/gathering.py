@@ -41,6 +41,9 @@ class _Gathering:
             for line in tuple(self._order):
                 if line.item in self._parts:
                     self._raise(line, kind)
+        for line in tuple(self._order):
+            if line.move.id == "reject":
+                self._raise_to_its_roots(line)
         return _numbered(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
@@ -134,6 +137,15 @@ class _Gathering:
         if target == at or not self._may_stand(line, target):
             return
         order.insert(target, order.pop(at))
+
+    def _raise_to_its_roots(self, line: Line) -> None:
+        """Puts the root that remains below the roots, where it is known already."""
+        order, at = self._order, self._order.index(line)
+        roots = [n for n in range(at) if order[n].number in line.premises[:1]]
+        if roots and self._place(order[roots[0]]) == self._place(line):
+            target = roots[0] + 1
+            if target != at and self._may_stand(line, target):
+                order.insert(target, order.pop(at))
 
     def _first_law(self, line: Line, near: Sequence[int]) -> int | None:
         """Where the laws of an impact begin above a line; those that stay may follow others."""
