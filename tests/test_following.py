@@ -117,6 +117,28 @@ FROM_TWO_RATIOS = """
 3 a | put | 2, given 1 | tan(theta) = 2
 4 a | inverse | given 2, -180° < theta <= 180°, 3, given 3 | theta = {}
 """
+A_ROOT = """
+sphere A: mass m, velocity U at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given sqrt(e) = {}
+find e
+"""
+NAMED = """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass m, velocity -u i + 2u j
+A hits B: along i
+let phi = angle(velocity(A), velocity(B))
+given phi = {}
+find e
+"""
+BY_ITS_NAME = """
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = u
+4 a | law unchanged 1 B | velocity B, axis 1 | s(B, 1) = 2u
+5 a | define perpendicular 1 A B | let phi, given 1, 1, 2, 3, 4 | v w + u (2u) = 0
+"""
 UPWARDS = """
 sphere A: mass 2, velocity 3i - 4j
 sphere B: mass 3, velocity 2i + 3j
@@ -265,6 +287,12 @@ DECIMAL = f"""
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("-U sin(alpha)", "-U cos(alpha)"), "does-not-follow"),
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("U cos(alpha)", "-U cos(alpha)"), "does-not-follow"),
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "U cos(alpha)"), "does-not-follow"),
+        # what is squared must not be negative, on either side
+        (A_ROOT.format("1 - 2e"), "1 a | rearrange | given 1 | e = (1 - 2e)^2", "does-not-follow"),
+        (A_ROOT.format("1 - e"), "1 a | rearrange | given 1 | e = (1 - e)^2", "does-not-follow"),
+        (A_ROOT.format("1/2"), "1 a | rearrange | given 1 | e = 1/2", "does-not-follow"),
+        # a letter for another angle is no right angle
+        (NAMED.format("80°"), BY_ITS_NAME, "does-not-follow"),
         # the ratio of another angle tells nothing
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2) - 180°"), "does-not-follow"),
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(3)"), "does-not-follow"),
@@ -293,6 +321,9 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = U"),
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "-U cos(alpha)")),
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2)")),
+        (A_ROOT.format("1/2"), "1 a | rearrange | given 1 | e = 1/4"),
+        (A_ROOT.format("1 - e"), "1 a | rearrange | given 1, e <= 1 | e = (1 - e)^2"),
+        (NAMED.format("90°"), BY_ITS_NAME),
         (SPHERES, f"1 a | {RESTITUTION} | c(B, 1) - c(A, 1) = 2 ≈ 2 [value]"),
         (
             WALL.format("sin(2alpha) = u cos(2alpha)"),

@@ -141,6 +141,37 @@ sphere P: mass k, velocity v at theta
 P hits W: e = 0
 find speed(P), deflection(P), impulse, energy_lost/energy(0)
 """,
+    "how fast two spheres part": """
+sphere A: mass 1, velocity 2i + 5j
+sphere B: mass 2, velocity -i - j
+A hits B: along j
+given abs(velocity(A) - velocity(B)) = 5
+find e
+""",
+    "an angle by the letter for it": """
+sphere A: mass 2m, velocity 2u i + u j
+sphere B: mass m, velocity -u i + 3u j
+A hits B: along i
+let phi = angle(velocity(A), i)
+part a
+given phi = 45°
+find e
+part b
+given e = 1/2
+find tan(phi)
+""",
+    "an energy by the letter for its share": """
+wall W: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W
+let R = energy(P)/energy(P, 0)
+part a
+given R = 5/8, tan(alpha) = 1
+find e
+part b
+given R = 3/4, e = 1/3
+find alpha
+""",
     "a line of centres in roots, and letters": """
 sphere A: mass 2, velocity a i + b j
 sphere B: mass 3, velocity -i + 2j

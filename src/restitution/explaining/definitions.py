@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
@@ -292,10 +293,23 @@ def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
 def _tied(step: Step, event: Event | None) -> Iterator[Link]:
     """What a cited right angle, or a cited common direction, says of components."""
     relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
-    for link in step.links:
+    for link in (*step.links, *_named_angles(step)):
         tie = tie_of(link)
         if tie is not None and tie[2] == relation:
             yield from ties(step, event, *tie)
+
+
+def _named_angles(step: Step) -> Iterator[Link]:
+    """What is cited of letters for angles, said of the angles."""
+    named = {Letter(each.letter): each.quantity for each in step.lets}
+    named |= {
+        each.right: each.left
+        for each in step.links
+        if each.sign == "=" and isinstance(each.right, Letter) and isinstance(each.left, Quantity)
+    }
+    for link in step.links:
+        if link.left in named:
+            yield Link(named[link.left], link.sign, link.right)
 
 
 def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:

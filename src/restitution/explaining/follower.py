@@ -99,6 +99,8 @@ def follow(
 def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which no line cites of letters and angles what it does not need.
 
+    Where two terms cancel, no line cites what is given of a letter that was in them alone.
+
     Lines that do not follow are left as they are.
     """
     ratios = {
@@ -109,6 +111,7 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
         and isinstance(line.relation.only[0].left, Apply)
     }
     facts = {each.id for each in derivation.facts if not _is_ratio(each.relation)}
+    given = {each.id for each in derivation.facts if each.kind == "given"}
     read = _Reader(settled_derivation(derivation), oracle, frozenset())
     lines = []
     for line in derivation.lines:
@@ -117,6 +120,8 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             for ref in line.premises
             if ref in ratios or (isinstance(ref, str) and ref not in facts)
         ]
+        if given & set(line.premises) and _cancels(line):
+            known += [ref for ref in line.premises if ref in given]
         if line.move.id in ("inverse", "triangle"):
             # The range of an angle is needed wherever it is told by a ratio.
             own = names_in(line.relation)
@@ -133,6 +138,15 @@ def _is_ratio(relation: Relation) -> bool:
         case ((Link(Apply("sin" | "cos" | "tan", Letter())),),):
             return True
     return False
+
+
+def _cancels(line: Line) -> bool:
+    """Whether a line takes a term away from itself."""
+    return any(
+        isinstance(each, Binary) and each.op == "-" and each.left == each.right
+        for tree in trees_of(line.relation)
+        for each in walk(tree)
+    )
 
 
 def settled_derivation(derivation: Derivation) -> Derivation:

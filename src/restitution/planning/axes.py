@@ -246,7 +246,7 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
             change = Binary("+", velocity, before.operand)
     line = scene.desk.write(
         Move("law", "impulse-vector", event, (body,)),
-        together((given.fact.id,), mass.refs, early.refs),
+        together(given.refs, mass.refs, early.refs),
         Relation(((Link(right, "=", Binary("*", tree_of(mass.value), change)),),)),
     )
     line = scene.desk.write(

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
-from fractions import Fraction
 
 import sympy as sp
 
@@ -22,14 +21,13 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
-    Number,
     letters,
     walk,
 )
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import swept, tree_of
+from restitution.planning.forms import ZERO, square, swept, total, tree_of
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
@@ -42,6 +40,7 @@ from restitution.planning.ratios import (
 )
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
+from restitution.vector import Vector
 
 Shape = Callable[[Scene, int, sp.Symbol], Source | None]
 
@@ -77,10 +76,18 @@ def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> in
             refs += source.refs
     if not values or number in refs:
         return number
-    left, right = (swept(_replaced(each, values)) for each in (link.left, link.right))
+    left, right = (_settled(swept(_replaced(e, values))) for e in (link.left, link.right))
     own = scene.desk.line(number)
     start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
     return scene.desk.write(Move("put"), (*start, *together(refs)), chain(left, (right, None)))
+
+
+def _settled(tree: Expression) -> Expression:
+    """A side in which nothing is left: 0."""
+    match tree:
+        case Binary("-", left, right) if left == right:
+            return ZERO
+    return tree
 
 
 def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
@@ -204,35 +211,47 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 
 
 def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
+    """Whether an unknown stands below a root, or in a vector of which the size is taken."""
     return any(
         isinstance(each, Apply)
-        and each.function == "sqrt"
+        and each.function in ("sqrt", "abs")
         and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(each))
         for each in walk(tree)
     )
 
 
 def _square_of(scene: Scene, tree: Expression) -> Expression | None:
-    """A side squared: a number, a root, a product or a quotient with a root in it."""
+    """A side squared: a number, a root, a size, a product or a quotient with one in it."""
     if not letters(tree):
         return tree_of(tidy(scene_value(scene, tree) ** 2))
     match tree:
         case Apply("sqrt", inside):
             return inside
+        case Apply("abs", inside):
+            return _square_of_size(scene, inside)
         case Negate(operand):
             return _square_of(scene, operand)
-        case Binary("*" | "/" as op, left, right) if any(_is_root(e) for e in (left, right)):
+        case Binary("*" | "/" as op, left, right) if any(_is_size(e) for e in (left, right)):
             squares = [_square_of(scene, each) for each in (left, right)]
             if None in squares:
                 return None
             return Binary(op, squares[0], squares[1])  # type: ignore[arg-type]
-    if any(_is_root(each) for each in walk(tree)):
+    if any(_is_size(each) for each in walk(tree)):
         return None
-    return Binary("^", tree, Number(Fraction(2)))
+    return square(tree)
 
 
-def _is_root(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function == "sqrt"
+def _is_size(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+
+
+def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
+    """The square of the size of a vector, by its components."""
+    value = scene.value(tree)
+    if not isinstance(value, Vector):
+        return square(tree)
+    parts = [tidy(sp.expand(each)) for each in value]
+    return total(square(tree_of(each)) for each in parts if each != 0)
 
 
 def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

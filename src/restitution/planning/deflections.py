@@ -55,7 +55,7 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     tangent, more = scene.put(sp.tan(angle))
     relation = chain(tree_of(tidy(tangent)), (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
-    sources = together((each.fact.id,), refs, *(own.refs for own in (*early, *late)))
+    sources = together(each.refs, refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, (*frame.refs, *more))
 
 
@@ -73,7 +73,7 @@ def _at_right_angles(
     for p, q in pairs:
         zero = next((own for own in (p, q) if own.value == 0), None)
         used += [zero] if zero is not None else [p, q]
-    refs = together((each.fact.id,), *(own.refs for own in used))
+    refs = together(each.refs, *(own.refs for own in used))
     move = Move("define", "perpendicular", event, (body,))
     relation = Relation(((link(swept(tree), ZERO),),))
     return _written(scene, move, refs, relation, scene.frame(event).refs)

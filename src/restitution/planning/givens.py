@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Quantity,
+    Unit,
     has_quantity,
     walk,
 )
@@ -113,7 +114,7 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs else tree_of(value)
     return scene.desk.write(
-        own.move, together((each.fact.id,), refs, own.refs), chain(left, (swept(own.right), None))
+        own.move, together(each.refs, refs, own.refs), chain(left, (swept(own.right), None))
     )
 
 
@@ -169,7 +170,7 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         relation = chain(square(left), (swept(right), None))
     else:
         relation = chain(own.of(left), (swept(own.right), None))
-    return scene.desk.write(own.move, together((each.fact.id,), refs, own.refs), relation)
+    return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
 
 
 def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
@@ -186,7 +187,15 @@ def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
 def _of_open_sense(scene: Scene, own: Formula) -> bool:
     """Whether the sense of a component in a tangent is not certain."""
     open_ = scene.unknown(own.value)
-    if any(each.symbol in open_ for each in scene.model.components.values()):
+    components = {each.symbol for each in scene.model.components.values()}
+    match own.quantity:
+        case Quantity("angle", (_, Unit())):
+            # Up to 180° the tangent has the sign of what stands below.
+            above, _ = _sides(own.right)
+            if scene.unknown(scene_value(scene, above)) & components:
+                raise NotPlannedError("to which side of a direction an angle lies is open")
+            return False
+    if open_ & components:
         return True
     match own.quantity:
         case Quantity("angle", (_, Name())):
@@ -210,7 +219,7 @@ def _squared_tangent(
     left = tree_of(tidy(sp.tan(angle) ** 2))
     return scene.desk.write(
         replace(own.move, record="tan-squared"),
-        together((each.fact.id,), refs, own.refs),
+        together(each.refs, refs, own.refs),
         chain(left, (swept(Binary("/", *squares)), None)),
     )
 
@@ -225,7 +234,7 @@ def _component(scene: Scene, each: GivenEquation) -> int:
     named = scene.desk.known(quantity)
     of_it = own.refs if named is None or named.value != own.value else named.refs
     return scene.desk.write(
-        Move("put"), together((each.fact.id,), refs, of_it), chain(left, (right, None))
+        Move("put"), together(each.refs, refs, of_it), chain(left, (right, None))
     )
 
 
@@ -255,7 +264,7 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     known = scene.desk.write(b.move, b.refs, relation, "silent")
     right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
     return scene.desk.write(
-        a.move, together((each.fact.id,), a.refs, (known,)), chain(right, (inside[0], None))
+        a.move, together(each.refs, a.refs, (known,)), chain(right, (inside[0], None))
     )
 
 
@@ -311,6 +320,4 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
     left, right = (
         swept(rebuilt(side, lambda node: values.get(node, node))) for side in (own.left, own.right)
     )
-    return scene.desk.write(
-        Move("put"), together((each.fact.id,), refs), chain(left, (right, None))
-    )
+    return scene.desk.write(Move("put"), together(each.refs, refs), chain(left, (right, None)))

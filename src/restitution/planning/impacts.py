@@ -27,6 +27,7 @@ from restitution.planning.circles import chord_from, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     ONE,
+    ZERO,
     difference,
     factors,
     neat,
@@ -502,7 +503,7 @@ def restitution(scene: Scene, frame: Frame) -> int:
     return scene.desk.write(
         Move("law", "restitution", frame.number, (first, second)),
         refs,
-        chain(difference(w, v), (product(tree_of(e.value), approach), None)),
+        chain(ZERO if w == v else difference(w, v), (product(tree_of(e.value), approach), None)),
     )
 
 

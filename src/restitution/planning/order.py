@@ -41,7 +41,7 @@ from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.unknown_blows import take_blow
-from restitution.planning.vectors import velocity_given
+from restitution.planning.vectors import common_velocity, velocity_given
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
 
@@ -329,6 +329,10 @@ class Solver:
             given = self.givens.get(own.id)
             if given is None or given.link.sign != "=":
                 continue
+            if common_velocity(given) is not None:
+                if self._take_common(given):
+                    return (own,)
+                continue
             match given.link.left:
                 case Quantity("velocity", _, int(event)) if (
                     event and event not in self.scene.model.frames and self._open(own)
@@ -389,7 +393,28 @@ class Solver:
         value, refs = scene.put(scene.scalar(given.link.right))
         if scene.unknown(value):
             return False
-        scene.desk.know(given.link.left, value, together((given.fact.id,), refs))
+        scene.desk.know(given.link.left, value, together(given.refs, refs))
+        return True
+
+    def _take_common(self, given: GivenEquation) -> bool:
+        """Two bodies go on with one velocity: their components are one letter from now on."""
+        scene = self.scene
+        common = common_velocity(given)
+        assert common is not None
+        first, second, number = common
+        if (number, first) not in scene.model.components:
+            return False
+        frame = scene.frame(number)
+        one, other = (after(scene, "along", each, frame) for each in (first, second))
+        letters = [scene.model.components[number, each].symbol for each in (first, second)]
+        if [one.value, other.value] != letters or not scene.unknown(one.value):
+            return False
+        line = scene.desk.write(
+            Move("define", "component", number, (first,)),
+            together(given.refs, frame.refs, one.refs, other.refs),
+            chain(Letter(letters[0].name), (Letter(letters[1].name), None)),
+        )
+        scene.desk.know(Letter(letters[0].name), letters[1], (line,))
         return True
 
     def _take_velocity(self, given: GivenEquation) -> None:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.explaining.derivation import Fact, Link, Ref, Relation
+from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -36,11 +37,20 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 @dataclass(frozen=True)
 class GivenEquation:
-    """A given fact as an equation: ``residuals`` are zero."""
+    """A given fact as an equation: ``residuals`` are zero.
+
+    In ``link`` letters stand no more for what the statement lets them be; ``lets`` says so.
+    """
 
     fact: Fact
     link: Link
     residuals: tuple[sp.Expr, ...]
+    lets: tuple[Ref, ...] = ()
+
+    @property
+    def refs(self) -> tuple[Ref, ...]:
+        """What the letters of the fact are, and the fact."""
+        return (*self.lets, self.fact.id)
 
 
 @dataclass
@@ -240,7 +250,7 @@ class Scene:
                 continue
             match fact.relation.options:
                 case (((Link(Apply("sin" | "cos" | "tan", Letter(name)), "=", right)),),):
-                    if not self.scalar(right).free_symbols:
+                    if not self.scalar(right).free_symbols and f"let {name}" not in self.facts:
                         found[name] = fact
         return found
 
@@ -257,8 +267,24 @@ class Scene:
             (link,) = fact.relation.only
             residuals = tuple(self._residuals(link))
             if residuals:
-                found.append(GivenEquation(fact, link, residuals))
+                lets = self.lets_in(link)
+                found.append(GivenEquation(fact, self.opened(link), residuals, lets))
         return tuple(found)
+
+    def lets_in(self, link: Link) -> tuple[Ref, ...]:
+        """The facts that let letters of a link stand for something."""
+        names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
+        return tuple(f"let {each}" for each in dict.fromkeys(names) if f"let {each}" in self.facts)
+
+    def opened(self, link: Link) -> Link:
+        """A link in which each letter of the statement for something is replaced by that."""
+
+        def change(tree: Expression) -> Expression:
+            fact = self.facts.get(f"let {tree.name}") if isinstance(tree, Letter) else None
+            return tree if fact is None else rebuilt(fact.relation.only[0].left, change)
+
+        left, right = (rebuilt(each, change) for each in (link.left, link.right))
+        return Link(left, link.sign, right, link.by)
 
     def _residuals(self, link: Link) -> Iterable[sp.Expr]:
         story = self.model.story
@@ -332,3 +358,7 @@ class Scene:
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
         return tree_of(value)
+
+
+def _letters_of(tree: Expression) -> Iterable[Letter]:
+    return (each for each in walk(tree) if isinstance(each, Letter))

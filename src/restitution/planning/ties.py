@@ -73,7 +73,7 @@ def _two_velocities(
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
     cited = [_cited(pair) for pair in pairs]
-    refs = together((each.fact.id,), *(s.refs for p in cited for s in p), _axis(frame, cited))
+    refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     first, second = (product(*(tree_of(each.value) for each in pair)) for pair in cited)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
@@ -105,13 +105,13 @@ def _to_a_direction(
     if centres or wall:
         kind = "along" if (record == "perpendicular") != wall else "across"
         source = in_direction(scene, kind, body, stage, frame)
-        refs = together((each.fact.id,), source.whole, frame.names_axis(kind))
+        refs = together(each.refs, source.whole, frame.names_axis(kind))
         return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
     direction, about = _direction(scene, other)
     if _slants(frame):
         return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
     x, y = in_the_plane(scene, body, stage)
-    refs = together((each.fact.id,), about)
+    refs = together(each.refs, about)
     if record == "perpendicular":
         terms = [(x, direction.x), (y, direction.y)]
         used = [(s, w) for s, w in terms if w != 0]
@@ -143,7 +143,7 @@ def _across_a_frame(
         shares = [-shares[1], shares[0]]
     used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
     tree = total(product(tree_of(w), tree_of(s.value)) for s, w in used)
-    refs = together((each.fact.id,), about, *(s.refs for s, _ in used), frame.refs)
+    refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
     return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
 
 

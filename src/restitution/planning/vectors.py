@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Ref
+from restitution.explaining.derivation import Link, Ref
 from restitution.expression.tree import Expression, Name, Quantity, walk
 from restitution.planning.desk import together
 from restitution.planning.forms import tree_of, vector
@@ -22,10 +22,10 @@ def velocity_given(
     for each in scene.given:
         if each.link.sign != "=":
             continue
-        if each.link.left == velocity:
+        if each.link.left == velocity and common_velocity(each) is None:
             value = scene.model.story.evaluator(scene.events).vector(each.link.right)
             tree = tree_of(tuple(tidy(part) for part in value))
-            return tree, value, together((each.fact.id,), _started(scene, each.link.right))
+            return tree, value, together(each.refs, _started(scene, each.link.right))
         match each.link.left:
             case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
                 name == body and event == number
@@ -39,6 +39,18 @@ def velocity_given(
     refs = tuple(each.fact.id for each in parts.values())
     value = direction * size
     return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def common_velocity(given: GivenEquation) -> tuple[str, str, int] | None:
+    """Two bodies of which it is given that they have one velocity after an event."""
+    match given.link:
+        case Link(
+            Quantity("velocity", (Name(one),), int(event)),
+            "=",
+            Quantity("velocity", (Name(other),), int(last)),
+        ) if event == last and event and one != other:
+            return one, other, event
+    return None
 
 
 def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
