@@ -172,6 +172,35 @@ part b
 given R = 3/4, e = 1/3
 find alpha
 """,
+    "a condition that another implies": """
+sphere A: mass 2m, velocity 3u at 60°
+sphere B: mass 3m, velocity u at 60° from -i
+A hits B: along i
+given along(velocity(A), i) < 0, along(velocity(B), i) > 0
+find range of e
+""",
+    "directions of which one is told by the other": """
+sphere A: mass m, velocity 3u i
+sphere B: mass 4m, velocity -u i
+A hits B: along i
+given velocity(A) opposite to i, velocity(B) in the direction of i
+find range of e
+""",
+    "spheres that go on together": """
+sphere A: mass 3, velocity 4j + i
+sphere B: mass 2, velocity -j + i
+A hits B: along j
+given velocity(A) = velocity(B)
+find e, velocity(B), energy_lost
+""",
+    "terms that cancel": """
+sphere A, B: mass m
+sphere A: velocity 2u at alpha
+sphere B: velocity 2u at alpha from -i
+A hits B: along i
+given alpha = 30°
+find impulse, speed(A)
+""",
     "a line of centres in roots, and letters": """
 sphere A: mass 2, velocity a i + b j
 sphere B: mass 3, velocity -i + 2j

@@ -403,8 +403,28 @@ class _Reader:
             return
         trial = self._trial(line)
         for ref in line.premises:
-            if ref not in trial.needed(line.move, line.premises, line.relation, (ref,)):
+            if ref in trial.needed(line.move, line.premises, line.relation, (ref,)):
+                continue
+            if not self._is_condition(line, ref):
                 yield Complaint("premise-not-needed", line.number, ref)
+
+    def _is_condition(self, line: Line, ref: Ref) -> bool:
+        """Whether a premise is a condition that is given, among those that a line joins.
+
+        It is one of them even if the others imply it.
+        """
+        if line.move.id != "compare" or not isinstance(ref, int):
+            return False
+        others = {r for each in line.premises if each != ref for r in self._under_ref(each)}
+        return any(
+            fact.kind in ("given", "range")
+            and fact.id not in others
+            and any(link.sign in _ORDERED for links in fact.relation.options for link in links)
+            for fact in (self.facts[r] for r in self._under(ref) if r in self.facts)
+        )
+
+    def _under_ref(self, ref: Ref) -> set[Ref]:
+        return self._under(ref) if isinstance(ref, int) else {ref}
 
     def needed(self, number: int, doubted: Iterable[Ref]) -> tuple[Ref, ...]:
         """The premises of a line without those of the doubted ones without which it follows."""
@@ -678,5 +698,6 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 
 _NO_MOVE = Move("let")
+_ORDERED = ("<", "<=", ">", ">=")
 # These notes say that something cannot be.
 _EXCLUDING = frozenset({"impossible", "contradiction", "refuted"})

@@ -431,8 +431,10 @@ def _put(step: Step, line: Link) -> bool:
         return any(_points_along(step, line, each, rules) for each in base.only)
     alone = _without_angles(step)
     if step.move.id == "put" and any(
-        _matches(alone, line, _expected(alone, each, Rules(alone.world)), each.sign)
+        _matches(alone, line, expected, each.sign)
+        and (each.sign == "=" or not _is_replaced(alone, line, expected))
         for each in _flat(base.only)
+        for expected in (_expected(alone, each, Rules(alone.world)),)
     ):
         return False  # nothing is put in
     # A value may be put in, or its name for it.
@@ -454,6 +456,18 @@ def _points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
         return False
     pairs = [(a, b) for a, b in ((own.x, other.x), (own.y, other.y)) if not b.vanishes]
     return bool(pairs) and all(not a.vanishes and step.signs.of(a / b) == 1 for a, b in pairs)
+
+
+def _is_replaced(step: Step, line: Link, expected: Value) -> bool:
+    """Whether a quantity of an inequality stands no more in a line.
+
+    Of two positive values either is the other times what is positive.
+    """
+    own = step.residual(line)
+    if isinstance(own, Plane) or isinstance(expected, Plane):
+        return False
+    ours, theirs = (set(step.world.keys(each.above).values()) for each in (own, expected))
+    return any(key[0] in ("quantity", "x", "y") for key in theirs - ours)
 
 
 def _flat(links: tuple[Link, ...]) -> Iterator[Link]:

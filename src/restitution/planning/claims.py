@@ -10,6 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.moves import MOST_COMPARED
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -118,6 +119,29 @@ class Claims:
             self.ties.clear()
             self.conditions.clear()
         raise NotPlannedError("an inequality")
+
+    def join_the_rest(self, number: int, relation: Relation) -> int:
+        """Joins to a range the conditions that are given and that others imply."""
+        desk = self.scene.desk
+        line = desk.line(number)
+        under = desk.under(number)
+        rest = [
+            each
+            for each in self.conditions.inequalities()
+            if each.id not in under and each.kind in ("given", "range")
+        ]
+        if line.move.id != "compare" or number != len(desk.lines) or not rest:
+            return number
+        desk.lines.pop()
+        premises = line.premises
+        for fact in rest:
+            try:
+                condition = self.conditions.stated(fact, subject_of(relation))
+            except NotPlannedError:
+                condition = None
+            if condition is not None and len(premises) < MOST_COMPARED:
+                premises = (*premises, condition)
+        return desk.write(line.move, premises, relation)
 
     def _worths(self, trees: Sequence[Expression], quantities: Sequence[Quantity]) -> list[int]:
         """The lines of what stands in a claim: of its sides, or of the quantities in them."""

@@ -61,13 +61,14 @@ class Conditions:
         if self._lines is None:
             self._lines = [
                 line
-                for fact in self._inequalities()
-                for line in (self._condition(fact, wanted),)
+                for fact in self.inequalities()
+                for line in (self.condition(fact, wanted),)
                 if line is not None
             ]
         return self._lines
 
-    def _inequalities(self) -> Iterator[Fact]:
+    def inequalities(self) -> Iterator[Fact]:
+        """The given inequalities that speak of the motion."""
         desk = self.scene.desk
         for fact in desk.facts:
             if not desk.holds(fact.id):
@@ -78,7 +79,8 @@ class Conditions:
             if link.sign in _BOUNDED and has_quantity_in(fact.relation):
                 yield fact
 
-    def _condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+    def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+        """The line of one of them, in letters, and solved as far as one line does it."""
         if fact.id.startswith("within "):
             return write_between(self.worths, fact, wanted)
         (link,) = fact.relation.only
@@ -106,6 +108,20 @@ class Conditions:
         if line is None:
             return None
         return self.finished(line, sign, x, wanted)
+
+    def stated(self, fact: Fact, wanted: Expression | None) -> int | None:
+        """The line of one of them; where it holds of itself, that which says it in letters."""
+        line = self.condition(fact, wanted)
+        if line is not None:
+            return line
+        (link,) = fact.relation.only
+        gap = self.gap(link)
+        pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
+        trees = [
+            tree_of(self.scene.put(self.scene.scalar(side))[0]) for side in (link.left, link.right)
+        ]
+        relation = Relation(((Link(trees[0], link.sign, trees[1]),),))
+        return self.judge.write((Move("put"),), pool, relation)
 
     def _obtuse(
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None

@@ -181,6 +181,17 @@ class Desk:
         links = self.relation(number).only
         return Link(links[0].left, links[0].sign, links[-1].right)
 
+    def under(self, number: int) -> frozenset[Ref]:
+        """A line, and all that it rests on."""
+        found: set[Ref] = set()
+        pending: list[Ref] = [number]
+        while pending:
+            ref = pending.pop()
+            if ref not in found:
+                found.add(ref)
+                pending += self.line(ref).premises if isinstance(ref, int) else ()
+        return frozenset(found)
+
     def _of(self, ref: Ref) -> frozenset[str]:
         return self._parts.get(ref, frozenset())
 

@@ -29,6 +29,7 @@ def write_range(
     relation = Relation((tuple(links),))
     with Claims(scene, solver) as claims:
         line = claims.write(relation)
+        line = claims.join_the_rest(line, relation)
     scene.desk.end(name, line, relation, shown=shown)
 
 

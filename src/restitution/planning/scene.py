@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Polar,
+    Quantity,
     walk,
 )
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
@@ -32,6 +33,7 @@ from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.
 _MOST = 4
+_ANGLES = ("angle", "deflection", "direction")
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
@@ -274,13 +276,26 @@ class Scene:
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""
         names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
-        return tuple(f"let {each}" for each in dict.fromkeys(names) if f"let {each}" in self.facts)
+        return tuple(
+            f"let {each}" for each in dict.fromkeys(names) if self._stands_for(each, names)
+        )
+
+    def _stands_for(self, name: str, names: Sequence[str]) -> bool:
+        """Whether a letter of a fact is replaced: an angle is not, where others are beside it."""
+        fact = self.facts.get(f"let {name}")
+        if fact is None:
+            return False
+        quantity = fact.relation.only[0].left
+        angle = isinstance(quantity, Quantity) and quantity.kind in _ANGLES
+        return not angle or set(names) == {name}
 
     def opened(self, link: Link) -> Link:
         """A link in which each letter of the statement for something is replaced by that."""
+        lets = self.lets_in(link)
 
         def change(tree: Expression) -> Expression:
-            fact = self.facts.get(f"let {tree.name}") if isinstance(tree, Letter) else None
+            name = f"let {tree.name}" if isinstance(tree, Letter) else ""
+            fact = self.facts[name] if name in lets else None
             return tree if fact is None else rebuilt(fact.relation.only[0].left, change)
 
         left, right = (rebuilt(each, change) for each in (link.left, link.right))
