@@ -491,29 +491,8 @@ def _rearrange(step: Step, line: Link) -> bool:
     return any(
         _same_direction(step, line, each)
         or _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
-        or _is_squared(step, line, each)
         for each in _flat(base.only)
         if each.sign != "≈"
-    )
-
-
-def _is_squared(step: Step, line: Link, base: Link) -> bool:
-    """Whether a line is the square of an equation with a root, of which no side is negative."""
-    if step.move.id != "rearrange" or base.sign != "=" or line.sign != "=":
-        return False
-    if not any(isinstance(e, Apply) for side in (base.left, base.right) for e in walk(side)):
-        return False
-    a, b = (step.world.value(each) for each in (base.left, base.right))
-    if isinstance(a, Plane) or isinstance(b, Plane):
-        return False
-    roots = {n for n, key in step.world.keys(a.above, b.above).items() if key[0] == "root"}
-    if not any(m[n] % 2 for x in (a, b) for m in x.above for n in roots):
-        return False
-    expected = step.world.reduced(a * a - b * b)
-    # That they are equal tells nothing: of what is squared only some roots remain.
-    oracle = step.under(cited=_rest(step)).oracle
-    return _matches(step, line, expected) and all(
-        oracle.proves(Claim(step.world.expression(x, step.roles), ">=")) for x in (a, b)
     )
 
 
