@@ -51,7 +51,7 @@ class Conditions:
                 line
                 for fact in self.scene.desk.facts
                 if fact.id.startswith(("most ", "approach ")) and self.scene.desk.holds(fact.id)
-                for line in (self._condition(fact, wanted),)
+                for line in (self.condition(fact, wanted),)
                 if line is not None
             ]
         return self._story
