@@ -1,0 +1,27 @@
+"""Exact numbers and expressions in the form a textbook would print, compared and rounded."""
+
+from __future__ import annotations
+
+from restitution.exact.angles import tidy_angle
+from restitution.exact.numbers import denested, is_nested
+from restitution.exact.rounding import decimal, significant
+from restitution.exact.simplicity import cost
+from restitution.exact.textbook import forward, tidy
+from restitution.exact.writing import canonical_name, sympy_text
+from restitution.exact.zero import digits_apart, is_zero, same
+
+__all__ = [
+    "canonical_name",
+    "cost",
+    "decimal",
+    "denested",
+    "digits_apart",
+    "forward",
+    "is_nested",
+    "is_zero",
+    "same",
+    "significant",
+    "sympy_text",
+    "tidy",
+    "tidy_angle",
+]

@@ -1,0 +1,201 @@
+"""Angles in their usual form: π/3, π − arctan(4/3), α."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Float, Integer, Mul, Rational, S
+
+from restitution.exact.directions import direction_of
+from restitution.exact.numbers import is_nested, tidy_number, tidy_parts
+from restitution.exact.simplicity import HALF, TOUCHED, UNREADABLE, cost, node_count
+from restitution.exact.textbook import tidy
+from restitution.exact.zero import is_zero
+from restitution.work import remembered, spend
+
+
+@remembered(1024)
+def tidy_angle(expression: Any) -> Any:
+    """An angle in radians in its usual form: ``pi/3``, ``pi - atan(4/3)``, ``alpha``.
+
+    Recognised multiples of π/24 and π/10 are verified by exact algebra. Never raises but
+    at a limit of work.
+    """
+    if not isinstance(expression, Expr) or expression.is_Atom:
+        return expression
+    if node_count(expression, TOUCHED) >= TOUCHED:
+        return expression
+    try:
+        return _tidy_angle(expression)
+    except UNREADABLE:
+        return expression
+
+
+def _tidy_angle(value: Expr) -> Expr:
+    spend()
+    if value.free_symbols:
+        return _tidy_angle_letters(value)
+    value = _with_plain_angles(value)
+    quotient = sympy.expand(value / sympy.pi)
+    if quotient.is_Rational:
+        return quotient * sympy.pi
+    size = value.evalf(40)
+    if value.has(sympy.CRootOf) and not _near_nice(size):
+        return value  # nobody would write it out
+    if isinstance(value, sympy.atan) and is_nested(value.args[0]) and not _near_nice(size):
+        return value.func(tidy_number(value.args[0]))
+    direction = direction_of(value)
+    if direction is None or not size.is_real:
+        return tidy_parts(value)
+    cosine, sine = (tidy_number(each) for each in direction)
+    turns = _nice(size, cosine, sine)
+    if turns is not None:
+        return turns * sympy.pi
+    pi = sympy.pi
+    candidates: list[tuple[float, Expr]] = []
+    # The quadrant is that of the direction: the angle itself may be too near to its end.
+    ahead, left = bool(cosine > 0), bool(sine > 0)
+    if cosine != 0 and sine != 0:
+        tangent = tidy_number(sine / cosine)
+        if tangent.is_negative:
+            tangent = -tangent
+        if left:
+            form = sympy.atan(tangent) if ahead else pi - sympy.atan(tangent)
+        else:
+            form = -sympy.atan(tangent) if ahead else sympy.atan(tangent) - pi
+        candidates.append((cost(form) - (3 if tangent.is_Rational else 1), form))
+        if not tangent.is_Rational:
+            form = sympy.acos(cosine) if left else -sympy.acos(cosine)
+            # 180° − arctan(…), −arctan(…) are what is written then
+            obtuse = 4 if cosine.is_negative else 3 if not left else 0
+            candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
+            form = sympy.asin(abs(sine))
+            form = form if ahead else pi - form
+            form = form if left else -form
+            candidates.append((cost(form) - (1 if sine.is_Rational else 0), form))
+    best = min(candidates, key=lambda each: each[0])
+    whole = Integer(sympy.floor((size - best[1].evalf(40)) / (2 * pi) + HALF))
+    form = best[1] + 2 * pi * whole
+    if abs((form - value).evalf(30)) > 1:  # of one direction, they are whole turns apart
+        return tidy_parts(value)
+    plain = tidy_parts(value)
+    return form if cost(form) <= cost(plain) + 3 else plain
+
+
+def _near_nice(size: Expr) -> bool:
+    """Whether an angle is within 10⁻²⁰ of one of the well-known fractions of π."""
+    ratio = (size / sympy.pi).evalf(30)
+    return any(
+        abs(ratio * step - sympy.floor(ratio * step + HALF)) < Float("1e-20") for step in (24, 10)
+    )
+
+
+def _nice(size: Expr, cosine: Expr, sine: Expr) -> Rational | None:
+    """The rational multiple of π that an angle is, if it is one of the well-known ones."""
+    ratio = (size / sympy.pi).evalf(30)
+    for step in (24, 10):
+        nearest = Rational(int(sympy.floor(ratio * step + HALF)), step)
+        if abs(ratio - nearest) < Float("1e-25"):
+            angle = nearest * sympy.pi
+            if _same_number(cosine, sympy.cos(angle)) and _same_number(sine, sympy.sin(angle)):
+                return nearest
+    return None
+
+
+def _of_plain_angles(tangent: Expr) -> Rational | None:
+    """The multiple of π whose tangent is made of sines and cosines of such multiples, if it is one.
+
+    It is a multiple of half of what those all are multiples of, proved as an identity in that
+    angle: arctan((1 - cos 50°)/sin 50°) = 25°.
+    """
+    parts = tangent.atoms(sympy.sin, sympy.cos, sympy.tan)
+    turns = [x.args[0] / sympy.pi for x in parts]
+    if not turns or not all(each.is_Rational for each in turns):
+        return None
+    below = math.lcm(*(int(each.q) for each in turns))
+    unit = Rational(math.gcd(*(int(each * below) for each in turns)), 2 * below)
+    count = (sympy.atan(tangent) / sympy.pi / unit).evalf(30)
+    nearest = int(sympy.floor(count + HALF))
+    if abs(count - nearest) > Float("1e-20") or any(abs(t / unit) > 40 for t in (*turns, nearest)):
+        return None
+    c, s = sympy.symbols("c s")
+
+    def components(multiple: int) -> tuple[Expr, Expr]:
+        """Cosine and sine of so many units, by the powers of c + is."""
+        cosine, sine = S.One, S.Zero
+        for _ in range(abs(multiple)):
+            cosine, sine = sympy.expand(c * cosine - s * sine), sympy.expand(s * cosine + c * sine)
+        return cosine, sine if multiple > 0 else -sine
+
+    put = {}
+    for x in parts:
+        cosine, sine = components(int(x.args[0] / sympy.pi / unit))
+        put[x] = {sympy.cos: cosine, sympy.sin: sine, sympy.tan: sine / cosine}[x.func]
+    cosine, sine = components(nearest)
+    gap = sympy.together(tangent.xreplace(put) * cosine - sine).as_numer_denom()[0]
+    if not gap.is_polynomial(c, s):
+        return None
+    return nearest * unit if sympy.rem(gap, s**2 + c**2 - 1, s) == 0 else None
+
+
+def _with_plain_angles(value: Expr) -> Expr:
+    """An angle in which each arctangent that is a plain angle is written as that angle."""
+    plain = {}
+    for each in value.atoms(sympy.atan):
+        turns = _of_plain_angles(each.args[0]) if not each.free_symbols else None
+        if turns is not None:
+            plain[each] = turns * sympy.pi
+    return value.xreplace(plain) if plain else value
+
+
+def _same_number(a: Expr, b: Expr) -> bool:
+    return a == b or tidy_number(sympy.expand(a - b)) == 0 or is_zero(a - b)
+
+
+def _tidy_angle_letters(value: Expr) -> Expr:
+    """Inverse functions of acute angles undone; what stands inside the others tidied."""
+    numbers, rest = value.as_independent(*value.free_symbols, as_Add=True)
+    terms = [_tidy_angle_term(term) for term in Add.make_args(rest)]
+    if numbers != 0:
+        terms.append(_tidy_angle(numbers))
+    return Add(*terms)
+
+
+def _tidy_angle_term(term: Expr) -> Expr:
+    number, rest = term.as_coeff_Mul()
+    if number not in (1, -1) and number.is_Rational:
+        return number * _tidy_angle_term(rest)
+    if number == -1:
+        return -_tidy_angle_term(rest)
+    if isinstance(rest, sympy.atan2):
+        y, x = rest.args
+        if not x.is_positive:
+            return rest.func(tidy(y), tidy(x))
+        rest = sympy.atan(y / x)
+    if not isinstance(rest, sympy.atan | sympy.acos | sympy.asin):
+        return tidy(rest) if not rest.has(sympy.atan, sympy.acos, sympy.asin) else rest
+    inside = tidy(rest.args[0])
+    quarter = sympy.pi / 2
+    inner = {sympy.atan: sympy.tan, sympy.acos: sympy.cos, sympy.asin: sympy.sin}[rest.func]
+    other = {sympy.acos: sympy.sin, sympy.asin: sympy.cos}.get(rest.func)
+    if isinstance(inside, inner) and _acute(inside.args[0]):
+        return inside.args[0]
+    if other is not None and isinstance(inside, other) and _acute(inside.args[0]):
+        return quarter - inside.args[0]
+    if isinstance(rest, sympy.atan):
+        reciprocal = 1 / inside
+        if isinstance(reciprocal, sympy.tan) and _acute(reciprocal.args[0]):
+            return quarter - reciprocal.args[0]
+        if inside.could_extract_minus_sign() and _negative_term(inside):
+            return -_tidy_angle_term(sympy.atan(-inside))
+    return rest.func(inside)
+
+
+def _negative_term(value: Expr) -> bool:
+    return isinstance(value, Mul) and value.as_coeff_Mul()[0].is_negative is True
+
+
+def _acute(value: Expr) -> bool:
+    return bool(value.is_Symbol and value.is_positive)

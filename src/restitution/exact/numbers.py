@@ -1,0 +1,121 @@
+"""Numbers without letters: surds denested, denominators rational, a common factor in front."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S
+
+from restitution.exact.simplicity import TOUCHED, TRIGONOMETRIC, UNREADABLE, node_count
+from restitution.work import remembered, spend
+
+
+def tidy_number(value: Expr) -> Expr:
+    """A number without letters: surds denested, denominators rational, common factor in front."""
+    spend()
+    if value.is_Rational or value.is_Atom:
+        return value
+    if value.has(*TRIGONOMETRIC):
+        value = sympy.expand_trig(value)
+    if not all(isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)):
+        return tidy_parts(value)
+    value = _denest(value)
+    if not value.is_Rational:
+        value = sympy.radsimp(value, max_terms=4)
+        value = sympy.expand(value)
+    return _content_out(value)
+
+
+def denested(value: Expr) -> Expr:
+    """Roots inside roots undone where that leaves none; else the number as it is."""
+    plain = sympy.sqrtdenest(value)
+    return value if is_nested(plain) else plain
+
+
+def is_nested(value: Expr) -> bool:
+    """Whether a root stands under a root."""
+    return any(
+        isinstance(node, Pow) and not node.exp.is_Integer and node.base.has(Pow)
+        for node in sympy.preorder_traversal(value)
+    )
+
+
+def _denest(value: Expr) -> Expr:
+    """Each root simplified, the innermost first."""
+    if value.is_Atom or not value.has(Pow):
+        return value
+    value = value.func(*[_denest(each) for each in value.args])
+    if not isinstance(value, Pow) or not isinstance(value.exp, Rational) or value.exp.q == 1:
+        return value
+    base = value.base
+    if base.is_Rational:
+        return value
+    base = _content_out(sympy.expand(sympy.radsimp(base)))
+    if value.exp.q != 2:
+        return Pow(base, value.exp)
+    if base.is_negative:
+        return Pow(base, value.exp)
+    content, rest = base.as_coeff_Mul()
+    if base.is_Rational:
+        root = sympy.sqrt(base)
+    else:
+        # √(p/q · R) = √(pq R)/q, with the squares in pq taken out.
+        content = Rational(content)
+        top = sympy.sqrt(Integer(content.p * content.q)) / content.q
+        coefficient, surd = top.as_coeff_Mul()
+        inside = rest if surd is S.One else sympy.expand(surd**2 * rest)
+        root = coefficient * denested(sympy.sqrt(inside))
+    power = root ** (2 * value.exp)
+    return sympy.expand(power) if value.exp.p > 1 else power
+
+
+def _content_out(value: Expr) -> Expr:
+    """``3/8 + 3*sqrt(5)/8`` as ``3*(1 + sqrt(5))/8``; a positive term is left inside."""
+    if not isinstance(value, Add):
+        return value
+    content, rest = value.primitive()
+    if rest.could_extract_minus_sign() and all(
+        term.could_extract_minus_sign() for term in Add.make_args(rest)
+    ):
+        content, rest = -content, -rest
+    return in_front(content, rest)
+
+
+def in_front(coefficient: Expr, rest: Expr) -> Expr:
+    """A product that keeps a rational factor in front of a sum instead of multiplying it out."""
+    if coefficient is S.One:
+        return rest
+    if isinstance(rest, Add) and isinstance(coefficient, Rational):
+        if coefficient is S.NegativeOne:
+            return -rest
+        return Mul(coefficient, rest, evaluate=False)
+    return coefficient * rest
+
+
+def tidy_parts(value: Expr) -> Expr:
+    """A number that contains functions: its arguments are tidied."""
+    if value.is_Atom:
+        return value
+    arguments = [_inside(each) for each in value.args]
+    return value.func(*arguments) if tuple(arguments) != value.args else value
+
+
+@remembered(2048)
+def _inside(value: Any) -> Any:
+    """A number that stands in a function, tidied; as it is where no step can read it."""
+    if not isinstance(value, Expr) or value.is_Atom or node_count(value, TOUCHED) >= TOUCHED:
+        return value
+    try:
+        return tidy_number(value)
+    except UNREADABLE:
+        return value
+
+
+def rebuilt(value: Expr, arguments: list[Expr]) -> Expr:
+    """A node with other arguments; a number stays in front of a sum."""
+    if isinstance(value, Mul) and len(arguments) == 2:
+        first, second = arguments
+        if isinstance(first, Rational) and isinstance(second, Add):
+            return in_front(first, second)
+    return value.func(*arguments)

@@ -1,0 +1,185 @@
+"""Roots of expressions with letters: joined, divided, and what stands under them."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import sympy
+from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol
+
+from restitution.exact.factors import conjugates, factored
+from restitution.exact.samples import is_negative
+from restitution.exact.signs import sign_of
+from restitution.exact.simplicity import HALF, cost
+from restitution.exact.trigonometry import MaskedAngle
+
+
+def has_fractions(value: Expr) -> bool:
+    """Whether a sum in the expression has terms with denominators."""
+    return any(
+        sympy.fraction(term)[1] is not S.One for total in value.atoms(Add) for term in total.args
+    )
+
+
+def into_root(value: Expr, angle: MaskedAngle) -> Expr:
+    """``cos α √(1 + e² tan²α)`` as ``√(cos²α + e² sin²α)``, where that is shorter."""
+    s, c, t = angle.sine, angle.cosine, angle.tangent
+    best = value
+    for factor in Mul.make_args(value):
+        if not (isinstance(factor, Pow) and factor.exp == HALF and t in factor.free_symbols):
+            continue
+        above, below = sympy.fraction(sympy.together(factor.base.xreplace({t: s / c}) * c**2))
+        if below.free_symbols & {s, c}:
+            continue
+        inside = factored(sympy.expand(above) / below)
+        candidate = value / factor / c * sympy.sqrt(inside)
+        best = candidate if cost(candidate) < cost(best) else best
+    return best
+
+
+def square_of_root(root: Expr, back: dict[Symbol, Expr]) -> Expr | None:
+    """What stands under a masked root, if it is free of further roots."""
+    if isinstance(root, Pow) and root.exp == HALF:
+        return mask_roots(root.base, back)
+    return None
+
+
+def joined_roots(factors: list[Expr]) -> list[Expr]:
+    """√(a − b) √(a + b), which SymPy keeps apart, as √(a² − b²)."""
+    roots = [each for each in factors if isinstance(each, Pow) and abs(each.exp) == HALF]
+    for first, second in combinations(roots, 2):
+        if not (first.base.free_symbols and second.base.free_symbols):
+            continue
+        rest = [each for each in factors if each not in (first, second)]
+        if first.exp == second.exp:
+            inside = conjugates(first.base, second.base)
+            if inside is not None:
+                return [*rest, Pow(inside, first.exp)]
+        if first.base.is_Symbol or second.base.is_Symbol:
+            continue
+        # √(a b) / √a is √b, as both roots are real.
+        inside = sympy.cancel(first.base ** (2 * first.exp) * second.base ** (2 * second.exp))
+        if cost(inside) < cost(first.base) + cost(second.base) - 1:
+            return joined_roots([*rest, sympy.sqrt(factored(inside))])
+    return factors
+
+
+def divided_roots(value: Expr) -> Expr:
+    """√(a b)/a as √(b/a), where a is positive."""
+    if not isinstance(value, Mul):
+        return value
+    for root in value.args:
+        if not (isinstance(root, Pow) and root.exp == HALF and isinstance(root.base, Mul)):
+            continue
+        below = sympy.fraction(value)[1]
+        for factor in Mul.make_args(below):
+            if isinstance(factor, Add) and factor in root.base.args and sign_of(factor) == 1:
+                return value / root * factor * sympy.sqrt(root.base / factor**2)
+    return value
+
+
+def over_a_square(inside: Expr) -> Expr:
+    """A²/c² + b as (A² + b c²)/c², whose root is simpler; the terms are kept as they are."""
+    if not isinstance(inside, Add):
+        return inside
+    parts = [sympy.fraction(term) for term in inside.args]
+    number = sympy.ilcm(*[below.as_coeff_Mul()[0] for _, below in parts])
+    powers: dict[Expr, Expr] = {}
+    for _, below in parts:
+        for base, power in below.as_coeff_Mul()[1].as_powers_dict().items():
+            powers[base] = max(powers.get(base, S.Zero), power)
+    powers.pop(S.One, None)
+    if not (powers or number > 1) or any(not each.is_even for each in powers.values()):
+        return inside
+    if not sympy.sqrt(number).is_Integer:
+        return inside
+    whole = number * Mul(*[base**power for base, power in powers.items()])
+    return Mul(Add(*[above * (whole / below) for above, below in parts]), 1 / whole, evaluate=False)
+
+
+def root_of(inside: Expr) -> Expr:
+    """The square root, each factor's sign turned so that squares come out tidily."""
+    if isinstance(inside, Mul):
+        flipped = [
+            Pow(-f.base, f.exp)
+            if isinstance(f, Pow)
+            and isinstance(f.base, Add)
+            and f.exp.is_even
+            and is_negative(f.base)
+            else f
+            for f in inside.args
+        ]
+        content, rest = Mul(*flipped, evaluate=False).as_coeff_Mul()
+        if content.is_negative:
+            # √(−1) must not be split off: another factor may be negative as well.
+            sums = [x for x in Mul.make_args(rest) if isinstance(x, Add)]
+            if not sums:
+                return sympy.sqrt(inside)
+            content, rest = -content, rest / sums[0] * (-sums[0])
+        return sympy.sqrt(content) * sympy.sqrt(rest)
+    return sympy.sqrt(inside)
+
+
+def mask_roots(value: Expr, back: dict[Symbol, Expr]) -> Expr:
+    """Each root of letters replaced by one letter, each letter under a root by a square."""
+    roots = {
+        each.base
+        for each in value.atoms(Pow)
+        if isinstance(each.exp, Rational) and each.exp.q == 2 and each.base.free_symbols
+    }
+    known = {root.base: symbol for symbol, root in back.items() if isinstance(root, Pow)}
+    letters: dict[Expr, Expr] = {}
+    for base in sorted(roots, key=sympy.default_sort_key):
+        if base not in known:
+            kind = {"nonnegative": True} if base.is_extended_nonnegative is not False else {}
+            symbol = sympy.Dummy("root", **kind)
+            known[base] = symbol
+            back[symbol] = Pow(base, HALF)
+        if base.is_Symbol:
+            letters[base] = known[base]
+
+    def walk(node: Expr) -> Expr:
+        if node in letters:
+            return letters[node] ** 2
+        if node.is_Atom:
+            return node
+        if isinstance(node, Pow) and isinstance(node.exp, Rational) and node.base in known:
+            if node.exp.q == 2:
+                return Pow(known[node.base], node.exp.p)
+            if node.exp.q == 1 and not node.base.is_Symbol:
+                return Pow(known[node.base], 2 * node.exp.p)
+        if isinstance(node, Add) and node in known:
+            return known[node] ** 2
+        return node.func(*[walk(each) for each in node.args])
+
+    return walk(value)
+
+
+def unrooted(value: Expr, back: dict[Symbol, Expr]) -> Expr:
+    """Even powers of masked roots replaced by what stands under them, where that is a sum."""
+    for symbol, root in back.items():
+        if symbol in value.free_symbols and isinstance(root, Pow) and isinstance(root.base, Add):
+            inside = mask_roots(root.base, dict(back))
+            if inside.free_symbols & back.keys():
+                continue
+            above, below = sympy.fraction(sympy.together(value))
+            above, below = (_reduce_square(each, symbol, inside) for each in (above, below))
+            value = above / below
+    return value
+
+
+def _reduce_square(value: Expr, symbol: Symbol, square: Expr) -> Expr:
+    """A polynomial with every symbol² replaced; a product keeps what it can."""
+    if symbol not in value.free_symbols:
+        return value
+    if isinstance(value, Mul):
+        return Mul(*[_reduce_square(each, symbol, square) for each in value.args])
+    if isinstance(value, Pow) and value.base == symbol and value.exp.is_Integer:
+        return symbol ** (value.exp % 2) * square ** (value.exp // 2)
+    poly = sympy.Poly(sympy.expand(value), symbol)
+    return Add(
+        *[
+            coefficient * square ** (power // 2) * symbol ** (power % 2)
+            for (power,), coefficient in poly.terms()
+        ]
+    )

@@ -1,0 +1,331 @@
+"""Expressions in the form that a textbook would print.
+
+An expression is brought into several equivalent forms, and the one that is least to read is taken
+(``cost``). Of equals the earlier wins, and the forms are made in this order: factored; with cos²
+and sin² exchanged; homogeneous in sine and cosine (``cos²α + e² sin²α``); in tangents; with common
+letters collected; as given.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+
+from restitution.exact.factors import factored
+from restitution.exact.numbers import rebuilt, tidy_number
+from restitution.exact.roots import (
+    divided_roots,
+    has_fractions,
+    into_root,
+    joined_roots,
+    mask_roots,
+    over_a_square,
+    root_of,
+    square_of_root,
+    unrooted,
+)
+from restitution.exact.signs import sign_of
+from restitution.exact.simplicity import (
+    EXPANDED,
+    SEARCHED,
+    TOUCHED,
+    TRIGONOMETRIC,
+    UNREADABLE,
+    cost,
+    node_count,
+    terms_multiplied_out,
+)
+from restitution.exact.trigonometry import MaskedAngle, with_angles
+from restitution.work import remembered, spend
+
+
+@remembered(4096)
+def tidy(expression: Any) -> Any:
+    """An expression (or the ends of a set of numbers) in the form a textbook would print.
+
+    The value is unchanged wherever the letters are admissible. Never raises but at a limit of
+    work; what is too large to be improved quickly comes back as it is.
+    """
+    if isinstance(expression, sympy.Set):
+        return _tidy_set(expression)
+    if not isinstance(expression, Expr):
+        return expression
+    if expression.is_Atom or node_count(expression, TOUCHED) >= TOUCHED:
+        return expression
+    try:
+        return _tidy(expression)
+    except UNREADABLE:
+        return expression
+
+
+def _tidy(expression: Expr) -> Expr:
+    spend()
+    if not expression.free_symbols:
+        return tidy_number(expression)
+    if expression.has(sympy.Abs):
+        expression = _fewer_bars(expression)
+    starts = [expression]
+    if any(
+        not each.args[0].is_Symbol
+        for each in expression.atoms(*TRIGONOMETRIC, sympy.atan, sympy.acos, sympy.asin)
+    ):
+        expanded = sympy.expand_trig(expression)
+        if expanded != expression and node_count(expanded, SEARCHED) < SEARCHED:
+            starts.append(expanded)
+    found = [_tidy_letters(each) for each in starts]
+    if isinstance(expression, Mul) and expression.has(sympy.Abs):
+        found.append(_with_bars(expression))
+    return _compounded(_oriented(min(found, key=cost)))
+
+
+def _compounded(value: Expr) -> Expr:
+    """sin(α − θ) for sin α cos θ − cos α sin θ, and so on, throughout."""
+    if value.is_Atom or not (value.has(sympy.sin) or value.has(sympy.tan)):
+        return value
+    arguments = [_compounded(each) for each in value.args]
+    if tuple(arguments) != value.args:
+        value = rebuilt(value, arguments)
+    if isinstance(value, Add) and len(value.args) == 2:
+        return _of_two_angles(value)
+    return value
+
+
+def _of_two_angles(total: Add) -> Expr:
+    first, second = total.args
+    trigonometric = [
+        {f for f in Mul.make_args(term) if isinstance(f, sympy.sin | sympy.cos)}
+        for term in (first, second)
+    ]
+    if any(len(each) != 2 for each in trigonometric):
+        return total
+    angles = sorted({f.args[0] for each in trigonometric for f in each}, key=sympy.default_sort_key)
+    if len(angles) != 2 or any(len({f.args[0] for f in each}) != 2 for each in trigonometric):
+        return total
+    a, b = angles
+    sines, cosines = (sympy.sin(a), sympy.sin(b)), (sympy.cos(a), sympy.cos(b))
+    for left, right, function in (
+        (sines[0] * cosines[1], cosines[0] * sines[1], sympy.sin),
+        (cosines[0] * cosines[1], -sines[0] * sines[1], sympy.cos),
+    ):
+        for x, y in ((first, second), (second, first)):
+            factor, other = x / left, y / right
+            if factor == other:
+                return factor * function(a + b)
+            if factor == -other:
+                return factor * function(a - b)
+    return total
+
+
+def _fewer_bars(value: Expr) -> Expr:
+    """|uv| for |u |v||, and |u| for u²/|u|."""
+
+    def outer(inside: Expr) -> Expr:
+        factors = [
+            x.args[0] if isinstance(x, sympy.Abs) and x.args[0].is_real else x
+            for x in Mul.make_args(inside)
+        ]
+        return sympy.Abs(Mul(*factors))
+
+    value = value.replace(sympy.Abs, outer)
+    for product in value.atoms(Mul):
+        powers = product.as_powers_dict()
+        for bar in [x for x in powers if isinstance(x, sympy.Abs) and x.args[0].is_real]:
+            inside = bar.args[0]
+            total = powers[bar] + powers.get(inside, 0)
+            if inside in powers and powers[inside].is_even and total.is_Integer:
+                old = bar ** powers[bar] * inside ** powers[inside]
+                own = inside if total % 2 == 0 else bar
+                value = value.xreplace({product: product / old * own**total})
+    return value
+
+
+def _with_bars(value: Mul) -> Expr:
+    """A product with one |x| in it, tidied as one thing, and the bars put where they matter."""
+    bars = [each for each in value.args if isinstance(each.as_base_exp()[0], sympy.Abs)]
+    if len(bars) != 1:
+        return value
+    base, power = bars[0].as_base_exp()
+    rest = value / bars[0]
+    if rest.has(sympy.Abs) or sign_of(rest) != 1:
+        return value
+    factors = []
+    for factor in Mul.make_args(_tidy_letters(rest * base.args[0] ** power)):
+        below, exponent = factor.as_base_exp()
+        sign = 1 if exponent.is_even else sign_of(below)
+        factors.append(factor if sign == 1 else sympy.Abs(below) ** exponent)
+    return Mul(*factors)
+
+
+def _oriented(value: Expr) -> Expr:
+    """(1 − e)² for (e − 1)² throughout."""
+    if value.is_Atom or not value.has(Add):
+        return value
+    arguments = [_oriented(each) for each in value.args]
+    if isinstance(value, Pow) and value.exp.is_even and isinstance(arguments[0], Add):
+        arguments[0] = forward(arguments[0])
+    return value if tuple(arguments) == value.args else rebuilt(value, arguments)
+
+
+def forward(total: Expr) -> Expr:
+    """A sum or the same with the other sign: few minuses, and the term with the least e first."""
+    minuses = sum(term.could_extract_minus_sign() for term in total.args)
+    if 2 * minuses != len(total.args):
+        return -total if 2 * minuses > len(total.args) else total
+    coefficients = {x for x in total.free_symbols if x.is_nonnegative and not x.is_positive}
+    if not coefficients and not total.has(*TRIGONOMETRIC):
+        return total
+
+    def order(term: Expr) -> tuple[Any, ...]:
+        powers = term.as_powers_dict()
+        return sum(powers[x] for x in coefficients if x in powers), sympy.default_sort_key(
+            -term if term.could_extract_minus_sign() else term
+        )
+
+    return -total if min(total.args, key=order).could_extract_minus_sign() else total
+
+
+def _tidy_letters(expression: Expr) -> Expr:
+    expression = (
+        expression.rewrite([sympy.cot, sympy.sec, sympy.csc], sympy.tan)
+        if expression.has(sympy.cot, sympy.sec, sympy.csc) and not expression.has(sympy.tan)
+        else expression
+    )
+    angles: dict[Expr, MaskedAngle] = {}
+    masks: dict[Expr, Symbol] = {}
+    masked = _mask(expression, angles, masks)
+    core = _core(masked, tuple(angles.values()))
+    back: dict[Symbol, Expr] = {symbol: each for each, symbol in masks.items()}
+    for angle in angles.values():
+        back[angle.sine] = sympy.sin(angle.argument)
+        back[angle.cosine] = sympy.cos(angle.argument)
+        back[angle.tangent] = sympy.tan(angle.argument)
+    return _restore(core, back)
+
+
+def _mask(value: Expr, angles: dict[Expr, MaskedAngle], masks: dict[Expr, Symbol]) -> Expr:
+    """Functions replaced by letters, so that what is left is algebra."""
+    if value.is_Atom:
+        return value
+    if isinstance(value, sympy.sin | sympy.cos | sympy.tan | sympy.cot | sympy.sec | sympy.csc):
+        argument = value.args[0]
+        if argument.free_symbols:
+            if argument not in angles:
+                acute = bool(argument.is_Symbol and argument.is_positive)
+                kind = {"positive": True} if acute else {"real": True}
+                angles[argument] = MaskedAngle(
+                    argument,
+                    sympy.Dummy("sin", **kind),
+                    sympy.Dummy("cos", **kind),
+                    sympy.Dummy("tan", **kind),
+                )
+            angle = angles[argument]
+            return {
+                sympy.sin: angle.sine,
+                sympy.cos: angle.cosine,
+                sympy.tan: angle.tangent,
+                sympy.cot: 1 / angle.tangent,
+                sympy.sec: 1 / angle.cosine,
+                sympy.csc: 1 / angle.sine,
+            }[value.func]
+    if isinstance(value, Add | Mul):
+        return value.func(*[_mask(each, angles, masks) for each in value.args])
+    if isinstance(value, Pow) and isinstance(value.exp, Rational):
+        return Pow(_mask(value.base, angles, masks), value.exp)
+    if not value.free_symbols and all(
+        isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)
+    ):
+        return value
+    arguments = [tidy(each) for each in value.args]
+    whole = value.func(*arguments) if tuple(arguments) != value.args else value
+    if isinstance(whole, Add | Mul | Pow) or whole.is_Atom:
+        return whole
+    if whole not in masks:
+        known: dict[str, bool] = {}
+        if whole.is_positive:
+            known["positive"] = True
+        elif whole.is_real is not False:
+            known["real"] = True
+        masks[whole] = sympy.Dummy("f", **known)
+    return masks[whole]
+
+
+def _restore(value: Expr, back: dict[Symbol, Expr]) -> Expr:
+    """Masked parts put back without multiplying out a number in front of a sum."""
+    if isinstance(value, Symbol):
+        return back.get(value, value)
+    if value.is_Atom or not (value.free_symbols & back.keys()):
+        return value
+    arguments = [_restore(each, back) for each in value.args]
+    return rebuilt(value, arguments)
+
+
+def _core(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
+    """The best form of an algebraic expression in letters, roots and masked functions."""
+    if value.is_Atom:
+        return value
+    if not value.free_symbols:
+        return tidy_number(value)
+    value = _tidy_roots(value, angles)
+    back: dict[Symbol, Expr] = {}
+    masked = mask_roots(value, back)
+    if masked.is_Atom:
+        return _restore(masked, back)
+    if node_count(masked, SEARCHED) >= SEARCHED or terms_multiplied_out(masked) > EXPANDED:
+        return _restore(factored(masked, False), back)
+    present = [a for a in angles if masked.free_symbols & {a.sine, a.cosine, a.tangent}]
+    # A root in a numerator or a denominator: both are tried, by multiplying by it above and below.
+    best = with_angles(unrooted(masked, back), present)
+    candidates = [best]
+    above, below = sympy.fraction(best)
+    for symbol in below.free_symbols & back.keys():
+        square = square_of_root(back[symbol], back)
+        if square is not None:
+            candidates.append(factored(Mul(above, symbol) / (square * (below / symbol))))
+    best = min(candidates, key=lambda each: _cost_restored(each, back))
+    restored = _restore(best, back)
+    for angle in present:
+        restored = into_root(restored, angle)
+    restored = divided_roots(restored)
+    # As it was given may be much shorter, where it was collected by hand.
+    if cost(value) < cost(restored) - (3 if has_fractions(value) else 1):
+        if not isinstance(value, Add):
+            return value
+        terms = Add(*[_core(each, angles) for each in value.args])
+        return terms if cost(terms) <= cost(value) else value
+    return restored
+
+
+def _cost_restored(value: Expr, back: dict[Symbol, Expr]) -> float:
+    return cost(_restore(value, back))
+
+
+def _tidy_roots(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
+    """Every root's contents in best form, squares taken out; the innermost first."""
+    spend()
+    if value.is_Atom or not value.has(Pow):
+        return value
+    if isinstance(value, Pow) and isinstance(value.exp, Rational) and value.exp.q != 1:
+        inside = _core(value.base, angles)
+        if value.exp.q == 2:
+            inside = over_a_square(inside)
+            root = root_of(inside)
+            return root if value.exp.p == 1 else Pow(root, value.exp.p)
+        return Pow(inside, value.exp)
+    arguments = [_tidy_roots(each, angles) for each in value.args]
+    if isinstance(value, Mul):
+        arguments = joined_roots(arguments)
+    return value.func(*arguments) if tuple(arguments) != value.args else value
+
+
+def _tidy_set(value: Any) -> Any:
+    """A set of numbers with its ends in textbook form."""
+    if isinstance(value, sympy.Interval):
+        low, high = (tidy(each) for each in (value.start, value.end))
+        return sympy.Interval(low, high, value.left_open, value.right_open)
+    if isinstance(value, sympy.FiniteSet):
+        return sympy.FiniteSet(*[tidy(each) for each in value.args])
+    if isinstance(value, sympy.Union):
+        return sympy.Union(*[_tidy_set(each) for each in value.args])
+    return value
