@@ -10,13 +10,12 @@ import sympy as sp
 
 from restitution.explain import to_text
 from restitution.explain.derived import explanation_of
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.derivation import Derivation, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
-from restitution.expression.tree import rational
+from restitution.expression.tree import Degrees, rational
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solve import solve
@@ -198,16 +197,41 @@ def test_ends_of_a_range_are_those_of_the_solution(k: Fraction) -> None:
     assert low.left == rational(1 / k)
 
 
-def test_what_is_false_is_not_planned() -> None:
-    text = OBLIQUE + "show speed(B) < u/2"
-    with pytest.raises(NotPlannedError):
-        planned(text)
+def test_what_is_false_is_said_in_no_line() -> None:
+    _, derivation = planned(OBLIQUE + "show speed(B) < u/2")
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert said
+    assert "speed(B, 1) < u/2" not in said
 
 
 def test_a_bound_that_is_only_approached_is_no_greatest_value() -> None:
     text = WALL + "given e < 1\nfind maximum of energy_lost/energy(0) over alpha"
-    with pytest.raises(NotPlannedError):
-        planned(text)
+    problem, derivation = planned(text)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    last = derivation.line(derivation.items[0].line)
+    assert last is not None
+    assert last.move.record == "approached"
+    assert last.relation.only[0].sign == "<"  # type: ignore[union-attr]
+    assert "approached towards α = 90°, but not reached" in _printed(text)
+
+
+def test_what_is_reached_is_not_approached_and_what_is_inside_no_end() -> None:
+    problem, derivation = planned(WALL + "given e < 1\nfind maximum of energy_lost over alpha")
+    *above, last = derivation.lines
+    for record in ("greatest", "least"):
+        other = replace(last, move=replace(last.move, record=record))
+        wrong = replace(derivation, lines=(*above, other))
+        assert "does-not-follow" in [e.reason for e in follow(wrong, Oracle(roles(problem)))]
+    place = derivation.line(last.premises[1])  # type: ignore[arg-type]
+    assert place is not None
+    (unless,), then = place.relation.options  # type: ignore[union-attr]
+    inside = replace(unless, right=Degrees(Fraction(60)))
+    told = replace(place, relation=replace(place.relation, options=((inside,), then)))  # type: ignore[type-var]
+    lines = tuple(told if each.number == place.number else each for each in derivation.lines)
+    wrong = replace(derivation, lines=lines)
+    assert len(follow(wrong, Oracle(roles(problem)))) == 2
 
 
 def test_a_greatest_value_says_where_it_is_reached() -> None:

@@ -17,7 +17,17 @@ from restitution.explaining.saying import Sentence, say
 from restitution.explaining.step import Setting, Step
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solve.letters import roles
@@ -142,18 +152,53 @@ class Reasons:
             for links in relation.options
             for link in links
         ]
+        for ref in line.premises:
+            if isinstance(ref, str) and ref.startswith("acute:"):
+                angle = read_tree(ref.removeprefix("acute:"), self._naming.bodies)
+                ends += [
+                    Link(angle, ">", Degrees(Fraction(0))),
+                    Link(angle, "<", Degrees(Fraction(90))),
+                ]
         names = {
             name for each in ends for side in (each.left, each.right) for name in letters(side)
         }
-        if len(above) != 1 or len(names) != 1:
+        if len(above) != 1:
             return
-        (name,) = names
-        way = self._way(above[0].right, name, ends)
-        if way:
-            id_ = "derived.increases" if way > 0 else "derived.decreases"
-            whole = above[0].right if _is_short(above[0].right) else above[0].left
-            quantity = self._naming.laid(whole)
-            yield say(id_, quantity=quantity, letter=self._naming.laid(Letter(name)))
+        assert isinstance(line.relation, Relation)
+        for name in sorted(names):
+            bounds = [each for each in ends if name in letters(each.left) | letters(each.right)]
+            if len(names) > 1 and not self._is_end(above[0].right, name, bounds, line.relation):
+                continue
+            way = self._way(above[0].right, name, bounds)
+            if way:
+                id_ = "derived.increases" if way > 0 else "derived.decreases"
+                whole = above[0].right if _is_short(above[0].right) else above[0].left
+                quantity = self._naming.laid(whole)
+                yield say(id_, quantity=quantity, letter=self._naming.laid(Letter(name)))
+                return
+
+    @staticmethod
+    def _is_end(tree: Expression, name: str, ends: list[Link], bound: Relation) -> bool:
+        """Whether a bound is what a tree is worth at an end of a letter, others being 2/3."""
+
+        def value(own: Expression, at: Any) -> Any:
+            return evaluate(own, lambda each: at if each == name else sp.Rational(2, 3))
+
+        def agrees(end: Expression, side: Expression) -> bool:
+            try:
+                gap = value(tree, value(end, sp.Integer(0))) - value(side, sp.Integer(1))
+                return bool(sp.sympify(gap).equals(0))
+            except (RestitutionError, TypeError, ValueError, AttributeError):
+                return False
+
+        places = [e for each in ends for e in (each.left, each.right) if not letters(e)]
+        return any(
+            agrees(end, side)
+            for each in bound.only
+            for side in (each.left, each.right)
+            if not has_quantity(side) and name not in letters(side)
+            for end in places
+        )
 
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""
@@ -188,10 +233,16 @@ class Reasons:
 
     @staticmethod
     def _way(tree: Expression, name: str, ends: list[Link]) -> int:
-        """The sign of the change from the lower to the upper end, all other letters being 1."""
+        """The sign of the change from the lower to the upper end, all other letters being 2/3."""
 
         def value(own: Expression, at: Any) -> Any:
-            return evaluate(own, lambda each: at if each == name else sp.Integer(1))
+            return evaluate(own, lambda each: at if each == name else sp.Rational(2, 3))
+
+        def change(low: Any, high: Any) -> Any:
+            try:
+                return sp.sympify(value(tree, high) - value(tree, low), strict=True)
+            except RestitutionError:
+                return None  # at that end there is no value
 
         try:
             places = sorted(
@@ -209,8 +260,12 @@ class Reasons:
                 low, high = places[0], places[0] + 1
             else:
                 low, high = places[0] / 2, places[0]
-            change = sp.sympify(value(tree, high) - value(tree, low), strict=True)
-            return int(sp.sign(change)) if change.is_finite else 0
+            middle = (low + high) / 2
+            for pair in ((low, high), (middle, high), (low, middle)):
+                own = change(*pair)
+                if own is not None and own.is_finite:
+                    return int(sp.sign(own))
+            return 0
         except (RestitutionError, TypeError, ValueError, IndexError):
             return 0
 

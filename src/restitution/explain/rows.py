@@ -64,7 +64,7 @@ class Rows:
         if len(options) > 1:
             yield self._alternatives(options, self._ends.of(line) is not None)
             return
-        if line.move.record in ("greatest", "least") and line.move.id == "answer":
+        if line.move.record in ("greatest", "least", "approached") and line.move.id == "answer":
             yield self._extreme(line)
             return
         groups = chains(options[0])
@@ -275,7 +275,7 @@ class Rows:
         """The greatest or the least value, and where it is reached."""
         assert isinstance(line.relation, Relation)
         link = line.relation.only[-1]
-        name = "derived.greatest" if line.move.record == "greatest" else "derived.least"
+        name = "derived.greatest" if link.sign[0] == "<" else "derived.least"
         called = operand(say(name, quantity=self._naming.laid(link.left)))
         sides, signs = [called, self._naming.laid(link.right)], ["="]
         self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
@@ -287,7 +287,8 @@ class Rows:
             and isinstance(behind.relation, Relation)
             and (reached := self._reached(behind.relation.options)) is not None
         ]
-        reasons = tuple(say("derived.for", place=each) for each in places)
+        said = "extremum.tends" if line.move.record == "approached" else "derived.for"
+        reasons = tuple(say(said, place=each) for each in places)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
 
 

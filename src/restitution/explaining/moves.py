@@ -81,8 +81,26 @@ def _condition(relation: Relation) -> tuple[Link, Link] | None:
 
 
 def _under_condition(step: Step, place: Link, then: Link) -> bool:
+    if isinstance(place.left, Letter) and place.left.name in step.setting.angles:
+        return _at_angle(step, place, then)
     chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
     return _by_links(chosen, Relation(((then,),)))
+
+
+def _at_angle(step: Step, place: Link, then: Link) -> bool:
+    """Whether an equation has a value where an angle has one, perhaps at an end of its range."""
+    base = _base(step)
+    equation = None if base is None or len(base.options) != 1 else _ends(base.only)
+    if equation is None or then.left != equation.left or not isinstance(place.left, Letter):
+        return False
+    value, own = (
+        step.world.expression(step.world.scalar(each), step.roles)
+        for each in (equation.right, then.right)
+    )
+    name = place.left.name
+    letter = step.roles.get(name, REAL).symbol(name)
+    there = value.subs(letter, _in_radians(step, place.right))
+    return bool(there.is_finite is not False) and _equal_in(step, there, own)
 
 
 def _by_links(step: Step, relation: Relation) -> bool:
@@ -1225,6 +1243,8 @@ def _is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool
     if case is None or len(bound.options) != 1 or len(bound.only) != 1:
         return False
     (place, value), (end,) = case, bound.only
+    if step.move.record == "approached":
+        return end.sign in ("<", ">") and _is_approached(step, place, value, end)
     least = step.move.record == "least"
     if end.sign != (">=" if least else "<="):
         return False
@@ -1233,6 +1253,16 @@ def _is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool
     free = step.under(cited=(), known=())
     there = free.formula(Relation(((place,),)))
     return Oracle(step.setting.roles, (there,)).possible.answer == "proved"
+
+
+def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
+    """Whether a value belongs to an end of the range of a letter that is not in the range."""
+    if value != Link(end.left, "=", end.right) or not isinstance(place.left, Letter):
+        return False
+    role = step.setting.role(place.left.name)
+    there = _in_radians(step, place.right)
+    ends = ((role.low, role.closed[0]), (role.high, role.closed[1]))
+    return any(own is not None and not closed and own == there for own, closed in ends)
 
 
 def _is_tangent_of(step: Step, value: Link, end: Link) -> bool:

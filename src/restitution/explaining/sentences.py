@@ -474,6 +474,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "extremum.differentiate": "Differentiate:",
     "extremum.with": "With {letter} = {value}:",
     "extremum.stationary": "for a stationary value",
+    "extremum.tends": "which is approached towards {place}, but not reached",
     "extremum.approached": "approached, but not reached",
     "extremum.size": "A speed is a size: it falls to 0, then grows again.",
     "extremum.end-maximum": "The maximum is at an end of the range of {letter}:",

@@ -41,12 +41,11 @@ def write_extremum(
     shown: bool = False,
 ) -> None:
     """Writes the lines of a greatest or least value, of which the last says it as a bound."""
-    if answer is not None and not answer.reached:
-        raise NotPlannedError("a bound that is only approached")
+    reached = answer is None or answer.reached
     if not isinstance(over, Letter):
         raise NotPlannedError("an extremum over what is no letter")
     with Claims(scene, solver) as claims:
-        own = _Extremum(claims, kind, asked, over.name, sp.sympify(value, strict=True))
+        own = _Extremum(claims, kind, asked, over.name, sp.sympify(value, strict=True), reached)
         line = own.write()
     scene.desk.end(name, line, Relation(((own.end,),)), shown=shown)
 
@@ -55,7 +54,13 @@ class _Extremum:
     """An expression whose greatest or least value over a letter is sought."""
 
     def __init__(
-        self, claims: Claims, kind: str, asked: Expression, over: str, value: sp.Expr
+        self,
+        claims: Claims,
+        kind: str,
+        asked: Expression,
+        over: str,
+        value: sp.Expr,
+        reached: bool = True,
     ) -> None:
         self.claims = claims
         self.scene = claims.scene
@@ -67,7 +72,13 @@ class _Extremum:
         self.value = value
         self.support: tuple[Ref, ...] = ()
         self.place: Link | None = None
-        sign: Sign = ">=" if self.least else "<="
+        self.attained = reached
+        sign: Sign = ">" if self.least else "<"
+        if reached:
+            sign = ">=" if self.least else "<="
+        self.move = Move("answer", "least" if self.least else "greatest")
+        if not reached:
+            self.move = Move("answer", "approached")
         angle = _is_angle(self.asked)
         self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
 
@@ -109,14 +120,13 @@ class _Extremum:
                 own = Relation(((whole,),))
                 last = self.claims.angle_of(bound, line, extent, own, (), self.support)
                 there = None if last is None else self._place(line, Apply("tan", asked), extent)
-                move = Move("answer", "least" if self.least else "greatest")
                 if (
                     last is not None
                     and there is not None
-                    and self.judge.follows(move, [last, there], own)
+                    and self.judge.follows(self.move, [last, there], own)
                 ):
                     self.end = whole
-                    return self.scene.desk.write(move, [last, there], own)
+                    return self.scene.desk.write(self.move, [last, there], own)
             self.claims.worths.back(mark)
         raise NotPlannedError("the greatest or least angle")
 
@@ -149,10 +159,9 @@ class _Extremum:
     def _reached(self, line: int, bound: int) -> int | None:
         """The value at the place where it is greatest or least, and the answer."""
         there = self._place(line, self.end.left)
-        move = Move("answer", "least" if self.least else "greatest")
-        if there is None or not self.judge.follows(move, [bound, there], self._relation):
+        if there is None or not self.judge.follows(self.move, [bound, there], self._relation):
             return None
-        return self.scene.desk.write(move, [bound, there], self._relation)
+        return self.scene.desk.write(self.move, [bound, there], self._relation)
 
     def _place(self, line: int, subject: Expression, named: Sequence[Ref] = ()) -> int | None:
         """The line that says what the value is at the place where it is greatest or least."""
@@ -172,6 +181,9 @@ class _Extremum:
 
     def _places(self, line: int) -> Iterator[Link]:
         """The value of the letter, or of its tangent, at which the bound is reached."""
+        if not self.attained:
+            yield from self._ends()
+            return
         if self.place is not None:
             yield self.place
         gap = sp.fraction(sp.together(self._value(line) - self.value))[0]
@@ -201,6 +213,14 @@ class _Extremum:
             if not self.angle and role.high is not None and (own - role.high).is_positive:
                 continue
             yield Link(subject, "=", tree_of(own))
+
+    def _ends(self) -> Iterator[Link]:
+        """The ends of the range of the letter that do not belong to it."""
+        role = roles(self.scene.problem)[self.symbol.name]
+        for end, closed in ((role.low, role.closed[0]), (role.high, role.closed[1])):
+            if end is not None and not closed:
+                tree = tree_of(end, angle=self.angle, as_it_is=self.angle)
+                yield Link(Letter(self.symbol.name), "=", tree)
 
     def _value(self, line: int) -> sp.Expr:
         return self.claims.worths.value(self.scene.desk.last_link(line).right)
