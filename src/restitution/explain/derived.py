@@ -293,6 +293,8 @@ class _Writer:
         )
         if decimals is not None:
             rows.append(replace(decimals, points=points))
+        end = self.ends.of(line)
+        rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
         item = self.ends.place(line)
         if resolved is not None:
             # Components under one heading belong together, whatever items need them.

@@ -54,6 +54,7 @@ STYLE = """
 .restitution figure { margin: .8rem 0; text-align: center; break-inside: avoid; }
 .restitution figure svg { width: 30rem; max-width: 100%; height: auto; }
 .restitution .u { white-space: nowrap; }
+.restitution .answer { border-bottom: 3px double var(--soft); }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
   font-size: 1.05em; }
@@ -61,14 +62,12 @@ STYLE = """
   .restitution { padding: .7rem; }
   .restitution table, .restitution tbody { display: block; width: auto; margin-left: .6rem;
     overflow-x: auto; }
-  .restitution tr { display: flex; flex-wrap: wrap; align-items: baseline; column-gap: .2rem; }
-  .restitution td { padding: .1rem 0; }
-  .restitution td.l, .restitution td.l.w { width: auto; text-align: left;
-    white-space: normal; }
+  .restitution tr { display: flow-root; line-height: 1.9; }
+  .restitution td { display: inline; padding: 0 .1rem; }
+  .restitution td.l, .restitution td.l.w { white-space: normal; }
   .restitution td.l wbr { display: inline; }
-  .restitution td.l:empty { width: 1rem; }
-  .restitution td.s { width: auto; }
-  .restitution td.m { width: auto; margin-left: auto; }
+  .restitution td.l:empty { padding-left: 1rem; }
+  .restitution td.m { float: right; padding: .4rem 0 0 .6rem; }
   .restitution td.m:empty { display: none; }
 }
 @media print { .restitution { --ink: #000; --paper: #fff; --soft: #333; --line: #999;
@@ -145,15 +144,17 @@ def table_rows(row: Row) -> list[str]:
     note = note if goes_on(row.note) or not note else f" {note}"
     left = _cell(row.operands[0])
     if not row.signs:
+        left = _underlined(left) if row.answer else left
         return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']
     wide = row.operands[0] is not None and width(to_text(row.operands[0])) > _LEFT
     out: list[str] = []
     broken = lines(row)
     for index, (sign, operands) in enumerate(broken):
         last = index == len(broken) - 1
+        final = len(operands) - 1 if row.answer and last else -1
         right = "".join(
-            (f"<math><mo>{escape(s)}</mo></math>" if s else "") + _cell(operand)
-            for s, operand in operands
+            _piece(s, _underlined(_cell(operand)) if n == final else _cell(operand), operand)
+            for n, (s, operand) in enumerate(operands)
         )
         kind = "l w" if wide and index == 0 else "l"
         out.append(
@@ -162,6 +163,20 @@ def table_rows(row: Row) -> list[str]:
             f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
         )
     return out
+
+
+def _underlined(cell: str) -> str:
+    """What was asked, as an answer is underlined on paper."""
+    return f'<span class="answer">{cell}</span>'
+
+
+def _piece(sign: str, cell: str, operand: Layout | None) -> str:
+    """An operand with the sign before it; of a short one no line ends between the two."""
+    if not sign:
+        return cell
+    whole = f"<math><mo>{escape(sign)}</mo></math>{cell}"
+    short = operand is not None and width(to_text(operand)) <= _WHOLE
+    return f'<wbr><span class="u">{whole}</span>' if short else whole
 
 
 def goes_on(words: Words) -> bool:

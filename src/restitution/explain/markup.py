@@ -204,6 +204,9 @@ def _lines(row: Row, mark: str) -> list[str]:
     parts = list(zip(row.signs, row.operands[1:], strict=True))
     room = sum(columns(operand) + 3 for operand in row.operands if operand is not None)
     pieces = [f"{_SIGNS.get(sign, sign)} {_operand(operand)}" for sign, operand in parts]
+    if row.answer:
+        sign, operand = parts[-1]
+        pieces[-1] = rf"{_SIGNS.get(sign, sign)} \underline{{\underline{{{_operand(operand)}}}}}"
     lines = [" ".join(pieces)]
     if room > _LINE:
         lines = [

@@ -34,7 +34,8 @@ class Row:
     only approximate or is no number), by which the line has been checked. ``operands[0]`` None
     goes on from the line above. ``points`` are what an examiner would give; ``reasons`` go on
     from the line as words (*as α is acute*), ``asides`` stand behind it in brackets, as does its
-    ``number``, by which others name it; a line with ``alternatives`` offers several values.
+    ``number``, by which others name it; a line with ``alternatives`` offers several values, and
+    one that is an ``answer`` gives what was asked.
     """
 
     operands: tuple[Layout | None, ...]
@@ -45,6 +46,7 @@ class Row:
     alternatives: bool = field(default=False, compare=False, repr=False)
     reasons: tuple[Sentence, ...] = ()
     number: str = ""
+    answer: bool = field(default=False, compare=False, repr=False)
 
     @property
     def mark(self) -> str:

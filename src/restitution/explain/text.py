@@ -186,7 +186,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
     made = _plain(lines)
-    made[-1] = replace(made[-1], mark=row.mark)
+    made[-1] = replace(made[-1], mark=row.mark, strong=row.answer)
     if note:
         made += _plain(
             [
