@@ -90,7 +90,7 @@ def _after_a_blow(scene: Scene, body: str, stage: int) -> Source | None:
     """A velocity after a blow, which is known as a vector; None after another event."""
     if not stage or stage in scene.model.frames:
         return None
-    return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    return blown(scene, body, stage)
 
 
 def _of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
@@ -118,7 +118,8 @@ def frame_after(scene: Scene, body: str, stage: int) -> Frame:
     for event in range(stage + 1, scene.events + 1):
         if body in scene.bodies(event) and event in scene.model.frames:
             return scene.frame(event)
-    raise NotPlannedError(f"{body} meets nothing")
+    # Who meets nothing is told by **i** and **j**.
+    return scene.frame(stage)
 
 
 def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> list[Source]:
