@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.derivation import Derivation, Meaning, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import write_relation
 from restitution.language import parse
@@ -229,3 +229,63 @@ def test_corridors_of_any_numbers(seed: int) -> None:
     )
     time = Fraction(start, x) + width / (e * x)
     assert answers(derivation)[0] == f"time(2) = {time}"
+
+
+@pytest.mark.parametrize(
+    ("statement", "last"),
+    [
+        (
+            """
+            wall W: along j
+            sphere P: mass m
+            P hits W: e = 2/3
+            given velocity(P) = -2u i + 3u j
+            find speed(P, 0), velocity(P, 0)
+            """,
+            "velocity(P, 0) = 3u i + 3u j",
+        ),
+        (
+            """
+            sphere A: mass 3
+            sphere B: mass 2
+            A hits B: along j, e = 1/2
+            given velocity(A) = i, velocity(B) = -2i + 5j
+            find velocity(B, 0), velocity(A, 0)
+            """,
+            "velocity(A, 0) = i + 6j",
+        ),
+    ],
+)
+def test_velocities_before_by_letters_for_their_components(statement: str, last: str) -> None:
+    derivation = working(statement)
+    assert answers(derivation)[-1] == last
+    assert any(isinstance(each.relation, Meaning) for each in derivation.lines)
+
+
+@pytest.mark.parametrize(
+    ("statement", "last"),
+    [
+        (
+            """
+            sphere P: mass 2, velocity 3j
+            P receives k (2i - j)
+            given speed(P) = 5
+            find k
+            """,
+            "k = 2(3 + sqrt(89))/5",
+        ),
+        (
+            """
+            sphere A: mass 1, velocity 2i
+            sphere B: mass 3, at rest
+            A hits B: along i, e = 1
+            A receives -q i + 2q j
+            given velocity(A) perpendicular to i + j
+            find q
+            """,
+            "q = 1",
+        ),
+    ],
+)
+def test_bodies_that_are_struck_by_blows_alone(statement: str, last: str) -> None:
+    assert answers(working(statement))[-1] == last

@@ -267,7 +267,10 @@ DEFINITIONS = (
     Record(
         "tan-direction",
         "definition",
-        ("tan(direction(X, 1)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",),
+        (
+            "tan(direction(X, 1)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",
+            "tan(direction(X, 0)) = along(velocity(X, 0), j)/along(velocity(X, 0), i)",
+        ),
         gives=("direction",),
         marks=("M",),
     ),

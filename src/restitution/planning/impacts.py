@@ -69,6 +69,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     direction = frame.direction(kind)
     if stage == frame.number - 1 and (begin := chord_from(scene, body, frame.number)) is not None:
         return _on_a_chord(scene, kind, body, begin, frame)
+    if last == 0 and (sought := _sought(scene, body, direction)) is not None:
+        return _put(scene, sought)
     if last == 0:
         initial = scene.initial(body)
         if not any(initial.value):
@@ -126,6 +128,14 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
     return scene.desk.know(quantity, value, (line,))
 
 
+def _sought(scene: Scene, body: str, direction: Vector) -> Source | None:
+    """A component along **i** or **j** of a velocity at the start that is to be found."""
+    if f"velocity {body}" in scene.facts or direction.x * direction.y != 0:
+        return None
+    own = scene.sought(body, "j" if direction.x == 0 else "i")
+    return Source(own.value * (direction.x + direction.y), own.refs)
+
+
 def _is_slanted(frame: Frame) -> bool:
     """Whether the directions of a frame are given as vectors beside **i** and **j**."""
     return frame.across is None and frame.n.x != 0 and frame.n.y != 0
@@ -133,7 +143,10 @@ def _is_slanted(frame: Frame) -> bool:
 
 def _is_polar(scene: Scene, body: str) -> bool:
     """Whether a velocity at the start is given by its size and an angle."""
-    (link,) = scene.facts[f"velocity {body}"].relation.only
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None:
+        return False
+    (link,) = fact.relation.only
     return any(isinstance(each, Polar) for each in walk(link.right))
 
 
@@ -237,7 +250,10 @@ def by_degrees(
 ) -> Expression | None:
     """A component at the start by the angle in degrees: ``u cos 60°``; None without one."""
     initial = scene.initial(body).value
-    (link,) = scene.facts[f"velocity {body}"].relation.only
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None:
+        return None
+    (link,) = fact.relation.only
     if isinstance(link.right, Polar):
         size = scene.scalar(link.right.size)
     elif initial.x == 0 or initial.y == 0:
@@ -368,7 +384,7 @@ def blown(scene: Scene, body: str, number: int) -> Source:
     ]
     change = difference(velocity, tree_of(early)) if any(early) else velocity
     move = Move("law", "impulse-vector", number, (body,))
-    used = together((fact.id,), walls, refs, mass.refs, *(each.refs for each in parts))
+    used = together((fact.id,), walls, refs, mass.refs, *(each.whole for each in parts))
     change = swept(product(tree_of(mass.value), change))
     if change == velocity:
         # Of a mass of 1 at rest the impulse is the velocity.
@@ -522,7 +538,8 @@ def scene_value(
     scene: Scene, tree: Expression, others: Mapping[str, sp.Symbol] | None = None
 ) -> sp.Expr:
     """The value of a tree of a line, with the letters of components, and others, as letters."""
-    letters = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    letters = {each.name: each for each in scene.model.final}
+    letters |= {each.symbol.name: each.symbol for each in scene.model.components.values()}
     letters |= others or {}
     evaluator = type(scene.model.story.evaluator(scene.events))(
         scene.model.story.field,

@@ -136,7 +136,9 @@ def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formu
         raise NotPlannedError("a velocity that is given")
     whole = Vector(*(tidy(each) for each in value))
     own = Quantity(quantity.kind, quantity.arguments, 0)
-    return Formula(Move("put"), _itself, own, tree_of(whole), whole, together(source.refs, refs))
+    told = f"velocity {body}" in scene.facts
+    move = Move("put") if told else Move("define", "assemble", None, (body,))
+    return Formula(move, _itself, own, tree_of(whole), whole, together(source.refs, refs))
 
 
 def _once_more(scene: Scene, quantity: Quantity, body: str, stage: int, known: Source) -> Formula:
@@ -227,6 +229,10 @@ def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple
     """The square of the speed at the start, by its size or by its components."""
     fact = f"velocity {body}"
     initial = scene.initial(body)
+    if fact not in scene.facts:
+        value, refs = scene.put(initial.value)
+        tree = total(square(tree_of(each)) for each in value if each != 0)
+        return tree, sum(each**2 for each in value), together(initial.refs, refs)
     (link,) = scene.facts[fact].relation.only
     if isinstance(link.right, Polar):
         size, refs = scene.put(scene.scalar(link.right.size))

@@ -24,6 +24,8 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     last = scene.last_event(body, stage)
     unit = unit_of(axis)
     if last == 0:
+        if f"velocity {body}" not in scene.facts:
+            return scene.sought(body, axis)
         initial = scene.initial(body)
         return Source(tidy(initial.value.dot(unit)), initial.refs)
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
 from restitution.components import Model
-from restitution.explaining.derivation import Fact, Link, Ref, Relation
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Name,
     Polar,
     Quantity,
+    Unit,
     walk,
 )
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
@@ -334,15 +335,36 @@ class Scene:
 
     def initial(self, body: str) -> Source:
         """The velocity of a sphere at the start."""
+        if f"velocity {body}" not in self.facts:
+            return self._sought(body)
         if body not in self._initial:
             self._initial[body] = self._initial_of(body)
         return self._initial[body]
 
+    def _sought(self, body: str) -> Source:
+        """A velocity at the start that is to be found: by its line, or in letters."""
+        known = self.desk.known(Quantity("velocity", (Name(body),), 0))
+        if known is not None:
+            return known
+        x, y = (self.sought(body, axis) for axis in ("i", "j"))
+        return Source(Vector(x.value, y.value), together(x.refs, y.refs))
+
+    def sought(self, body: str, axis: Literal["i", "j"]) -> Source:
+        """The letter for a component of a velocity at the start that is to be found.
+
+        Raises NotPlannedError where the component is no letter.
+        """
+        velocity = self.velocity(body, 0)
+        value = sp.sympify(velocity.x if axis == "i" else velocity.y, strict=True)
+        if not value.is_Symbol:
+            raise NotPlannedError(f"the velocity of {body} at the start is not given")
+        quantity = Quantity("along", (Quantity("velocity", (Name(body),), 0), Unit(axis)))
+        line = self.desk.write(Move("let"), (), Meaning(value.name, quantity))
+        return Source(value, (line,))
+
     def _initial_of(self, body: str) -> Source:
         name = f"velocity {body}"
-        fact = self.facts.get(name)
-        if fact is None:
-            raise NotPlannedError(f"the velocity of {body} at the start is not given")
+        fact = self.facts[name]
         (link,) = fact.relation.only
         walls = [
             f"wall {each.name}"
