@@ -27,6 +27,20 @@ from restitution.solve.solution import Solution
 from restitution.vector import Vector
 
 STATEMENTS = {
+    "products, sizes and momenta": """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity -i + j
+sphere C: mass 1, at rest
+A hits B: along i, e = 1/2
+find momentum(A), momentum(A, 0), momentum, momentum(0), dot(velocity(A), i + 2j)
+find abs(velocity(A)), abs(velocity(A, 0) - velocity(B)), dot(velocity(A) - velocity(B), j)
+""",
+    "a product in letters": """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass 3m, at rest
+A hits B: along i
+find dot(velocity(A), velocity(B)), momentum
+""",
     "deflection by a scalar product": """
 sphere A: mass 3, velocity 4i + 3j
 sphere B: mass 2, velocity -i + 2j

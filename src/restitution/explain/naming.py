@@ -258,6 +258,10 @@ class Naming:
                     after = say("event.after", event=say("event.only"))
                     return say("derived.when", quantity=words, when=after)
                 return self._after(words, tree, None)
+            case Quantity("momentum", (Name(body),), _):
+                return self._after(say("derived.momentum", of=(body,)), tree, body)
+            case Quantity("momentum", (), _):
+                return self._after(say("derived.momentum-all"), tree, None)
             case Quantity("energy_lost", _, stage):
                 return self._during(say("derived.energy-lost"), stage)
             case Quantity("total_energy_lost", _, _):

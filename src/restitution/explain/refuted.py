@@ -9,7 +9,7 @@ from restitution.explain.measured import as_answer
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, Link, Note, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Quantity, has_quantity
+from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 
@@ -49,7 +49,7 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
             link = _link_of(derivation, note.lines[-1])
             return say("refuted.rest", body=body.name, velocity=_side(link, naming))
         case Aligned(left, how, right):
-            one, other_ = map(naming.side, _sides_of(note, left, right))
+            one, other_ = map(naming.side, _sides_of(note, left, right, how))
             denied = say(_DENIED[how], left=one, right=other_)
             if values and sides:
                 return say("refuted.direction-instance", claim=denied, values=values, sides=sides)
@@ -109,12 +109,15 @@ def _link_of(derivation: Derivation, number: int) -> Link:
     return Link(links[0].left, links[0].sign, links[-1].right)
 
 
-def _sides_of(note: Note, left: Expression, right: Expression) -> tuple[Expression, Expression]:
+def _sides_of(
+    note: Note, left: Expression, right: Expression, how: str
+) -> tuple[Expression, Expression]:
     """The two directions of a claim, with the stages that are meant."""
     if note.claim is None:
         return left, right
     link = note.claim.only[0]
-    return link.left, link.right
+    turned = how == "opposite to" and isinstance(link.right, Negate)
+    return link.left, link.right.operand if turned else link.right  # type: ignore[union-attr]
 
 
 def _side(link: Link, naming: Naming) -> lay.Relation:

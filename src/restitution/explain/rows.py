@@ -21,7 +21,16 @@ from restitution.explain.steps import REQUIRED, Row
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, operand, say
-from restitution.expression.tree import Apply, Expression, Letter, Name, Negate, Quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    has_quantity,
+    walk,
+)
 from restitution.problem import Value
 from restitution.render import layout as lay
 
@@ -199,7 +208,8 @@ class Rows:
                     sides.append(side)
                     signs.append(sign)
         nothing = sides[-1] == lay.Number("0")
-        if unit and (end is not None or (is_plain(sides[-1]) and not nothing)):
+        answered = end is not None and not has_quantity(right)
+        if unit and (answered or (is_plain(sides[-1]) and not nothing)):
             sides[-1] = with_unit(sides[-1], unit)
 
     def _called(self, line: Line) -> Sentence | None:

@@ -254,6 +254,18 @@ def _total(step: Step, event: Event | None) -> Iterator[Link]:
                 yield Link(Quantity("energy", (), stage), "=", _sum(terms))
 
 
+def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
+    """The momentum of all spheres before an event and after it."""
+    number = 0 if event is None else event.number
+    for stage in {number, max(0, number - 1)}:
+        terms: list[Expression] = [
+            Binary("*", Quantity("mass", (Name(body),)), Quantity("velocity", (Name(body),), stage))
+            for body in step.setting.spheres
+        ]
+        if terms:
+            yield Link(Quantity("momentum", (), stage), "=", _sum(terms))
+
+
 def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy that all spheres lose from the beginning to the end of an event."""
     if event is None:
@@ -394,6 +406,7 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "difference": _deflections,
     "total": _total,
     "total-lost": _total_lost,
+    "momentum-of": _momentum_of_all,
     "energy-lost": _energy_lost,
     "perpendicular": _tied,
     "parallel": _tied,

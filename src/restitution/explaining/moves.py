@@ -379,8 +379,16 @@ def _is_tie(step: Step, line: Link) -> bool:
     return False
 
 
+# What is a component, a vector put together, or a product of vectors, by their values.
+_RESOLVED: Mapping[str | None, tuple[str, ...]] = {
+    "component": ("along", "across"),
+    "assemble": ("velocity", "position"),
+    "product": ("dot",),
+}
+
+
 def _define(step: Step, line: Link) -> bool:
-    if step.move.record in ("component", "assemble"):
+    if step.move.record in _RESOLVED or _is_size(step, line.left):
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return _is_tie(step, line)
@@ -400,6 +408,11 @@ def _is_read_off(step: Step, line: Link) -> bool:
     return False
 
 
+def _is_size(step: Step, tree: Expression) -> bool:
+    """Whether a line gives the size of a vector as such: |**a** − **b**|."""
+    return step.move.record == "size" and isinstance(tree, Apply) and tree.function == "abs"
+
+
 def _is_resolved(step: Step, line: Link) -> bool:
     """A component by a vector, or a vector by its components: the value is what is cited."""
     quantity = line.left
@@ -408,8 +421,9 @@ def _is_resolved(step: Step, line: Link) -> bool:
         if meaning is None or meaning.sense is not None:
             return False
         quantity = meaning.quantity
-    kinds = ("along", "across") if step.move.record == "component" else ("velocity", "position")
-    if line.sign != "=" or not isinstance(quantity, Quantity) or quantity.kind not in kinds:
+    kinds = _RESOLVED.get(step.move.record, ())
+    known = isinstance(quantity, Quantity) and quantity.kind in kinds
+    if line.sign != "=" or not (known or _is_size(step, quantity)):
         return False
     others = tuple(
         each

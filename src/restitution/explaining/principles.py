@@ -243,6 +243,7 @@ PRINCIPLES = (
 DEFINITIONS = (
     Record("component", "definition", gives=("along", "across"), cost=1.5, marks=("M", "A")),
     Record("assemble", "definition", gives=("velocity",), cost=1.5, marks=("M", "A")),
+    Record("product", "definition", gives=("dot",), cost=1.5, marks=("M", "A")),
     Record(
         "tan",
         "definition",

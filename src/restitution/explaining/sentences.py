@@ -631,6 +631,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.speed": "speed of {of:and}",
     "derived.energy": "kinetic energy",
     "derived.energy-of": "kinetic energy of {bodies:and}",
+    "derived.momentum": "momentum of {of:and}",
+    "derived.momentum-all": "total momentum",
     "derived.energy-all": "total kinetic energy",
     "derived.energy-lost": "kinetic energy lost",
     "derived.energy-lost-all": "total kinetic energy lost",
@@ -749,6 +751,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "derived-parallel.mistakes": (
         "Usual mistake: setting the components equal, which holds only if the sizes are equal too."
+    ),
+    "derived-product.title": "Scalar product",
+    "derived-product.why": (
+        "The scalar product of two vectors is the sum of two products: of their components in one "
+        "direction, and of those at right angles to it. It is a number, and no vector."
+    ),
+    "derived-product.mistakes": (
+        "Usual mistakes: giving a vector for it, and the product of a component along with one "
+        "across."
     ),
     "derived-between.title": "Angle between two directions, by the scalar product",
     "derived-between.why": (

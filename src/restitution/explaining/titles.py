@@ -35,6 +35,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "tan-direction": ("derived-direction.title", "derived-direction.title"),
     "speed": ("derived-speed.title", "derived-speed.title"),
     "assemble": ("derived-assembled.title", "derived-assembled.title"),
+    "product": ("derived-product.title", "derived-product.title"),
     "perpendicular": ("derived-perpendicular.title", "derived-perpendicular.title"),
     "parallel": ("derived-parallel.title", "derived-parallel.title"),
     "straight-line": ("flight.title", "flight.title"),

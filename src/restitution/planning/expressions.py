@@ -9,11 +9,11 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, walk
 from restitution.planning import distances
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import swept, tree_of
-from restitution.planning.quantities import formula, write_formula
+from restitution.planning.forms import square, swept, total, tree_of
+from restitution.planning.quantities import formula, velocity_source, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line
 from restitution.vector import Vector
@@ -29,6 +29,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """
     if is_angle_sum(asked) and isinstance(asked, Binary):
         raise NotPlannedError("a sum of angles of the motion")
+    if isinstance(asked, Apply) and asked.function == "abs":
+        inside = scene.value(asked.argument)
+        if isinstance(inside, Vector):
+            return _write_size(scene, asked, inside)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     ranges: list[Ref] = []
@@ -61,6 +65,25 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         Move("put"), premises, chain(asked, (right, None), (final, "rearrange"))
     )
     return line, final
+
+
+def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
+    """The size of a vector, by its components."""
+    if isinstance(asked.argument, Quantity):
+        source = _value_of(scene, asked.argument)
+        refs = () if source is None else source.refs
+    else:
+        refs = (write_expression(scene, asked.argument)[0],)
+    put, _ = scene.put(inside)
+    parts = [tidy(sp.expand(each)) for each in put]
+    final = tree_of(tidy(sp.sqrt(sp.expand(sum(each**2 for each in parts)))))
+    moving = [each for each in parts if each != 0]
+    if len(moving) < 2:
+        relation = chain(asked, (final, None))
+    else:
+        root = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+        relation = chain(asked, (root, None), (final, "rearrange"))
+    return scene.desk.write(Move("define", "size"), refs, relation), final
 
 
 def is_angle_sum(tree: Expression) -> bool:
@@ -110,6 +133,9 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         return Source(scene.scalar(scene.desk.last_link(line).right), (line,))
     if isinstance(node, Quantity) and node.kind in _DATA:
         return _datum(scene, node)
+    match node:
+        case Quantity("velocity", (Name(body),), int(stage)) if not scene.last_event(body, stage):
+            return velocity_source(scene, body, 0)
     if isinstance(node, Quantity):
         own = formula(scene, node)
         return Source(own.value, (write_formula(scene, own),))

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Name,
     Negate,
     Polar,
@@ -406,6 +407,33 @@ def _as_a_line(scene: Scene, body: str, stage: int) -> Source:
     return Source(source.value, (number_,))
 
 
+def _product(scene: Scene, quantity: Quantity) -> Formula:
+    """The scalar product of two vectors, each as a line has it."""
+    refs: list[Ref] = []
+    vectors: list[Vector] = []
+    bodies: list[str] = []
+    late = 0
+    for argument in quantity.arguments:
+        for each in walk(argument):
+            match each:
+                case Quantity("velocity", (Name(body),), int(stage)):
+                    last = scene.last_event(body, stage)
+                    refs += _as_a_line(scene, body, last).refs
+                    bodies.append(body)
+                    late = max(late, last)
+                case Quantity() | Letter():
+                    raise NotPlannedError("a scalar product of other vectors")
+        put, _ = scene.put(scene.vector(argument))
+        vectors.append(Vector(*(tidy(sp.expand(each)) for each in put)))
+    if not refs:
+        raise NotPlannedError("a scalar product of data")
+    (a, b), (c, d) = ([tree_of(each) for each in own] for own in vectors)
+    value = tidy(sp.expand(sum(x * y for x, y in zip(*vectors, strict=True))))
+    move = Move("define", "product", late or None, tuple(dict.fromkeys(bodies)))
+    right = total((product(a, c), product(b, d)))
+    return Formula(move, _itself, quantity, right, value, together(refs))
+
+
 def _to_the_line(
     scene: Scene, along: Source, across: Source, other: Source
 ) -> tuple[Expression, sp.Expr]:
@@ -680,7 +708,7 @@ def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
 def _momentum(scene: Scene, quantity: Quantity) -> Formula:
     """The momentum of a sphere, by its velocity as a vector."""
     if not quantity.arguments:
-        raise NotPlannedError("the momentum of all spheres")
+        return _momentum_of_all(scene, quantity)
     (name,) = quantity.arguments
     assert isinstance(name, Name)
     assert isinstance(quantity.stage, int)
@@ -694,6 +722,27 @@ def _momentum(scene: Scene, quantity: Quantity) -> Formula:
         Vector(*(tidy(mass.value * each) for each in velocity.value)),
         together(mass.refs, velocity.refs),
     )
+
+
+def _momentum_of_all(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of all spheres, by their velocities as vectors."""
+    stage = quantity.stage
+    assert isinstance(stage, int)
+    terms: list[Expression] = []
+    refs: list[Ref] = []
+    x = y = sp.Integer(0)
+    for body in scene.model.story.spheres:
+        velocity = _as_a_line(scene, body, scene.last_event(body, stage))
+        refs += velocity.refs
+        if all(each == 0 for each in velocity.value):
+            continue
+        mass = scene.mass(body)
+        refs += mass.refs
+        terms.append(product(tree_of(mass.value), tree_of(velocity.value)))
+        x, y = (a + mass.value * b for a, b in zip((x, y), velocity.value, strict=True))
+    whole = Vector(*(tidy(sp.expand(each)) for each in (x, y)))
+    move = Move("define", "momentum-of", stage or None, ())
+    return Formula(move, _itself, quantity, total(terms), whole, together(refs))
 
 
 def _deflection(scene: Scene, quantity: Quantity) -> Formula:
@@ -740,6 +789,7 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
     "energy_lost": _energy_lost,
     "total_energy_lost": _total_energy_lost,
     "momentum": _momentum,
+    "dot": _product,
 }
 
 
