@@ -1,0 +1,216 @@
+"""Answers as people see them: exact, with decimals where these say more."""
+
+from __future__ import annotations
+
+from fractions import Fraction as Ratio
+from functools import lru_cache
+from typing import Any
+
+import sympy
+from sympy import Expr, Mul, Rational, S
+
+from restitution import exact
+from restitution.render.layout.algebra import (
+    DIRECT,
+    decimal_number,
+    from_sympy,
+    plain_number,
+    vector,
+)
+from restitution.render.layout.builders import bracketed, negative, product, split_sign
+from restitution.render.layout.nodes import (
+    Brackets,
+    Coordinates,
+    Degrees,
+    Fraction,
+    Layout,
+    Percent,
+    Phrase,
+    Relation,
+)
+from restitution.render.layout.ranges import from_set
+from restitution.render.layout.sides import as_layout, equation
+
+
+def display(value: Any, *, angle: bool = False, percentage: bool = False) -> Layout:
+    """An answer: its exact form and, where that says more, its value to 3 significant figures.
+
+    ``√103 u/16 = 0.634u``, ``arctan(3/4) = 36.9°``, ``60°``, ``3/7 = 0.429``, ``7u/4``. An angle
+    is given in radians and shown in degrees.
+    """
+    sides = _display_sides(value, angle, percentage)
+    return sides[0] if len(sides) == 1 else equation(*sides)
+
+
+def display_named(name: Any, value: Any, *, angle: bool = False) -> Relation:
+    """The same with the name of what has the value in front: ``α = arctan(3/4) = 36.9°``."""
+    return equation(name, *_display_sides(value, angle, percentage=False))
+
+
+def display_vector(x: Any, y: Any) -> Layout:
+    """A vector answer: exact and, where a component needs it, to 3 significant figures."""
+    return _display_pair(x, y, vector)
+
+
+def display_point(x: Any, y: Any) -> Layout:
+    """The coordinates of a point: exact and, where one needs it, to 3 significant figures."""
+    return _display_pair(x, y, lambda a, b: Coordinates((as_layout(a), as_layout(b))))
+
+
+def display_set(values: Any, name: Any, *, angle: bool = False) -> Layout:
+    """A range: exact and, where an end needs it, with ends to 3 significant figures."""
+    said = from_set(values, name, degrees=angle)
+    ends = _ends(values)
+    if not any(_rounded(each, angle) for each in ends):
+        return said
+    if any(each.free_symbols for each in ends):
+        return said
+    return Phrase((said, Brackets(_set_decimals(values, as_layout(name), angle))))
+
+
+def _display_sides(value: Any, angle: bool, percentage: bool) -> list[Layout]:
+    value = sympy.sympify(value, strict=True)
+    if percentage:
+        return _display_percentage(value)
+    rounded = _rounded(value, angle)
+    if rounded is None:
+        return [from_sympy(value, degrees=angle)]
+    if _is_long(value):
+        return [rounded]
+    return [from_sympy(value, degrees=angle), rounded]
+
+
+def _is_long(value: Expr) -> bool:
+    """Whether nobody would print the exact form of a value that has a decimal one."""
+    most = 28 if value.has(*DIRECT) else 40
+    return bool(value.has(sympy.CRootOf)) or exact.cost(value) > most
+
+
+def _display_percentage(value: Expr) -> list[Layout]:
+    hundred = exact.tidy(100 * value)
+    if value.free_symbols:
+        return [Percent(bracketed(from_sympy(hundred)))]
+    rounded = Percent(decimal_number(hundred))
+    if isinstance(hundred, Rational) and 1000 % hundred.q == 0 and _figures(hundred) <= 3:
+        size = Percent(plain_number(Ratio(int(abs(hundred.p)), int(hundred.q))))
+        return [negative(size) if hundred.p < 0 else size]
+    return [from_sympy(value), rounded]
+
+
+def _figures(value: Rational) -> int:
+    """How many significant figures a terminating decimal has."""
+    scaled = abs(value) * 1000
+    return len(str(int(scaled)).strip("0")) if scaled.q == 1 else 99
+
+
+@lru_cache(maxsize=1024)
+def _rounded(value: Expr, angle: bool) -> Layout | None:
+    """The value to 3 significant figures, or None where the exact form says enough."""
+    if angle:
+        in_degrees = value * 180 / sympy.pi
+        if value.free_symbols or exact.decimal(value) is None:
+            return None
+        if isinstance(in_degrees, Rational) and 1000 % in_degrees.q == 0:
+            return None
+        size = decimal_number(in_degrees)
+        sign, inner = split_sign(size)
+        return negative(Degrees(inner)) if sign == "-" else Degrees(inner)
+    coefficient, rest = _number_and_letters(value)
+    if coefficient is None or exact.decimal(coefficient) is None:
+        return None
+    if isinstance(coefficient, Rational) and _simple(coefficient):
+        return None
+    return _times_letters(decimal_number(coefficient), rest)
+
+
+def _times_letters(number: Layout, rest: Expr) -> Layout:
+    """A decimal number, with its sign, times a product of letters."""
+    if rest is S.One:
+        return number
+    laid = from_sympy(rest)
+    sign, size = split_sign(number)
+    term: Layout
+    if isinstance(laid, Fraction):
+        term = Fraction(product(size, laid.above), laid.below)
+    else:
+        term = product(size, laid)
+    return negative(term) if sign == "-" else term
+
+
+def _number_and_letters(value: Expr) -> tuple[Expr | None, Expr]:
+    """A number times one product of letters, or None."""
+    if not value.free_symbols:
+        return value, S.One
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    for factor in Mul.make_args(rest):
+        base, exponent = factor.as_base_exp()
+        if not base.is_Symbol or not exponent.is_Integer:
+            return None, rest
+    return number, rest
+
+
+def _simple(value: Rational) -> bool:
+    """Whole numbers, halves and quarters, and proper fractions down to sixths."""
+    return value.q in (1, 2, 4) or (value.q <= 6 and abs(value.p) < value.q)
+
+
+def _display_pair(x: Any, y: Any, build: Any) -> Layout:
+    first, second = sympy.sympify(x, strict=True), sympy.sympify(y, strict=True)
+    whole: Layout = build(first, second)
+    rounded = [_rounded(each, False) for each in (first, second)]
+    ready = all(
+        each is not None or _number_and_letters(value)[0] is not None
+        for each, value in zip(rounded, (first, second), strict=True)
+    )
+    if not ready or all(each is None for each in rounded):
+        return whole
+    long = any(_is_long(each) for each in (first, second))
+    parts = [
+        each if each is not None else _short_decimal(value)
+        for each, value in zip(rounded, (first, second), strict=True)
+    ]
+    return build(*parts) if long else equation(whole, build(*parts))
+
+
+def _short_decimal(value: Expr) -> Layout:
+    """A simple number beside one that is rounded: 0.5, not ½."""
+    if isinstance(value, Rational):
+        size = (
+            plain_number(Ratio(int(abs(value.p)), int(value.q)))
+            if 1000 % value.q == 0
+            else decimal_number(abs(value))
+        )
+        return negative(size) if value.p < 0 else size
+    number, rest = _number_and_letters(value)
+    if isinstance(number, Rational) and number.q != 1:
+        return _times_letters(_short_decimal(number), rest)
+    return from_sympy(value)
+
+
+def _ends(values: Any) -> list[Expr]:
+    if isinstance(values, sympy.Interval):
+        return [x for x in (values.start, values.end) if x.is_finite is not False]
+    if isinstance(values, sympy.FiniteSet):
+        return list(values.args)
+    if isinstance(values, sympy.Union):
+        return [end for part in values.args for end in _ends(part)]
+    return []
+
+
+def _set_decimals(values: Any, subject: Layout, angle: bool) -> Layout:
+    """The same statement with rounded ends."""
+    said = from_set(values, subject, degrees=angle)
+    table: dict[Layout, Layout] = {}
+    for each in _ends(values):
+        rounded = _rounded(each, angle)
+        if rounded is not None:
+            table[from_sympy(each, degrees=angle)] = rounded
+    return _replaced(said, table)
+
+
+def _replaced(layout: Layout, table: dict[Layout, Layout]) -> Layout:
+    if isinstance(layout, Relation):
+        return Relation(tuple(table.get(each, each) for each in layout.operands), layout.signs)
+    if isinstance(layout, Phrase):
+        return Phrase(tuple(_replaced(each, table) for each in layout.items), layout.separator)
+    return layout
