@@ -23,7 +23,7 @@ from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
-from restitution.planning.deflections import write_deflection
+from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.forms import (
     ONE,
@@ -36,6 +36,12 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import scene_value
+from restitution.planning.lines_between import (
+    angle_of_lines,
+    has_angle,
+    is_moving,
+    write_equal_angles,
+)
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -93,6 +99,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):
+        if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
+            return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
         if own.left.kind == "deflection" and not has_quantity(own.right):
             return write_deflection(scene, each)
         if own.left.kind == "velocity":
@@ -104,15 +112,27 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if not has_quantity(own.right) and not place_trees.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     match own.left:
-        case Apply("tan", Quantity("angle") as angle) if not has_quantity(own.right):
+        case Apply("tan", Quantity("angle" | "deflection") as angle) if not has_quantity(own.right):
+            if angle.kind == "deflection":
+                _decided(scene, angle)
             return _tangent(scene, each, formula(scene, angle))
+        case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
+            return _tangent(scene, each, cosine_of_deflection(scene, angle))
+        case Quantity("angle") if isinstance(own.right, Quantity) and own.right.kind == "angle":
+            return write_equal_angles(scene, each)
     return _of_several(scene, each)
 
 
+def _in_cosines(each: GivenEquation) -> GivenEquation:
+    """The same of the cosines of two angles that are equal."""
+    left, right = (Apply("cos", side) for side in (each.link.left, each.link.right))
+    return replace(each, link=Link(left, "=", right))
+
+
 def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
-    """The tangent of an angle, by its definition, with its value on the left."""
+    """A ratio of an angle, by its definition, with its value on the left."""
     value, refs = scene.put(scene.scalar(each.link.right))
-    left = each.link.right if not refs else tree_of(value)
+    left = each.link.right if not refs and not has_angle(each.link.right) else tree_of(value)
     return scene.desk.write(
         own.move, together(each.refs, refs, own.refs), chain(left, (swept(own.right), None))
     )

@@ -533,7 +533,8 @@ def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
         own = in_direction(scene, kind, body, stage, frame)
         if own.value == 0:
             # A direction in letters is that of the velocity with both its components.
-            plain = all(each.is_number for each in scene.model.frames[stage].n)
+            told = frame if frame.write is not None else scene.model.frames[stage]
+            plain = all(each.is_number for each in told.n)
             other = "along" if kind == "across" else "across"
             whole = () if plain else after(scene, other, body, frame).refs
             return together(own.refs, whole, frame.refs)

@@ -105,7 +105,9 @@ class Scene:
         if not any(sp.sympify(each, strict=True).free_symbols for each in own.n):
             return own
         (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
-        return replace(own, n=n, t=t, told=together(own.refs, n_refs, t_refs), write=None)
+        if own.write is not None:
+            return replace(own, n=n, t=t)  # the line is written with what is known
+        return replace(own, n=n, t=t, told=together(own.told, n_refs, t_refs))
 
     def bodies(self, number: int) -> tuple[str, ...]:
         """The bodies in an event."""

@@ -24,10 +24,16 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.planning.angles import range_of
-from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import difference, product, square, swept, total, tree_of
-from restitution.planning.impacts import in_direction, whole_direction
+from restitution.planning.forms import difference, swept, total, tree_of
+from restitution.planning.impacts import in_direction
+from restitution.planning.lines_between import (
+    angle_of_lines,
+    cosine_of,
+    is_line,
+    is_moving,
+    whole_velocity,
+)
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
     Formula,
@@ -35,7 +41,6 @@ from restitution.planning.quantities import (
     formula,
     in_the_plane,
     velocity_source,
-    write_formula,
 )
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -153,10 +158,15 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
             return _deflection(scene, body, event, asked, wanted)
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
             return _between(scene, asked, wanted)
-        case Quantity("angle", (first, _)) if not _moves(first):
+        case Quantity("angle", (first, _)) if not is_moving(first):
             return _between_lines(scene, asked)
         case Quantity("angle"):
-            return _to_a_line(scene, asked)
+            try:
+                return _to_a_line(scene, asked)
+            except NotPlannedError:
+                if not isinstance(asked.arguments[1], Name):
+                    raise
+            return _between_lines(scene, asked)
         case Quantity("direction", (Name(),), int()):
             return _direction(scene, asked)
     raise NotPlannedError(f"no way to the {asked.kind}")
@@ -334,7 +344,7 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio:
             if own.move.record == "tan" and not _is_right_angle(scene, own):
                 line, letter = _tangent_line(scene, asked, own, own.move)
                 return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
-    sources = [_whole_velocity(scene, *each) for each in pair]
+    sources = [whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
@@ -354,93 +364,25 @@ def _is_right_angle(scene: Scene, own: Formula) -> bool:
     return bool(own.value.is_number and (own.value.is_infinite or own.value == 0))
 
 
-def _moves(tree: Expression) -> bool:
-    """Whether a direction is that of a velocity."""
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
-
-
 def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between directions of the plane, walls and lines of centres, by their product."""
-    sources = [
-        _whole_velocity(scene, *body_and_stage(scene, each))
-        if _moves(each)
-        else line_source(scene, each)
-        for each in asked.arguments
-    ]
+    own = angle_of_lines(scene, asked)
     letter, meaning = _named(scene, asked)
-    a, b = (each.value for each in sources)
-    right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
-    to_a_line = any(_is_line(each) for each in asked.arguments)
-    if to_a_line and scene.model.sign(value) < 0:
-        b = -b
-        right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
-    refs = together((meaning,), *(each.whole for each in sources))
-    move = Move("define", "scalar-angle")
-    line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    refs = together((meaning,), own.refs)
+    line = _ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
+    to_a_line = any(map(is_line, asked.arguments))
     extent = "0° <= {} <= 90°" if to_a_line else _RANGES["deflection"]
-    return Ratio(line, letter, "cos", value, extent.format(letter))
-
-
-def _is_line(tree: Expression) -> bool:
-    """Whether a direction has two senses: that of a wall, or of a line of centres."""
-    return isinstance(tree, Name) or (isinstance(tree, Quantity) and tree.kind == "line_of_centres")
-
-
-def line_source(scene: Scene, tree: Expression) -> Source:
-    """A direction of the plane, by whole numbers where there are any."""
-    refs: tuple[Ref, ...] = ()
-    match tree:
-        case Quantity("line_of_centres", (), int(number)):
-            frame = scene.frame(number)
-            return Source(whole_direction(frame.n)[0], frame.refs)
-        case Name(wall) if f"wall {wall}" in scene.facts:
-            refs = (f"wall {wall}",)
-        case Name(wall):
-            line = write_wall(scene, wall)
-            refs = (line,)
-    value, more = scene.put(scene.model.story.direction(tree, scene.events))
-    whole, _ = whole_direction(Vector(*map(tidy, value)))
-    return Source(whole, together(refs, more))
-
-
-def _whole_velocity(scene: Scene, body: str, stage: int) -> Source:
-    """A velocity as a vector; where its components are not along **i** and **j**, by a line."""
-    source = velocity_source(scene, body, stage)
-    if stage not in scene.model.frames or len(source.refs) == 1:
-        return source
-    frame = scene.frame(stage)
-    if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
-        return source
-    number = write_formula(scene, formula(scene, Quantity("velocity", (Name(body),), stage)))
-    return Source(source.value, (number,))
+    return Ratio(line, letter, "cos", own.value, extent.format(letter))
 
 
 def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio:
     """An angle between two vectors that are known, by their scalar product."""
     letter, meaning = _named(scene, asked)
     a, b = (each.value for each in sources)
-    right, value = cosine([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
     refs = together((meaning,), *(each.whole for each in sources))
     line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
-
-
-def cosine(
-    pairs: list[tuple[Expression, Expression]], a: Any, b: Any
-) -> tuple[Expression, sp.Expr]:
-    """The cosine of the angle between two vectors: as it is written, and what it comes to."""
-    above = total(product(p, q) for p, q in pairs)
-    sizes = []
-    for n in (0, 1):
-        own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
-        one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
-        alone = one[0].operand if isinstance(one[0], Negate) else one[0]
-        if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
-            continue  # a unit vector
-        sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
-    dot = sp.expand(sum(p * q for p, q in zip(a, b, strict=True)))
-    size = sp.sqrt(sp.expand(sum(p**2 for p in a))) * sp.sqrt(sp.expand(sum(q**2 for q in b)))
-    return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
 
 
 # --- deflections -------------------------------------------------------------------------------
@@ -468,7 +410,7 @@ def _deflection(
         if frame.wall is not None:
             refs = together(*(each.refs for each in (*early, *late)))
         pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
-        right, value = cosine(pairs, a, b)
+        right, value = cosine_of(pairs, a, b)
         if wanted != "cos":
             value = sp.Integer(scene.model.sign(value))
         letter, meaning = _named(scene, asked)

@@ -20,7 +20,6 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
-    Unit,
     children,
     has_quantity,
     letters,
@@ -116,7 +115,11 @@ class Worths:
     @staticmethod
     def _extent(name: str, angle: Quantity) -> str:
         """What is known of an angle of the motion, as a premise says it."""
-        lined = angle.kind == "angle" and not isinstance(angle.arguments[1], Unit)
+        lined = angle.kind == "angle" and any(
+            isinstance(each, Name)
+            or (isinstance(each, Quantity) and each.kind == "line_of_centres")
+            for each in angle.arguments
+        )
         return f"0° <= {name} <= {90 if lined else 180}°"
 
     def letter_for(self, angle: Quantity) -> tuple[str, int]:

@@ -1,0 +1,181 @@
+"""Angles between directions: velocities, lines of centres, walls, and those of the plane."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    walk,
+)
+from restitution.planning.axes import write_wall
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import product, square, swept, total, tree_of
+from restitution.planning.impacts import whole_direction
+from restitution.planning.quantities import (
+    Formula,
+    body_and_stage,
+    cosine,
+    formula,
+    velocity_source,
+    write_formula,
+)
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+
+def is_moving(tree: Expression) -> bool:
+    """Whether a direction is that of a velocity."""
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
+
+
+def is_line(tree: Expression) -> bool:
+    """Whether a direction has two senses: that of a wall, or of a line of centres."""
+    return isinstance(tree, Name) or (isinstance(tree, Quantity) and tree.kind == "line_of_centres")
+
+
+def has_angle(tree: Expression) -> bool:
+    """Whether degrees, or the angle of a ratio, stand in an expression."""
+    inverse = ("arcsin", "arccos", "arctan")
+    return any(
+        isinstance(each, Degrees) or (isinstance(each, Apply) and each.function in inverse)
+        for each in walk(tree)
+    )
+
+
+def angle_of_lines(scene: Scene, quantity: Quantity) -> Formula:
+    """The cosine of the angle between two directions, by their scalar product."""
+    sources = [_source(scene, each) for each in quantity.arguments]
+    a, b = (each.value for each in sources)
+    right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    if any(map(is_line, quantity.arguments)) and scene.model.sign(value) < 0:
+        b = -b
+        pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+        right, value = cosine_of(pairs, a, b)
+    moving = [body_and_stage(scene, each) for each in quantity.arguments if is_moving(each)]
+    event = max((stage for _, stage in moving), default=0) or None
+    move = Move("define", "scalar-angle", event, tuple(dict.fromkeys(body for body, _ in moving)))
+    return Formula(move, cosine, quantity, right, value, together(*(e.whole for e in sources)))
+
+
+def _source(scene: Scene, tree: Expression) -> Source:
+    if is_moving(tree):
+        return whole_velocity(scene, *body_and_stage(scene, tree))
+    return line_source(scene, tree)
+
+
+def line_source(scene: Scene, tree: Expression) -> Source:
+    """A direction of the plane, by whole numbers where there are any."""
+    refs: tuple[Ref, ...] = ()
+    match tree:
+        case Quantity("line_of_centres", (), int(number)):
+            frame = scene.frame(number)
+            return Source(whole_direction(frame.n)[0], frame.refs)
+        case Name(wall) if f"wall {wall}" in scene.facts:
+            refs = (f"wall {wall}",)
+        case Name(wall):
+            refs = (write_wall(scene, wall),)
+    value, more = scene.put(scene.model.story.direction(tree, scene.events))
+    whole, _ = whole_direction(Vector(*map(tidy, value)))
+    return Source(whole, together(refs, more))
+
+
+def whole_velocity(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector; where its components are not along **i** and **j**, by a line."""
+    source = velocity_source(scene, body, stage)
+    if stage not in scene.model.frames or len(source.refs) == 1:
+        return source
+    frame = scene.frame(stage)
+    if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
+        return source
+    number = write_formula(scene, formula(scene, Quantity("velocity", (Name(body),), stage)))
+    return Source(source.value, (number,))
+
+
+def cosine_of(
+    pairs: list[tuple[Expression, Expression]], a: Any, b: Any
+) -> tuple[Expression, sp.Expr]:
+    """The cosine of the angle between two vectors: as it is written, and what it comes to."""
+    above = total(product(p, q) for p, q in pairs)
+    sizes = []
+    for n in (0, 1):
+        own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        alone = one[0].operand if isinstance(one[0], Negate) else one[0]
+        if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
+            continue  # a unit vector
+        sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
+    dot = sp.expand(sum(p * q for p, q in zip(a, b, strict=True)))
+    size = sp.sqrt(sp.expand(sum(p**2 for p in a))) * sp.sqrt(sp.expand(sum(q**2 for q in b)))
+    return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
+
+
+# --- angles that are equal -----------------------------------------------------------------------
+
+
+def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
+    """Two angles that are equal: so are their tangents."""
+    angles = (each.link.left, each.link.right)
+    made = [formula(scene, angle) for angle in angles if isinstance(angle, Quantity)]
+    if len(made) != 2 or any(own.move.record != "tan" for own in made):
+        raise NotPlannedError("equal angles without tangents")
+    for lines in (_tangents, _squared_tangents):
+        mark = scene.desk.mark()
+        refs = lines(scene, made)
+        if refs is not None:
+            left, right = (scene.desk.last_link(ref).right for ref in refs)
+            relation = Relation(((Link(left, "=", right),),))
+            premises = scene.judge.enough(Move("put"), [*refs, each.fact.id], relation)
+            if premises is not None:
+                return scene.desk.write(Move("put"), premises, relation)
+        scene.desk.back(mark)
+    raise NotPlannedError("a relation with angles")
+
+
+def _tangents(scene: Scene, made: Sequence[Formula]) -> list[int] | None:
+    refs: list[int] = []
+    for own in made:
+        relation = chain(own.left, (swept(own.right), None), (tree_of(own.value), "rearrange"))
+        if not scene.judge.follows(own.move, own.refs, relation):
+            return None
+        refs.append(scene.desk.write(own.move, own.refs, relation))
+    return refs
+
+
+def _squared_tangents(scene: Scene, made: Sequence[Formula]) -> list[int] | None:
+    """The squares, where it is open on which side of a line a sphere goes."""
+    refs: list[int] = []
+    for own in made:
+        if not isinstance(own.right, Binary):
+            return None
+        right = Binary("/", *(square(part) for part in (own.right.left, own.right.right)))
+        move = replace(own.move, record="tan-squared")
+        relation = chain(square(own.left), (swept(right), None))
+        if not scene.judge.follows(move, own.refs, relation):
+            return None
+        refs.append(scene.desk.write(move, own.refs, relation))
+    return refs
+
+
+__all__ = [
+    "angle_of_lines",
+    "cosine_of",
+    "has_angle",
+    "is_line",
+    "is_moving",
+    "line_source",
+    "whole_velocity",
+    "write_equal_angles",
+]
