@@ -80,6 +80,52 @@ A hits B: along i, e = 4/5
 given angle(velocity(A), velocity(B)) = 30°
 find tan(alpha)
 """,
+    "a tangent of a deflection that is given": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+given tan(alpha) = 1/3
+A hits B: along i, e = 1/2
+given tan(deflection(A)) = 1/2
+find k
+""",
+    "a cosine of a deflection that is given": """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass m, velocity -4u i
+A hits B: along i
+given cos(deflection(A)) = -3/5
+find e
+""",
+    "equal angles to the line of centres": """
+sphere A: mass 2m, velocity u at 45°
+sphere B: mass m, velocity u at 60° from -i
+A hits B: along i
+given angle(velocity(A), line_of_centres) = angle(velocity(B), line_of_centres)
+find e
+""",
+    "an angle of the line of centres that is given": """
+sphere A: mass m, velocity 4u i, radius 3
+sphere B: mass m, at rest, radius 3
+A hits B: offset d, e = 1/3
+given angle(line_of_centres, i) = arctan(3/4), d > 0
+find d, speed(B)
+""",
+    "an angle to a wall that comes later": """
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity u at 45° to AB
+part a
+P hits AB: e = 1/2
+find angle(velocity(P), BC)
+part b
+P hits BC: e = 1/2
+find tan(angle(velocity(P), BC))
+""",
+    "the range of an angle between two paths": """
+sphere A: mass 2m, velocity u at 45°
+sphere B: mass m, at rest
+A hits B: along i
+find range of angle(velocity(A), velocity(B))
+""",
     "the angle between the first and the last path": """
 wall AB: along i
 wall BC: along 60°

@@ -231,7 +231,7 @@ def _square_of(scene: Scene, tree: Expression) -> Expression | None:
             return _square_of_size(scene, inside)
         case Negate(operand):
             return _square_of(scene, operand)
-        case Binary("*" | "/" as op, left, right) if any(_is_size(e) for e in (left, right)):
+        case Binary("*" | "/" as op, left, right) if any(map(_is_size, walk(tree))):
             squares = [_square_of(scene, each) for each in (left, right)]
             if None in squares:
                 return None
