@@ -96,6 +96,8 @@ def _without_common(
     if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
         return None
     above = [sp.expand(sp.cancel(n * below / d)) for n, d in whole]
+    if not all(each.is_polynomial(*generators) for each in above):
+        return None  # with roots of numbers a common denominator may not be seen
     polynomials = [sp.Poly(each, *generators) for each in above]
     coefficients = [c for each in polynomials for c in each.coeffs() if c != 0]
     if not coefficients or any(
