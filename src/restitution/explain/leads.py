@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     walk,
 )
 from restitution.render import layout as lay
@@ -63,6 +64,13 @@ class Leads:
             return ()
         self._given |= {each.id for each in facts}
         told = self._naming.fact(facts[0])
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("velocity", _, _), "=", right) if isinstance(told, lay.Layout):
+                resolved = self.resolved(line) if line.move.record == "component" else None
+                if resolved is not None:
+                    return (say("given.and", fact=told), resolved)
+                if not has_quantity(right):
+                    return ()  # a velocity that is given is a datum
         if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
             told, Sentence
         ):
@@ -129,6 +137,9 @@ class Leads:
             title = self.resolved(line)
             if title is not None and title != above:
                 yield title
+            return
+        if line.move.record == "wall-direction":
+            yield say("so")
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")

@@ -191,7 +191,8 @@ class Rows:
         """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
         left, right = links[0].left, links[-1].right
         end = self._ends.of(line)
-        unit = self._measures.unit(left) if _is_value(left) or end is not None else ""
+        worth = not has_quantity(right) and (_is_value(left) or end is not None)
+        unit = self._measures.unit(left) if worth else ""
         asked = self._ends.asked(line)
         if end is not None and not end.shown:
             if isinstance(asked, Value) and asked.percentage:
@@ -230,7 +231,10 @@ class Rows:
 
     def decimals(self, line: Line) -> Row | None:
         """A row with the ends of a range to three figures, where roots or angles are in them."""
-        if self._ends.of(line) is None or not isinstance(line.relation, Relation):
+        end = self._ends.of(line)
+        if end is None or end.shown or not isinstance(line.relation, Relation):
+            return None
+        if line.move.record in ("greatest", "least"):
             return None
         if len(line.relation.options) != 1 or len(chains(line.relation.only)) != 1:
             return None

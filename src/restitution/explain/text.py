@@ -182,7 +182,9 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     lines.append(current)
     note = said(row.note)
     gap = "" if note.startswith(",") else "   "
-    if note and columns(lines[-1]) + columns(note) + 3 <= limit:
+    # Behind a line that is alone, marks need no more room than they have.
+    own = width - (columns(row.mark) + 2 if row.mark else 0)
+    if note and columns(lines[-1]) + columns(note) + 3 <= (own if row.number else limit):
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
     made = _plain(lines)

@@ -83,17 +83,22 @@ class Forms:
 
     A long root stays where it is, as in 93/√28249.
 
-    ``typed`` are trees of the statement: a number that stands there with a root below a line, or as
-    a decimal, is printed like that everywhere. A half may be that of a kinetic energy.
+    ``typed`` are trees of the statement: a number that stands there with a root below a line is
+    printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
+    end and was not typed itself. A half may be that of a kinetic energy.
     """
 
     def __init__(self, typed: Iterable[Expression] = ()) -> None:
         self._typed: dict[tuple[Ratio, int], Expression] = {}
-        self._decimals: set[Ratio] = set()
+        self._decimal = False
+        self._fractions = {Ratio(1, 2)}
         for tree in typed:
             for node in walk(tree):
-                if isinstance(node, Number) and node.value.denominator > 2:
-                    self._decimals.add(node.value)
+                match node:
+                    case Number(value) if value.denominator > 1:
+                        self._decimal = True
+                    case Binary("/", Number(a), Number(b)) if b:
+                        self._fractions.add(a / b)
                 if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
@@ -107,13 +112,19 @@ class Forms:
         match node:
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
-            case Binary("/", Number(a), Number(b)) if a / b in self._decimals:
+            case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
             case Binary("/", left, right) if _root_below(right):
                 return self._rational(left, right) or node
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
                 return Binary("*", first, Binary("/", a, b))
         return self._known(node)
+
+    def _is_decimal(self, above: Ratio, below: Ratio) -> bool:
+        """Whether a fraction is printed as a decimal: one with an end, that was not typed."""
+        if not self._decimal or not below or above / below in self._fractions:
+            return False
+        return below != 1 and 1000 % (above / below).denominator == 0
 
     def _known(self, node: Expression) -> Expression:
         """A number with a root as it was typed in the statement."""

@@ -19,7 +19,6 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "impulse": ("impulse-wall.title", "impulse-spheres.title"),
     "across-the-impulse": ("impulse-normal.title", "impulse-line.title"),
     "along-the-change": ("impulse-normal.title", "impulse-line.title"),
-    "wall-direction": ("impulse-normal.title", None),
     "component": ("resolved-wall.before", "resolved-spheres.before"),
     "sum": ("turned-wall.title", "turned.title"),
     "difference": ("turned-wall.title", "turned.title"),
