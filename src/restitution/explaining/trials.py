@@ -60,7 +60,14 @@ class Trial:
 
         Raises NotComparableError where that is beyond what is compared.
         """
-        return _followed(self.step(move, premises), relation)
+        return _as_before(_read, self.step(move, premises), relation)
+
+    def proves(self, premises: Iterable[Ref], relation: Relation) -> bool:
+        """Whether premises make a relation certain, however many it takes.
+
+        Raises NotComparableError where that is beyond what is compared.
+        """
+        return _as_before(_proves, self.step(Move("sign"), premises), relation)
 
     def needed(
         self,
@@ -94,12 +101,12 @@ class _OpenError(Exception):
         self.right = right
 
 
-def _followed(step: Step, relation: Relation) -> bool:
-    """Whether a line follows, as it was read before where it cited the same."""
+def _as_before(read: Callable[..., bool | None], step: Step, relation: Relation) -> bool:
+    """What a reading comes to, as it did before where the same was cited."""
     own = [relation, *(c.relation for c in step.cited), *(k.relation for k in step.known)]
     setting = step.setting.of_letters(frozenset(name for each in own for name in names_in(each)))
     try:
-        right = _read(setting, step.move, step.cited, step.known, relation)
+        right = read(setting, step.move, step.cited, step.known, relation)
     except _OpenError as open_:
         right = open_.right
     if right is None:
@@ -116,9 +123,29 @@ def _read(
     relation: Relation,
 ) -> bool | None:
     """Whether a line follows; None where that is beyond what is compared."""
+    return _kept(follows, Step(setting, move, cited, known), relation)
+
+
+@remembered(2048)
+def _proves(
+    setting: Setting,
+    move: Move,
+    cited: tuple[Cited, ...],
+    known: tuple[Known, ...],
+    relation: Relation,
+) -> bool | None:
+    """Whether what is cited makes a relation certain; None where that is beyond comparing."""
+    return _kept(_is_certain, Step(setting, move, cited, known), relation)
+
+
+def _is_certain(step: Step, relation: Relation) -> bool:
+    return step.oracle.proves(step.formula(relation))
+
+
+def _kept(judge: Callable[[Step, Relation], bool], step: Step, relation: Relation) -> bool | None:
     open_ = broken_off()
     try:
-        right = follows(Step(setting, move, cited, known), relation)
+        right = judge(step, relation)
     except NotComparableError:
         right = None
     if broken_off() != open_:

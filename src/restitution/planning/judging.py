@@ -12,7 +12,7 @@ from restitution.explaining.algebra import NotComparableError
 from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Ref, Relation
 from restitution.explaining.excluding import excludes
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.explaining.step import Known, Step
+from restitution.explaining.step import Known
 from restitution.explaining.trials import Trial, known_of_letters, setting_of
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
@@ -77,9 +77,8 @@ class Judge:
 
     def proves(self, refs: Sequence[Ref], relation: Relation) -> bool:
         """Whether what is cited makes a relation certain, however many premises that takes."""
-        step: Step = self._trial().step(Move("sign"), refs)
         try:
-            return step.oracle.proves(step.formula(relation))
+            return self._trial().proves(refs, relation)
         except (NotComparableError, BeyondError):
             return False
 

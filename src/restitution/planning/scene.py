@@ -178,11 +178,14 @@ class Scene:
         It is the same object where nothing is put in.
         """
         own = sp.sympify(value, strict=True)
+        if not own.free_symbols:
+            return own, ()
         refs: list[Ref] = []
         times: dict[sp.Basic, int] = {}
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
-            bare = own.xreplace({each: sp.Integer(1) for each in own.atoms(*_RATIOS)})
+            ratios = own.atoms(*_RATIOS)
+            bare = own.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else own
             if any(times.get(each, 0) >= _MOST for each in bare.free_symbols):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare.free_symbols:
@@ -195,7 +198,7 @@ class Scene:
                     times[each] = times.get(each, 0) + 1
                 own = own.xreplace(changes)
                 continue
-            for each in own.atoms(*_RATIOS):
+            for each in ratios:
                 source = self._ratio(each) or self._angle(each)
                 if source is not None:
                     changes[each] = source.value
