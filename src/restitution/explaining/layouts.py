@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
 from fractions import Fraction as Ratio
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import pairwise
 from math import isqrt
 from typing import Any
@@ -14,6 +14,7 @@ from typing import Any
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
+    PARTS,
     Apply,
     AtTime,
     Binary,
@@ -58,8 +59,17 @@ def of_tree(
         called[f"q_{len(called)}"] = name
         return Letter(f"q_{len(called) - 1}")
 
-    own = lay.from_tree((forms or Forms()).printed(_renamed(tree, change)))
-    return _shaped(_put(own, vectors, called) if vectors or called else own)  # type: ignore[no-any-return]
+    plain = (forms or Forms()).printed(_renamed(tree, change))
+    return _laid_out(plain, frozenset(vectors), tuple(called.items()))
+
+
+@lru_cache(maxsize=4096)
+def _laid_out(
+    tree: Expression, vectors: frozenset[str], called: tuple[tuple[str, lay.Layout], ...]
+) -> lay.Layout:
+    """A tree in which quantities are letters for the names by which they are ``called``."""
+    own = lay.from_tree(tree)
+    return _shaped(_put(own, vectors, dict(called)) if vectors or called else own)  # type: ignore[no-any-return]
 
 
 def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> Any:
@@ -68,14 +78,18 @@ def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> An
         return tuple(_renamed(each, change) for each in tree)
     if isinstance(tree, AtTime):
         return AtTime(_renamed(tree.time, change))
-    if not isinstance(tree, Expression):
+    if type(tree) not in PARTS:
         return tree
     new = change(tree)
     if new is not None:
         return new
-    inner = {each.name: getattr(tree, each.name) for each in fields(tree) if each.name != "place"}
-    put = {name: _renamed(value, change) for name, value in inner.items()}
-    return replace(tree, **{k: v for k, v in put.items() if v is not inner[k]})
+    put = {}
+    for name in PARTS[type(tree)]:
+        value = getattr(tree, name)
+        own = _renamed(value, change)
+        if own is not value and own != value:
+            put[name] = own
+    return replace(tree, **put) if put else tree
 
 
 class Forms:

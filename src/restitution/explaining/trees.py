@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 from restitution.explaining.derivation import Event, Link, Meaning, Relation
-from restitution.expression.tree import AtTime, Expression, Letter, Name, Quantity, walk
+from restitution.expression.tree import PARTS, AtTime, Expression, Letter, Name, Quantity, walk
 
 # Of these, a stage after an event in which a body took no part is the stage before it.
 _LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
@@ -16,13 +17,11 @@ _LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
 def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
     """A tree with each node changed, innermost first."""
     put: dict[str, Any] = {}
-    for each in fields(tree):
-        if each.name == "place":
-            continue
-        value = getattr(tree, each.name)
+    for name in PARTS[type(tree)]:
+        value = getattr(tree, name)
         new = _rebuilt(value, change)
         if new is not value:
-            put[each.name] = new
+            put[name] = new
     return change(replace(tree, **put) if put else tree)
 
 
@@ -33,7 +32,7 @@ def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> objec
     if isinstance(value, AtTime):
         time = rebuilt(value.time, change)
         return value if time is value.time else AtTime(time)
-    return rebuilt(value, change) if isinstance(value, Expression) else value
+    return rebuilt(value, change) if type(value) in PARTS else value  # type: ignore[arg-type]
 
 
 def of_relation(relation: Relation, change: Callable[[Expression], Expression]) -> Relation:
@@ -95,6 +94,7 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
     return of_relation(relation, change)
 
 
+@lru_cache(maxsize=4096)
 def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
     """A tree in which a velocity has the number of the last event that changed it.
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from functools import lru_cache
 from typing import Literal, get_args
 
 
@@ -218,19 +219,19 @@ def rational(value: Fraction) -> Expression:
 def children(node: Expression) -> tuple[Expression, ...]:
     """The expressions directly inside a node, in the order written."""
     found: list[Expression] = []
-    for name in _PARTS[type(node)]:
+    for name in PARTS[type(node)]:
         value = getattr(node, name)
-        if type(value) in _PARTS:
+        if type(value) in PARTS:
             found.append(value)
         elif isinstance(value, AtTime):
             found.append(value.time)
         elif isinstance(value, tuple):
-            found.extend(item for item in value if type(item) in _PARTS)
+            found.extend(item for item in value if type(item) in PARTS)
     return tuple(found)
 
 
 # Trees are walked often: the fields of a node in which there may be others, by its kind.
-_PARTS: dict[type, tuple[str, ...]] = {
+PARTS: dict[type, tuple[str, ...]] = {
     kind: tuple(each.name for each in fields(kind) if each.name != "place")
     for kind in (*get_args(Expression), Measured)
 }
@@ -245,6 +246,7 @@ def walk(node: Expression) -> Iterator[Expression]:
         pending.extend(reversed(children(current)))
 
 
+@lru_cache(maxsize=4096)
 def letters(node: Expression) -> frozenset[str]:
     """The names of the letters in an expression."""
     return frozenset(each.name for each in walk(node) if isinstance(each, Letter))

@@ -133,6 +133,8 @@ class Desk:
     item: str | None = None
     part: str | None = None
     splits: tuple[tuple[int, int], ...] = ()
+    version: int = 0
+    """How often what is known has changed."""
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
     _parts: dict[Ref, frozenset[str]] = field(default_factory=dict)
 
@@ -205,6 +207,7 @@ class Desk:
     def know(self, quantity: Expression, value: Any, refs: Iterable[Ref]) -> Source:
         """From here on a quantity, a letter, or a ratio of an angle has a value."""
         source = Source(value, tuple(refs))
+        self.version += 1
         self._sources.setdefault(quantity, []).append(source)
         return source
 
@@ -253,6 +256,7 @@ class Desk:
 
     def back(self, mark: Mark) -> None:
         """Takes away all that was written since a mark."""
+        self.version += 1
         del self.lines[mark.lines :]
         del self.ends[mark.ends :]
         del self.notes[mark.notes :]

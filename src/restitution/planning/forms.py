@@ -23,6 +23,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.vector import Vector
+from restitution.work import remembered
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
@@ -70,7 +71,11 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     """
     if isinstance(value, Vector | tuple):
         return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
-    own = sp.sympify(value, strict=True)
+    return _tree_of(sp.sympify(value, strict=True), angle, as_it_is)
+
+
+@remembered(4096)
+def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
     if own.has(sp.zoo, sp.nan):
         raise UnwrittenError(own)
     own = own if as_it_is else neat(own)

@@ -506,6 +506,8 @@ class Solver:
 
     def _express_waiting(self, values: Sequence[sp.Expr]) -> None:
         """Expresses the components in some values of which the laws are written."""
+        if not self.waiting:
+            return
         wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
         for symbol in [each for each in self.waiting if each in wanted]:
             self._express(symbol)

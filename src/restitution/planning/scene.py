@@ -76,6 +76,8 @@ class Scene:
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None
     _initial: dict[str, Source] = field(default_factory=dict)
+    _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
+    _at: tuple[int, str | None] | None = None
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -180,6 +182,18 @@ class Scene:
         own = sp.sympify(value, strict=True)
         if not own.free_symbols:
             return own, ()
+        version = self.desk.version, self.desk.part
+        if self._at != version:
+            self._at = version
+            self._put.clear()
+        if own not in self._put:
+            found = self._with_values(own)
+            if version != (self.desk.version, self.desk.part):
+                return found  # to put them in wrote lines
+            self._put[own] = found
+        return self._put[own]
+
+    def _with_values(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
         refs: list[Ref] = []
         times: dict[sp.Basic, int] = {}
         for _ in range(12):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import lru_cache
 
 from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
@@ -61,6 +61,13 @@ def _rank(dimensions: Sequence[Dimension]) -> int:
     return int(DomainMatrix(rows, (len(rows), len(NONE)), QQ).rank())
 
 
+@lru_cache(maxsize=512)
+def _fixes(fixed: frozenset[Dimension], dimension: Dimension) -> bool:
+    """Whether what has some dimensions has no other scale than they have."""
+    known = sorted(fixed)
+    return _rank([*known, dimension]) == _rank([NONE, *known])
+
+
 @dataclass(frozen=True)
 class Style:
     """How the values of a statement are printed.
@@ -71,15 +78,11 @@ class Style:
     fixed: frozenset[Dimension]
     acute: frozenset[str] = frozenset()
 
-    @cached_property
-    def _rank(self) -> int:
-        return _rank([NONE, *sorted(self.fixed)])
-
     def fixes(self, dimension: Dimension) -> bool:
         """Whether the numbers of the statement give the scale of a quantity."""
         if dimension == NONE or not self.fixed:
             return False
-        return _rank([*sorted(self.fixed), dimension]) == self._rank
+        return _fixes(self.fixed, dimension)
 
     def unit(self, dimension: Dimension | None) -> str:
         """The unit to print behind a value of that dimension, with its blank; or nothing."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction as Ratio
+from functools import lru_cache
 
 from restitution.expression import tree as trees
 from restitution.render.layout.algebra import plain_number
@@ -94,6 +95,7 @@ def from_tree(node: trees.Expression, events: EventNames = _NUMBERED) -> Layout:
             return _from_quantity(node, events)
 
 
+@lru_cache(maxsize=1024)
 def _typed_number(value: Ratio) -> Layout:
     """A number with all the decimals with which it was typed; one without end as a fraction."""
     for places in range(4, 13):
