@@ -304,7 +304,7 @@ SAID = {
     ),
     "an energy without the square": (
         OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",
-        "≥ ½mu² sin²α, as (((1 − k)u cos α)/(k + 1))² ≥ 0",
+        "≥ ½mu² sin²α, as ((1 − k)u cos α/(1 + k))² ≥ 0",
     ),
 }
 
@@ -418,3 +418,38 @@ def test_what_has_to_be_bounds_a_letter(statement: str, premise: str, last: str)
     assert follow(derivation, Oracle(roles(problem))) == ()
     assert last in [write_relation(each.answer) for each in derivation.items]
     assert any(premise in each.premises for each in derivation.lines)
+
+
+# --- speeds compared ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            (
+                "sphere A: mass m, velocity u at 45°\nsphere B: mass k m, at rest\n"
+                "A hits B: along i, e = 1/2\ngiven speed(B) > speed(A)\nfind range of k"
+            ),
+            ["(speed of B)² =", "(speed of A)² ="],
+        ),
+        (
+            EQUAL.format(e=", e = 1/2") + "given speed(A) < speed(B)\nfind range of tan(alpha)",
+            ["(speed of B)² =", "tan²α < ½"],
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: velocity u at 45° to W\nP hits W\n"
+                "part a\nfind speed(P)\npart b\ngiven speed(P) < 5/6 u\nfind range of e"
+            ),
+            ["e² < 7/18"],
+        ),
+    ],
+)
+def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) -> None:
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = _printed(statement)
+    for each in lines:
+        assert each in text

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -599,12 +600,28 @@ class Step:
                 found.append(self.formula(each.relation))
         for left, right in self._stays(self.cited, self._rules):
             found += self._formulas(Link(left, "=", right))
+        for speed in self._squared_speeds():
+            found += self._formulas(Link(speed, ">=", Number(Fraction(0))))
         for known in self.known:
             if not known.letters or not all(
                 self.roles.get(n, REAL).kind == "angle" for n in known.letters
             ):
                 found.append(self.formula(known.relation))
         return tuple(each for each in found if each != All(()))
+
+    def _squared_speeds(self) -> list[Quantity]:
+        """The speeds whose squares are cited: they are what is not negative of the roots."""
+        squares = dict.fromkeys(
+            each.left
+            for cited in self.cited
+            if isinstance(cited.relation, Relation)
+            for links in cited.relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Binary) and each.op == "^"
+        )
+        return [e for e in squares if isinstance(e, Quantity) and e.kind == "speed"]
 
     def _of_meaning(self, meaning: Meaning) -> list[Formula]:
         if meaning.vector or _is_angle(meaning):

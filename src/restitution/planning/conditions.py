@@ -23,6 +23,7 @@ from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
 from restitution.planning.quantities import body_and_stage, frame_after
+from restitution.planning.squares import square_and_solve, write_speeds
 from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
 
@@ -99,6 +100,9 @@ class Conditions:
         if own is None:
             return None
         sign, x = own
+        squared = write_speeds(self.worths, fact, link, sign, x)
+        if squared is not None:
+            return self.finished(squared, sign, x, wanted)
         pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
         relation = Relation(((Link(tree_of(x), sign, ZERO),),))
         if x.has(sp.sin) and x.has(sp.cos):
@@ -237,6 +241,10 @@ class Conditions:
             if first != relation:
                 line = self.judge.write(put, pool, first)
                 if line is not None:
+                    known = self.worths.known_in(x)
+                    squared = square_and_solve(self.worths, line, sign, x, known)
+                    if squared is not None:
+                        return squared
                     solved = solve_linear(self.scene, sign, x)
                     for each in (solved, relation.only[0]):
                         if each is None:

@@ -1,0 +1,135 @@
+"""Speeds compared by their squares: no root stands in a condition that is to be solved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters
+from restitution.planning.forms import ZERO, square, swept, tree_of
+from restitution.planning.inequalities import FLIPPED, solve_linear
+from restitution.planning.quantities import formula
+from restitution.planning.worths import Worths
+
+_SOLVING = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"), Move("compare"))
+
+
+def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr) -> int | None:
+    """A given inequality of speeds, by the squares of their components; None without a root.
+
+    ``x sign 0`` is what it comes to. A speed that stands already is put in as it stands.
+    """
+    mark = worths.mark()
+    lines: list[Ref] = []
+    trees: list[Expression] = []
+    rooted = False
+    for side in (worths.opened(link.left), worths.opened(link.right)):
+        match side:
+            case Quantity("speed", _, int()) if not worths.is_data(side):
+                if worths.scene.desk.known(side) is not None:
+                    worths.back(mark)
+                    return None
+                worths.determine(side)
+                own = formula(worths.scene, side)
+                right = swept(own.right)
+                root = isinstance(right, Apply) and right.function == "sqrt"
+                subject = square(own.left) if root else own.left
+                told = right.argument if isinstance(right, Apply) and root else right
+                relation = Relation(((Link(subject, "=", told),),))
+                line = worths.judge.write((own.move,), own.refs, relation, own.refs)
+                if line is None:
+                    worths.back(mark)
+                    return None
+                lines.append(line)
+                trees.append(told if root else square(told))
+                rooted |= root
+            case _ if not has_quantity(side):
+                trees.append(tree_of(tidy(worths.scene.scalar(side) ** 2)))
+            case _:
+                worths.back(mark)
+                return None
+    if not rooted:
+        worths.back(mark)
+        return None
+    names = set().union(*(letters(each) for each in trees))
+    known = worths.judge.known(names & set(worths.scene.model.unknowns.roles))
+    first = Relation(((Link(trees[0], link.sign, trees[1]),),))
+    number = worths.judge.write((Move("compare"),), [fact.id, *lines, *known], first)
+    solved = None if number is None else solve_squares(worths, number, sign, x, known)
+    if solved is None:
+        worths.back(mark)
+    return solved
+
+
+def square_and_solve(
+    worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Sequence[Ref]
+) -> int | None:
+    """An inequality of two sizes with a root: both sides squared, and solved."""
+    own = worths.scene.desk.last_link(line)
+    values = [worths.value(each) for each in (own.left, own.right)]
+    roots = [p for each in values for p in each.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
+    if not any(each.base.free_symbols for each in roots):
+        return None
+    mark = worths.mark()
+    trees = [tree_of(tidy(each**2)) for each in values]
+    squared = Relation(((Link(trees[0], own.sign, trees[1]),),))
+    number = worths.judge.write((Move("compare"),), [line, *known], squared)
+    solved = None if number is None else solve_squares(worths, number, sign, x, known)
+    if solved is None:
+        worths.back(mark)
+    return solved
+
+
+def solve_squares(
+    worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Sequence[Ref]
+) -> int | None:
+    """An inequality without roots, solved: a quadratic by its factors."""
+    scene, judge = worths.scene, worths.judge
+    own = scene.desk.last_link(line)
+    solved = solve_linear(scene, sign, x)
+    pool = [line, *known]
+    whole = _without_denominators(worths, own)
+    if whole is not None and solved is not None:
+        left, right = whole
+        steps = [Link(tree_of(left), own.sign, tree_of(right)), *_second_degree(own, left - right)]
+        for each in steps:
+            number = judge.write(_SOLVING[:2], pool, Relation(((each,),)))
+            if number is None:
+                break
+            pool = [number, *known]
+    told = solved or Link(tree_of(x), sign, ZERO)
+    return judge.write(_SOLVING, pool, Relation(((told,),)))
+
+
+def _second_degree(own: Link, gap: sp.Expr) -> list[Link]:
+    """A quadratic in one letter by its square, or in factors; nothing of what is no quadratic."""
+    (symbol,) = gap.free_symbols
+    poly = sp.Poly(sp.expand(gap), symbol)
+    if poly.degree() != 2:
+        return []
+    sign: Sign = FLIPPED[own.sign] if poly.LC() < 0 else own.sign
+    a, b, c = (poly.nth(n) for n in (2, 1, 0))
+    if b == 0:
+        return [Link(square(tree_of(symbol)), sign, tree_of(tidy(-c / a)))]
+    parts = sp.factor(poly.as_expr() / sp.sign(a))
+    return [Link(tree_of(parts, as_it_is=True), sign, ZERO)]
+
+
+def _without_denominators(worths: Worths, own: Link) -> tuple[sp.Expr, sp.Expr] | None:
+    """Both sides multiplied by what stands below, and without their common factors.
+
+    None where sines and cosines stand in them, or more than one letter is left.
+    """
+    sides = [sp.together(worths.value(each)) for each in (own.left, own.right)]
+    if any(each.has(sp.sin, sp.cos, sp.tan) for each in sides):
+        return None
+    common = sp.lcm([sp.fraction(each)[1] for each in sides])
+    above = [sp.expand(sp.cancel(each * common)) for each in sides]
+    shared = sp.gcd(*above)
+    left, right = (sp.expand(sp.cancel(each / shared)) for each in above)
+    if len(left.free_symbols | right.free_symbols) != 1:
+        return None
+    return left, right
