@@ -180,14 +180,15 @@ class Leads:
     def _of_the_story(self, line: Line) -> Sentence | None:
         """What has to be for there to be such an impact, where that is what a line says."""
         for ref in line.premises:
-            if isinstance(ref, str) and ref.startswith("within "):
-                event = self._naming.events[int(ref.removeprefix("within "))]
-                return say("given.between", body=event.bodies[0], wall=event.bodies[1])
-            if isinstance(ref, str) and ref.startswith("approach "):
-                event = self._naming.events[int(ref.removeprefix("approach "))]
-                return say("given.approach", one=event.bodies[0], other=event.bodies[1])
-            if isinstance(ref, str) and ref.startswith("most "):
+            kind, _, number = ref.partition(" ") if isinstance(ref, str) else ("", "", "")
+            if kind == "most":
                 return say("given.most")
+            if kind not in ("within", "approach"):
+                continue
+            one, other = self._naming.events[int(number)].bodies
+            if kind == "within":
+                return say("given.between", body=one, wall=other)
+            return say("given.approach", one=one, other=other)
         return None
 
     def _source(self, source: Source) -> Iterator[Sentence]:
