@@ -10,6 +10,7 @@ from restitution.explain import explain, to_text
 from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import Complaint, follow
+from restitution.explaining.notation import write_relation
 from restitution.explaining.storing import from_json, to_json
 from restitution.language import parse
 from restitution.oracle import Oracle
@@ -191,3 +192,29 @@ def test_a_part_without_a_plan_is_explained_the_older_way() -> None:
     assert second.steps
     assert explain(solution, "a").parts == (first,)
     assert explain(solution, "b").parts == (second,)
+
+
+def test_a_mass_that_is_not_given_has_a_letter() -> None:
+    text = (
+        "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\n"
+        "find impulse, energy_lost/energy(0)"
+    )
+    solution, derivation = planned(text)
+    assert [(each.item, each.kind) for each in derivation.notes] == [("1", "missing")]
+    assert "Let m_P be the mass of P." in printed(solution)
+    assert [write_relation(each.answer) for each in derivation.items] == [
+        "energy_lost(1)/energy(0) = 12/25"
+    ]
+
+
+def test_a_mass_that_is_asked() -> None:
+    text = (
+        "sphere A: mass 3, velocity 4i + j\nsphere B: velocity -2i\nA hits B: along i, e = 1/3\n"
+        "given velocity(B) = 2i\nfind mass(B), velocity(A)"
+    )
+    _, derivation = planned(text)
+    assert derivation.notes == ()
+    assert [write_relation(each.answer) for each in derivation.items] == [
+        "m_B = 3",
+        "velocity(A, 1) = j",
+    ]

@@ -141,12 +141,11 @@ RULES: tuple[Rule, ...] = (
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.
-    _rule("scalar-product", ("define",), "M", ("product",)),
     _rule(
         "speed-size-angle-distance",
         ("define",),
         "M V",
-        ("speed", "size", "scalar-angle", "distance"),
+        ("speed", "size", "scalar-angle", "distance", "product"),
     ),
     _rule(
         "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)

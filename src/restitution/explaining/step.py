@@ -166,6 +166,7 @@ class Setting:
 
 
 _COMPONENTS = ("along", "across")
+_POSITIVE = ("speed", "mass")
 
 
 def _factors(tree: Expression) -> Iterator[Expression]:
@@ -559,8 +560,8 @@ class Step:
         for name, meaning in self.setting.meanings.items():
             if name in roles:
                 continue
-            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind == "speed":
-                roles[name] = POSITIVE  # as the speeds of a statement are
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _POSITIVE:
+                roles[name] = POSITIVE  # as the speeds and the masses of a statement are
             elif _never_negative(meaning.quantity):
                 roles[name] = Role("real", sp.Integer(0), None, (True, False))
         return roles

@@ -10,6 +10,7 @@ from typing import Any
 from restitution.components import Model
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Fact, Line, Link, Meaning, Relation
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, Quantity
 from restitution.planning.desk import NotPlannedError
@@ -106,7 +107,10 @@ def evaluator(
                 way = axis if tree.kind == "along" else axis.turned_left()
                 kept[tree] = own.value(tree.arguments[0]).dot(way) / _size(axis)
             else:
-                kept[tree] = _floats(quantities.quantity(story, tree, events))
+                try:
+                    kept[tree] = _floats(quantities.quantity(story, tree, events))
+                except UndefinedError:  # it holds a mass that nothing tells
+                    kept[tree] = _at_sample(quantities.quantity(model.story, tree, events), model)
         return kept[tree]
 
     numbers = story.evaluator(events)
@@ -118,6 +122,13 @@ def evaluator(
         lambda tree: _floats(story.wall_direction(tree)),
     )
     return own.value
+
+
+def _at_sample(value: Any, model: Model) -> Any:
+    """A value in letters at the numbers of a solution."""
+    if isinstance(value, Vector):
+        return Vector(*(float(model.number(each)) for each in value))
+    return float(model.number(value))
 
 
 def _floats(value: Any) -> Any:

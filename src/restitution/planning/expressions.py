@@ -143,11 +143,10 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
 
 
 def _datum(scene: Scene, node: Quantity) -> Source:
-    return scene.data(
-        f"mass {node.arguments[0].name}"  # type: ignore[union-attr]
-        if node.kind == "mass"
-        else f"e {node.stage}"
-    )
+    match node:
+        case Quantity("mass", (Name(body),)):
+            return scene.mass(body)
+    return scene.data(f"e {node.stage}")
 
 
 def _angle_tree(scene: Scene, source: Source) -> Expression:

@@ -67,6 +67,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case Quantity("direction", (Name(wall),), None):
             number = write_wall(scene, wall)
             scene.desk.end(name, number, scene.desk.relation(number))
+        case Quantity("mass", (Name(body),)) if f"mass {body}" not in scene.facts:
+            _letter(scene, asked, sp.sympify(scene.scalar(asked), strict=True), name)
         case Quantity("mass" | "restitution"):
             _expression(scene, asked, name)
         case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):

@@ -41,6 +41,8 @@ def points(model: Model) -> tuple[Point, ...]:
     symbols = set(model.final) | {
         model.unknowns.letter(name) for name in model.unknowns.roles if name in model.sample
     }
+    # A mass that nothing tells is any number.
+    symbols |= {role.symbol(name) for name, role in model.unknowns.hidden_roles.items()}
     sample = {each: float(model.sample[each.name]) for each in symbols if each.name in model.sample}
     there = dict(model.sample)
     for n, name in enumerate(sorted(model.unknowns.roles)):

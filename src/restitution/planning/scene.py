@@ -345,8 +345,17 @@ class Scene:
         return Source(put, together((name,), refs))
 
     def mass(self, body: str) -> Source:
-        """The mass of a sphere."""
-        return self.data(f"mass {body}")
+        """The mass of a sphere; a letter of its own, where it is not given."""
+        if f"mass {body}" in self.facts:
+            return self.data(f"mass {body}")
+        tree = Quantity("mass", (Name(body),))
+        known = self.desk.known(tree)
+        if known is None:
+            symbol = sp.sympify(self.model.story.mass(body), strict=True)
+            let = self.desk.write(Move("let"), (), Meaning(symbol.name, tree))
+            known = self.desk.know(tree, symbol, (let,))
+        value, refs = self.put(known.value)
+        return Source(value, together(known.refs, refs))
 
     def coefficient(self, number: int) -> Source:
         """The coefficient of restitution of an event."""
