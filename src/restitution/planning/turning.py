@@ -199,7 +199,7 @@ def _rounded(degrees: Any) -> Expression:
 # --- letters -----------------------------------------------------------------------------------
 
 
-def _named(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
+def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     """The letter for an angle, and the line that introduces it, or the fact."""
     for fact in scene.desk.facts:
         if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
@@ -254,9 +254,9 @@ def _angle_of(own: Ratio) -> Expression:
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 
-def _tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
+def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
     """The tangent of an angle by its definition: the line, and the letter of the angle."""
-    letter, meaning = _named(scene, asked)
+    letter, meaning = letter_of(scene, asked)
     refs = together(own.refs, (meaning,))
     subject = Apply("tan", Letter(letter))
     return _ratio_line(scene, move, refs, subject, own.right, own.value), letter
@@ -266,7 +266,7 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     own = formula(scene, asked)
     move = Move("define", "tan", own.move.event, own.move.bodies)
-    line, letter = _tangent_line(scene, asked, own, move)
+    line, letter = tangent_line(scene, asked, own, move)
     to_i_or_j = isinstance(asked.arguments[1], Unit)
     extent = _RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
@@ -279,7 +279,7 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     if scene.model.identically_zero(x.value):
         return _along_j(scene, asked, x, y)
     own = formula(scene, asked)
-    line, letter = _tangent_line(scene, asked, own, own.move)
+    line, letter = tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
     value = own.value
     if scene.model.sign(x.value) > 0:
@@ -304,7 +304,7 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
 def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
     """A direction of 90° or −90°, which has no tangent: by its cosine, which is 0."""
     body, stage = body_and_stage(scene, asked)
-    letter, meaning = _named(scene, asked)
+    letter, meaning = letter_of(scene, asked)
     zero = sp.Integer(0)
     line = scene.desk.write(
         Move("define", "scalar-angle", stage or None, (body,)),
@@ -342,7 +342,7 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio:
             pass
         else:
             if own.move.record == "tan" and not _is_right_angle(scene, own):
-                line, letter = _tangent_line(scene, asked, own, own.move)
+                line, letter = tangent_line(scene, asked, own, own.move)
                 return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
     sources = [whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
@@ -367,7 +367,7 @@ def _is_right_angle(scene: Scene, own: Formula) -> bool:
 def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     """The angle between directions of the plane, walls and lines of centres, by their product."""
     own = angle_of_lines(scene, asked)
-    letter, meaning = _named(scene, asked)
+    letter, meaning = letter_of(scene, asked)
     refs = together((meaning,), own.refs)
     line = _ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
     to_a_line = any(map(is_line, asked.arguments))
@@ -377,7 +377,7 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
 
 def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio:
     """An angle between two vectors that are known, by their scalar product."""
-    letter, meaning = _named(scene, asked)
+    letter, meaning = letter_of(scene, asked)
     a, b = (each.value for each in sources)
     right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
     refs = together((meaning,), *(each.whole for each in sources))
@@ -413,7 +413,7 @@ def _deflection(
         right, value = cosine_of(pairs, a, b)
         if wanted != "cos":
             value = sp.Integer(scene.model.sign(value))
-        letter, meaning = _named(scene, asked)
+        letter, meaning = letter_of(scene, asked)
         move = Move("define", "scalar-angle", event, (body,))
         refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
         line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
@@ -429,7 +429,7 @@ def _deflection(
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
     own = formula(scene, asked)
-    line, letter = _tangent_line(scene, asked, own, own.move)
+    line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
 
 
@@ -477,7 +477,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         value = scene.scalar(own.right)
         total_ += value
         terms.append(own.right)
-        refs += [line, _named(scene, quantity)[1]]
+        refs += [line, letter_of(scene, quantity)[1]]
     right = total(terms)
     value = exact.tidy_angle(total_)
     tree = tree_of(value, angle=True, as_it_is=True)
