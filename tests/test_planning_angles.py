@@ -80,6 +80,26 @@ A hits B: along i, e = 4/5
 given angle(velocity(A), velocity(B)) = 30°
 find tan(alpha)
 """,
+    "a deflection at a wall, by the angles to it": """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/4
+given deflection(P) = 45°
+find tan(alpha)
+""",
+    "a deflection at a wall, and the angle before it": """
+wall W: along j
+sphere P: velocity u at 20° to W
+P hits W
+given deflection(P) = 35°
+find e
+""",
+    "the tangent of a deflection at a wall": """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+find tan(deflection(P))
+""",
     "a tangent of a deflection that is given": """
 sphere A: mass m, velocity u at alpha
 sphere B: mass k m, at rest
@@ -194,3 +214,13 @@ find deflection(A)
 """
     with pytest.raises(NotPlannedError, match="obtuse"):
         plan(solve(parse(statement)))
+
+
+def test_a_deflection_at_a_wall_is_the_sum_of_the_angles_to_it() -> None:
+    lines = lines_of("the tangent of a deflection at a wall")
+    assert "delta = alpha + beta" in lines
+    assert any(each.startswith("tan(delta) = (tan(alpha) + tan(beta))/(1 - ") for each in lines)
+    assert any(
+        "beta = 35° - 20° = 15°" in e
+        for e in lines_of("a deflection at a wall, and the angle before it")
+    )

@@ -13,9 +13,7 @@ from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
-    Degrees,
     Expression,
-    Letter,
     Name,
     Polar,
     Quantity,
@@ -23,7 +21,6 @@ from restitution.expression.tree import (
 )
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
-    ONE,
     ZERO,
     difference,
     is_zero,
@@ -36,9 +33,9 @@ from restitution.planning.forms import (
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula, cosine, formula
+from restitution.planning.quantities import Formula, cosine
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.planning.turning import letter_of, tangent_line
+from restitution.planning.wall_turns import given_at_a_wall
 
 
 def write_deflection(scene: Scene, each: GivenEquation) -> int:
@@ -58,7 +55,7 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     if angle == sp.pi / 2:
         return _at_right_angles(scene, each, name.name, event, early, late)
     if frame.wall is not None:
-        line = _by_angles_to_the_wall(scene, each, name.name, frame, angle)
+        line = given_at_a_wall(scene, each, name.name, frame, angle)
         if line is not None:
             return line
     (c, s), (d, t) = early, late
@@ -73,70 +70,6 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together(each.refs, refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, (*frame.refs, *more))
-
-
-def _by_angles_to_the_wall(
-    scene: Scene, each: GivenEquation, body: str, frame: Frame, turned: sp.Expr
-) -> int | None:
-    """At a wall the angles to it before and after make the deflection: an equation in tangents.
-
-    None where the angle at which the body comes is not given as one to the wall, or is no letter
-    and no number of degrees.
-    """
-    event = frame.number
-    fact = scene.facts.get(f"velocity {body}")
-    assert frame.wall is not None
-    if fact is None or scene.last_event(body, event - 1) or turned.free_symbols:
-        return None
-    match fact.relation.only[0].right:
-        case Polar(_, Letter() | Degrees() as angle, wall=Name(wall)) if wall == frame.wall:
-            pass
-        case _:
-            return None
-    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(wall)))
-    move = Move("define", "sum", event, (body,))
-    mark = scene.desk.mark()
-    letter, meaning = letter_of(scene, after)
-    own = formula(scene, after)
-    told = together(each.refs, (fact.id,), (meaning,))
-    if isinstance(angle, Degrees):
-        rest = tidy(turned - scene.scalar(angle))
-        final = tree_of(rest, angle=True)
-        right = Binary("-", each.link.right, angle)
-        relation = chain(Letter(letter), (right, None), (final, "rearrange"))
-        premises = scene.judge.enough(move, told, relation)
-        if premises is not None:
-            line = scene.desk.write(move, premises, relation)
-            relation = chain(Apply("tan", final), (swept(own.right), None))
-            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation)
-            if refs is not None:
-                return scene.desk.write(own.move, refs, relation)
-        scene.desk.back(mark)
-        return None
-    line, _ = tangent_line(scene, after, own, own.move)
-    tangent_after = scene.desk.last_link(line).right
-    sides = Binary("+", angle, Letter(letter))
-    relation = chain(sides, (each.link.right, None))
-    premises = scene.judge.enough(move, told, relation)
-    if premises is not None:
-        number = scene.desk.write(move, premises, relation)
-        tangents = [Apply("tan", angle), Apply("tan", Letter(letter))]
-        above = Binary("+", *tangents)
-        quotient = Binary("/", above, difference(ONE, product(*tangents)))
-        relation = chain(quotient, (tree_of(tidy(sp.tan(turned))), None))
-        known = background(scene, {angle.name})
-        identity = Move("identity", "sum-of-angles")
-        refs = scene.judge.enough(identity, (number,), relation, (meaning, *known))
-        if refs is not None:
-            number = scene.desk.write(identity, refs, relation)
-            values = [tangents[0], tangent_after]
-            quotient = Binary("/", total(values), difference(ONE, swept(product(*values))))
-            relation = chain(quotient, (scene.desk.last_link(number).right, None))
-            refs = scene.judge.enough(Move("put"), (number, line), relation, known)
-            if refs is not None:
-                return scene.desk.write(Move("put"), refs, relation)
-    scene.desk.back(mark)
-    return None
 
 
 def _at_right_angles(

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import difference, swept, total, tree_of
+from restitution.planning.forms import difference, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
     angle_of_lines,
@@ -34,6 +34,7 @@ from restitution.planning.lines_between import (
     is_moving,
     whole_velocity,
 )
+from restitution.planning.named_angles import ANGLES, letter_of, ratio_line, tangent_line
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
     Formula,
@@ -43,13 +44,9 @@ from restitution.planning.quantities import (
     velocity_source,
 )
 from restitution.planning.scene import Scene
+from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.vector import Vector
 
-_LETTERS = {
-    "deflection": ("delta", "phi", "psi"),
-    "angle": ("beta", "theta", "phi", "psi", "gamma"),
-    "direction": ("theta", "phi", "beta", "psi", "gamma"),
-}
 _RANGES = {"deflection": "0° <= {} <= 180°", "direction": "-180° < {} <= 180°"}
 _FIGURES = 3
 
@@ -91,7 +88,7 @@ def quantity_of(scene: Scene, asked: Expression) -> Quantity:
 def is_angle(scene: Scene, tree: Expression) -> bool:
     """Whether a tree is an angle of the motion, or a letter of the statement for one."""
     try:
-        return quantity_of(scene, tree).kind in _LETTERS
+        return quantity_of(scene, tree).kind in ANGLES
     except NotPlannedError:
         return False
 
@@ -196,48 +193,7 @@ def _rounded(degrees: Any) -> Expression:
     return Negate(Degrees(-number)) if number < 0 else Degrees(number)
 
 
-# --- letters -----------------------------------------------------------------------------------
-
-
-def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
-    """The letter for an angle, and the line that introduces it, or the fact."""
-    for fact in scene.desk.facts:
-        if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
-            right = fact.relation.only[0].right
-            assert isinstance(right, Letter)
-            return right.name, fact.id
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
-            return each.relation.letter, each.number
-    taken = letters_taken(scene)
-    names = _LETTERS[asked.kind]
-    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
-    letter = next(each for each in (*names, *numbered) if each not in taken)
-    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
-
-
-def letters_taken(scene: Scene) -> set[str]:
-    """The letters that a new one must not be."""
-    own = {each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)}
-    symbols = {each.symbol.name for each in scene.model.components.values()}
-    return own | symbols | set(scene.model.unknowns.roles)
-
-
 # --- ratios ------------------------------------------------------------------------------------
-
-
-def _ratio_line(
-    scene: Scene,
-    move: Move,
-    refs: tuple[Ref, ...],
-    ratio: Expression,
-    right: Expression,
-    value: Any,
-) -> int:
-    """A ratio of an angle by components, and what that comes to."""
-    return scene.desk.write(
-        move, refs, chain(ratio, (swept(right), None), (tree_of(value), "rearrange"))
-    )
 
 
 def _angle_of(own: Ratio) -> Expression:
@@ -252,14 +208,6 @@ def _angle_of(own: Ratio) -> Expression:
     if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
         return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
-
-
-def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
-    """The tangent of an angle by its definition: the line, and the letter of the angle."""
-    letter, meaning = letter_of(scene, asked)
-    refs = together(own.refs, (meaning,))
-    subject = Apply("tan", Letter(letter))
-    return _ratio_line(scene, move, refs, subject, own.right, own.value), letter
 
 
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
@@ -369,7 +317,7 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     own = angle_of_lines(scene, asked)
     letter, meaning = letter_of(scene, asked)
     refs = together((meaning,), own.refs)
-    line = _ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
+    line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
     to_a_line = any(map(is_line, asked.arguments))
     extent = "0° <= {} <= 90°" if to_a_line else _RANGES["deflection"]
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
@@ -381,7 +329,7 @@ def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity)
     a, b = (each.value for each in sources)
     right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
     refs = together((meaning,), *(each.whole for each in sources))
-    line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
 
 
@@ -416,10 +364,16 @@ def _deflection(
         letter, meaning = letter_of(scene, asked)
         move = Move("define", "scalar-angle", event, (body,))
         refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
-        line = _ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+        line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
     if frame.wall is not None and wanted is None:
         return None
+    if frame.wall is not None and wanted == "tan":
+        number = tangent_at_a_wall(scene, asked, frame)
+        if number is not None:
+            letter, _ = letter_of(scene, asked)
+            value = tidy(scene.scalar(scene.desk.last_link(number).right))
+            return Ratio(number, letter, "tan", value, _RANGES["deflection"].format(letter))
     if (
         wanted != "tan"
         and _vectors_in_numbers(scene, body, event, a, b)
@@ -505,4 +459,4 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     return None
 
 
-__all__ = ["angle_line", "is_angle", "letters_taken", "write_angle", "write_decimal", "write_ratio"]
+__all__ = ["angle_line", "is_angle", "write_angle", "write_decimal", "write_ratio"]

@@ -1,0 +1,64 @@
+"""Angles that a working names: the letter for one, and its ratios as lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.planning.desk import chain, together
+from restitution.planning.forms import swept, tree_of
+from restitution.planning.quantities import Formula
+from restitution.planning.scene import Scene
+
+ANGLES = {
+    "deflection": ("delta", "phi", "psi"),
+    "angle": ("beta", "theta", "phi", "psi", "gamma"),
+    "direction": ("theta", "phi", "beta", "psi", "gamma"),
+}
+
+
+def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
+    """The letter for an angle, and the line that introduces it, or the fact."""
+    for fact in scene.desk.facts:
+        if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
+            right = fact.relation.only[0].right
+            assert isinstance(right, Letter)
+            return right.name, fact.id
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            return each.relation.letter, each.number
+    taken = letters_taken(scene)
+    names = ANGLES[asked.kind]
+    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    letter = next(each for each in (*names, *numbered) if each not in taken)
+    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+
+
+def letters_taken(scene: Scene) -> set[str]:
+    """The letters that a new one must not be."""
+    own = {each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)}
+    symbols = {each.symbol.name for each in scene.model.components.values()}
+    return own | symbols | set(scene.model.unknowns.roles)
+
+
+def ratio_line(
+    scene: Scene,
+    move: Move,
+    refs: tuple[Ref, ...],
+    ratio: Expression,
+    right: Expression,
+    value: Any,
+) -> int:
+    """A ratio of an angle by components, and what that comes to."""
+    return scene.desk.write(
+        move, refs, chain(ratio, (swept(right), None), (tree_of(value), "rearrange"))
+    )
+
+
+def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
+    """The tangent of an angle by its definition: the line, and the letter of the angle."""
+    letter, meaning = letter_of(scene, asked)
+    refs = together(own.refs, (meaning,))
+    subject = Apply("tan", Letter(letter))
+    return ratio_line(scene, move, refs, subject, own.right, own.value), letter

@@ -1,0 +1,137 @@
+"""Deflections at a wall: the angles of the path to it before and after, added."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+)
+from restitution.planning.desk import chain, together
+from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.named_angles import letter_of, tangent_line
+from restitution.planning.premises import background
+from restitution.planning.quantities import formula
+from restitution.planning.scene import GivenEquation, Scene
+
+
+def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
+    """The angle to a wall at which a body comes, where that is given as a letter or in degrees."""
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None or scene.last_event(body, frame.number - 1):
+        return None
+    match fact.relation.only[0].right:
+        case Polar(_, Letter() | Degrees() as angle, wall=Name(wall)) if wall == frame.wall:
+            return angle
+    return None
+
+
+def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
+    """The tangent of a deflection from those of the angles to the wall; None where they are none.
+
+    The last line is ``tan(δ) = … = …``, with a letter for the deflection.
+    """
+    (name,) = asked.arguments
+    assert isinstance(name, Name)
+    angle = angle_of_approach(scene, name.name, frame)
+    if not isinstance(angle, Letter) or frame.wall is None:
+        return None
+    velocity = Quantity("velocity", (name,), frame.number)
+    after = Quantity("angle", (velocity, Name(frame.wall)))
+    mark = scene.desk.mark()
+    own = formula(scene, after)
+    line, letter = tangent_line(scene, after, own, own.move)
+    turned, meaning = letter_of(scene, asked)
+    _, meant = letter_of(scene, after)
+    number = scene.desk.write(
+        Move("define", "sum", frame.number, (name.name,)),
+        together((f"velocity {name.name}", meant, meaning)),
+        chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
+    )
+    subject = Apply("tan", Letter(turned))
+    found = _by_tangents(scene, number, line, angle, letter, subject)
+    if found is None:
+        scene.desk.back(mark)
+    return found
+
+
+def _by_tangents(
+    scene: Scene, number: int, line: int, angle: Letter, letter: str, turned: Expression
+) -> int | None:
+    """The tangent of a sum of two angles, of which a line gives the tangent of the second."""
+    tangents: list[Expression] = [Apply("tan", angle), Apply("tan", Letter(letter))]
+    quotient = Binary("/", Binary("+", *tangents), difference(ONE, product(*tangents)))
+    identity = Move("identity", "sum-of-angles")
+    known = background(scene, {angle.name})
+    asked = isinstance(turned, Apply)
+    relation = chain(turned, (quotient, None)) if asked else chain(quotient, (turned, None))
+    refs = scene.judge.enough(identity, (number,), relation, known)
+    if refs is None:
+        return None
+    number = scene.desk.write(identity, refs, relation)
+    values = [tangents[0], scene.desk.last_link(line).right]
+    quotient = Binary("/", total(values), difference(ONE, swept(product(*values))))
+    if asked:
+        final = tree_of(tidy(scene.scalar(quotient)))
+        relation = chain(turned, (quotient, None), (final, "rearrange"))
+    else:
+        relation = chain(quotient, (turned, None))
+    refs = scene.judge.enough(Move("put"), (number, line), relation, known)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def given_at_a_wall(
+    scene: Scene, each: GivenEquation, body: str, frame: Frame, turned: sp.Expr
+) -> int | None:
+    """At a wall the angles to it before and after make the deflection: an equation in tangents.
+
+    None where the angle at which the body comes is not given as one to the wall, or is no letter
+    and no number of degrees.
+    """
+    event = frame.number
+    angle = angle_of_approach(scene, body, frame)
+    if angle is None or turned.free_symbols:
+        return None
+    assert frame.wall is not None
+    wall, velocity = frame.wall, f"velocity {body}"
+    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(wall)))
+    move = Move("define", "sum", event, (body,))
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, after)
+    own = formula(scene, after)
+    told = together(each.refs, (velocity,), (meaning,))
+    if isinstance(angle, Degrees):
+        rest = tidy(turned - scene.scalar(angle))
+        final = tree_of(rest, angle=True)
+        right = Binary("-", each.link.right, angle)
+        relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+        premises = scene.judge.enough(move, told, relation)
+        if premises is not None:
+            line = scene.desk.write(move, premises, relation)
+            relation = chain(Apply("tan", final), (swept(own.right), None))
+            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation)
+            if refs is not None:
+                return scene.desk.write(own.move, refs, relation)
+        scene.desk.back(mark)
+        return None
+    line, _ = tangent_line(scene, after, own, own.move)
+    sides = Binary("+", angle, Letter(letter))
+    relation = chain(sides, (each.link.right, None))
+    premises = scene.judge.enough(move, told, relation)
+    if premises is not None:
+        number = scene.desk.write(move, premises, relation)
+        found = _by_tangents(scene, number, line, angle, letter, tree_of(tidy(sp.tan(turned))))
+        if found is not None:
+            return found
+    scene.desk.back(mark)
+    return None
