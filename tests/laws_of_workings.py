@@ -49,7 +49,8 @@ def complaints(solution: Solution, derivation: Derivation) -> list[str]:
 
 def answers(solution: Solution, derivation: Derivation) -> list[str]:
     """Items without an end, and ends that are not what the solver answers."""
-    items = list(solution.items())
+    noted = {each.place for each in derivation.notes}
+    items = [each for n, each in enumerate(solution.items()) if n not in noted]
     names = list(dict.fromkeys(each.item for each in derivation.items))
     if len(names) != len(items):
         return [f"{len(names)} ends for {len(items)} items"]

@@ -523,14 +523,18 @@ class World:
         for factor, times in factors:
             if times // 2:
                 outside = outside * self._positive(factor) ** (times // 2)
-            if times % 2:
+            if times % 2 and self._is_plainly_positive(factor):
+                outside = outside * self._root_generator(factor)
+            elif times % 2:
                 rest = rest * factor
         ratio = Fraction(int(number.numerator), int(number.denominator))
         if rest == 1:
             return outside * self._root_of_number(ratio)
         square, free = _square_part(ratio.numerator * ratio.denominator)
         outside = outside * CONSTANT(Fraction(square, ratio.denominator))
-        return outside * self._root_generator(rest * free)
+        if free < 0:
+            rest, free = -rest, -free
+        return outside * self._root_of_number(Fraction(free)) * self._root_generator(rest)
 
     def _root_of_number(self, ratio: Fraction) -> Quotient:
         square, free = _square_part(ratio.numerator * ratio.denominator)
@@ -548,9 +552,7 @@ class World:
 
     def _positive(self, factor: PolyElement) -> Quotient:
         """The size of a factor: itself where it is made of positive generators."""
-        if all(value > 0 for value in factor.values()) and all(
-            self._is_positive(key) for key in self.keys(factor).values()
-        ):
+        if self._is_plainly_positive(factor):
             return Quotient(factor, _ring().one)
         for each in (factor, -factor):
             if each in self.ordered:
@@ -558,6 +560,12 @@ class World:
         own = self.generator(("size", factor))
         self.squares[self._keys["size", factor]] = factor**2
         return own
+
+    def _is_plainly_positive(self, factor: PolyElement) -> bool:
+        """Whether a factor is a sum of what is positive, or at least not negative."""
+        return all(value > 0 for value in factor.values()) and all(
+            self._is_positive(key) for key in self.keys(factor).values()
+        )
 
     def _is_positive(self, key: Any) -> bool:
         if key[0] == "letter":

@@ -132,6 +132,40 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
     return replace(derivation, lines=tuple(lines))
 
 
+def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which lines with roots of letters cite the ranges of these.
+
+    Lines that follow, and those that do not even with that, are left as they are.
+    """
+    read = _Reader(settled_derivation(derivation), oracle, frozenset())
+    lines = []
+    for line in derivation.lines:
+        names = _below_roots(line)
+        ranges = [each for name in sorted(names) for each in _ranges(name, oracle)]
+        if ranges and isinstance(line.relation, Relation):
+            line = replace(line, premises=read.completed(line.number, ranges))
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
+def _below_roots(line: Line) -> set[str]:
+    """The letters in roots and sizes of a line."""
+    return {
+        name
+        for tree in trees_of(line.relation)
+        for each in walk(tree)
+        if isinstance(each, Apply) and each.function in ("sqrt", "abs")
+        for name in letters(each)
+    }
+
+
+def _ranges(name: str, oracle: Oracle) -> tuple[Ref, ...]:
+    role = oracle.roles.get(name)
+    if role is None or role.kind != "restitution":
+        return ()
+    return f"{name} >= 0", f"{name} <= 1"
+
+
 def _is_ratio(relation: Relation) -> bool:
     """Whether a fact is a sine, cosine or tangent of an angle."""
     match relation.options:
@@ -291,6 +325,7 @@ class _Reader:
         used = {
             ref
             for line in self.derivation.lines
+            if line.move.id in ("law", "define") and line.move.record != "size"
             if not (isinstance(line.relation, Relation) and _tells_an_axis(line.relation))
             for ref in line.premises
         }
@@ -431,6 +466,21 @@ class _Reader:
         line = self.lines[number]
         assert isinstance(line.relation, Relation)
         return self._trial(line).needed(line.move, line.premises, line.relation, doubted)
+
+    def completed(self, number: int, more: Iterable[Ref]) -> tuple[Ref, ...]:
+        """The premises of a line, with some more where it does not follow without them."""
+        line = self.lines[number]
+        assert isinstance(line.relation, Relation)
+        trial, premises = self._trial(line), line.premises
+        every = (*premises, *(each for each in more if each not in premises))
+        try:
+            if trial.follows(line.move, premises, line.relation) or not trial.follows(
+                line.move, every, line.relation
+            ):
+                return premises
+        except NotComparableError:
+            return premises
+        return trial.needed(line.move, every, line.relation, every[len(premises) :])
 
     def speaks_of(self, ref: Ref, names: AbstractSet[str]) -> bool:
         """Whether a premise is a line, or is about one of some letters."""

@@ -14,7 +14,10 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
 
     Raises NotPlannedError where the solutions do not part at lines of alternatives.
     """
-    return _joined(before, drafts, 0)
+    desk = _joined(before, drafts, 0)
+    if len(drafts) > 1:
+        desk.forget(min(each[0] for draft in drafts for each in draft.splits[:1]))
+    return desk
 
 
 def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:

@@ -233,6 +233,15 @@ class Desk:
             _parts=dict(self._parts),
         )
 
+    def forget(self, number: int) -> None:
+        """Forgets the values that lines below one give, since they are those of one case."""
+        for key, own in self._sources.items():
+            kept = [e for e in own if all(isinstance(r, str) or r < number for r in e.whole)]
+            self._sources[key] = kept
+        for line in self.lines:
+            parts = (part for ref in line.premises for part in self._of(ref))
+            self._parts[line.number] = frozenset(parts)
+
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item."""
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))

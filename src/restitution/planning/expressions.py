@@ -49,6 +49,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
     final = tree_of(value)
+    if value == 0 and isinstance(asked, Binary) and asked.op == "/":
+        raise NotPlannedError("a quotient that is zero")
     right = swept(rebuilt(asked, lambda each: values.get(each, each)))
     if isinstance(value, Vector):
         line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))

@@ -422,6 +422,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         quantity = Quantity("angle", (velocity, Name(frame.wall)))
         given = _given_angle(scene, velocity, frame.wall)
         if given is not None:
+            given = _by_its_ratio(scene, given)
             terms.append(tree_of(given.value, angle=True))
             refs += given.refs
             total_ += given.value
@@ -442,6 +443,22 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         together(refs),
         chain(asked, (right, None), (tree, "rearrange")),
     )
+
+
+def _by_its_ratio(scene: Scene, given: Source) -> Source:
+    """An angle of which a ratio is given, by the inverse of that."""
+    fact = scene.ratio_facts.get(str(given.value))
+    if fact is None:
+        return given
+    (link,) = fact.relation.only
+    assert isinstance(link.left, Apply)
+    right = Apply(f"arc{link.left.function}", link.right)
+    line = scene.desk.write(
+        Move("inverse"),
+        (fact.id, range_of(scene, str(given.value))),
+        chain(Letter(str(given.value)), (right, None)),
+    )
+    return Source(scene.scalar(right), together(given.refs, (line,)))
 
 
 def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
