@@ -201,6 +201,56 @@ A hits B: along i
 given alpha = 30°
 find impulse, speed(A)
 """,
+    "a root of a product": """
+sphere A: mass 5, velocity 3i + 2j
+sphere B: mass 1, at rest
+A hits B: along j
+find angle(velocity(A), velocity(B))
+""",
+    "a ratio of roots": """
+wall V: along i
+wall W: along j
+sphere P: mass 2, velocity -2i - 3j
+P hits V
+P hits W: e = 2/3
+find speed(P)/speed(P, 0)
+""",
+    "an angle whose cosine is given": """
+wall W: along j
+sphere P: mass 2, velocity u at alpha to W
+given cos(alpha) = 4/5
+P hits W: e = 1/3
+find deflection(P)
+""",
+    "one question in two parts, with two answers": """
+sphere A: mass m, velocity i + 4j
+sphere B: mass 5m, velocity -5i + j
+A hits B: along j
+part a
+given angle(velocity(A), line_of_centres) = 45°
+find e
+part b
+given angle(velocity(A), line_of_centres) = 45°
+find speed(B)
+""",
+    "an impulse against the line of centres as it is typed": """
+sphere A: mass 1, velocity 3i - 3j
+sphere B: mass 4, velocity i + 5j
+A hits B: along 3i + 4j, e = 1/2
+find impulse(A), velocity(A)
+""",
+    "a deflection in letters": """
+sphere A: mass 4, velocity u at 60°
+sphere B: mass 1, velocity u at 120°
+A hits B: along i
+find deflection(A)
+""",
+    "speeds that are told in two ways": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity -2u i
+A hits B: along i
+find energy_lost/energy(0)
+""",
     "a line of centres in roots, and letters": """
 sphere A: mass 2, velocity a i + b j
 sphere B: mass 3, velocity -i + 2j

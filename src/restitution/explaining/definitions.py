@@ -252,6 +252,24 @@ def _total(step: Step, event: Event | None) -> Iterator[Link]:
             terms = [_kinetic(form, body, stage, event) for body in step.setting.spheres]
             if terms:
                 yield Link(Quantity("energy", (), stage), "=", _sum(terms))
+    yield from _of_told_speeds(step)
+
+
+def _of_told_speeds(step: Step) -> Iterator[Link]:
+    """The energy at the start, where only some velocities are told by their size and an angle."""
+    sized = {
+        link.left.arguments[0]
+        for link in step.links
+        if isinstance(link.left, Quantity)
+        and link.left.kind == "velocity"
+        and isinstance(link.right, Polar)
+    }
+    terms = [
+        _kinetic("speed" if Name(body) in sized else "vectors", body, 0, None)
+        for body in step.setting.spheres
+    ]
+    if 0 < len(sized) < len(terms):
+        yield Link(Quantity("energy", (), 0), "=", _sum(terms))
 
 
 def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:

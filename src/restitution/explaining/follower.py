@@ -149,12 +149,12 @@ def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 
 def _below_roots(line: Line) -> set[str]:
-    """The letters in roots and sizes of a line."""
+    """The letters in roots, sizes and inverse ratios of a line."""
     return {
         name
         for tree in trees_of(line.relation)
         for each in walk(tree)
-        if isinstance(each, Apply) and each.function in ("sqrt", "abs")
+        if isinstance(each, Apply) and each.function in _RANGED
         for name in letters(each)
     }
 
@@ -748,6 +748,8 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 
 _NO_MOVE = Move("let")
+# What is below these has a sign that may have to be known.
+_RANGED = ("sqrt", "abs", "arcsin", "arccos", "arctan")
 _ORDERED = ("<", "<=", ">", ">=")
 # These notes say that something cannot be.
 _EXCLUDING = frozenset({"impossible", "contradiction", "refuted"})

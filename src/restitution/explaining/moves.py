@@ -1057,7 +1057,8 @@ def _inverse(step: Step, relation: Relation) -> bool:
     ratios = [each for each in told if _is_multiple_of(step, link, each[0].argument)]
     if not ratios or link.sign != "=":
         return False
-    ratio_, value = ratios[0]
+    # Of a chain the last side is the shortest.
+    ratio_, value = [each for each in ratios if each[0] == ratios[0][0]][-1]
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
     found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
     low, high, closed = _range_of(step, ratio_.argument)
@@ -1075,10 +1076,17 @@ def _inverse(step: Step, relation: Relation) -> bool:
         if any(link.right == Apply(f"arc{ratio_.function}", each) for each in values):
             return True
     sign = "<=" if closed else "<"
-    oracle = Oracle(step.roles)
     return _equal(step, found, _in_radians(step, value)) and all(
-        oracle.proves(compared(a, sign, b)) for a, b in ((low, angle), (angle, high))
+        step.oracle.proves(compared(a, sign, b)) for a, b in _bounds_of(angle, low, high)
     )
+
+
+def _bounds_of(angle: sp.Expr, low: sp.Expr, high: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """What has to be in order for an angle to lie in a range: of arctan x, x and 0 for 0°."""
+    plain = isinstance(angle, sp.atan)
+    yield (sp.Integer(0), angle.args[0]) if plain and low == 0 else (low, angle)
+    if not (plain and bool(high > sp.pi / 2)):
+        yield angle, high
 
 
 def _ratio_of(step: Step, link: Link) -> tuple[Apply, Expression] | None:

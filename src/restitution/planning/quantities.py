@@ -262,6 +262,9 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
     unit = Vector(tidy(wanted.x / size), tidy(wanted.y / size))
     own = parts(scene, body, stage, frame)
     shares = [tidy(each.dot(unit)) for each in (frame.n, frame.t)]
+    if isinstance(direction, Quantity) and direction.kind == "line_of_centres" and -1 in shares:
+        # A statement means it from the first sphere to the second, a working as it was typed.
+        raise NotPlannedError("a component against the line of centres")
     used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
     right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
     value = tidy(sum(a.value * b for a, b in used))
