@@ -187,7 +187,7 @@ class Reasons:
         def agrees(end: Expression, side: Expression) -> bool:
             try:
                 gap = value(tree, value(end, sp.Integer(0))) - value(side, sp.Integer(1))
-                return bool(sp.sympify(gap).equals(0))
+                return bool(sp.sympify(gap, strict=True).equals(0))
             except (RestitutionError, TypeError, ValueError, AttributeError):
                 return False
 

@@ -99,7 +99,7 @@ class Forms:
 
     ``typed`` are trees of the statement: a number that stands there with a root below a line is
     printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
-    end and was not typed itself. A half may be that of a kinetic energy.
+    end and was not typed itself. A half, unless it was typed as 0.5, may be that of an energy.
     """
 
     def __init__(self, typed: Iterable[Expression] = ()) -> None:
@@ -111,6 +111,7 @@ class Forms:
                 match node:
                     case Number(value) if value.denominator > 1:
                         self._decimal = True
+                        self._fractions.discard(value)
                     case Binary("/", Number(a), Number(b)) if b:
                         self._fractions.add(a / b)
                 if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):

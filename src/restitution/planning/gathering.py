@@ -56,7 +56,8 @@ class _Gathering:
             place = self._place(line)
             below = [needs.get(ref, 0) for ref in line.premises if isinstance(ref, int)]
             own = self._event(line)
-            if own is None and (not below or line.move.id in ("define", "answer", "fact")):
+            stays = line.move.id in ("define", "answer", "fact") and line.move.record != "assemble"
+            if own is None and (stays or not below):
                 own = latest.get(place, 0)  # what speaks of no impact stays where it is
             needs[line.number] = max([own or 0, *below])
             latest[place] = max(latest.get(place, 0), needs[line.number])
@@ -153,12 +154,23 @@ class _Gathering:
             return None
         for n in near:
             each = self._order[n]
+            if self._is_later(each, line):
+                return n
             if each.move.id == "law" and each.move.record in _LAWS:
                 if each.move.event != line.move.event:
                     continue
                 if each.move.record != "unchanged" or line.move.record == "component":
                     return n
         return None
+
+    def _is_later(self, line: Line, other: Line) -> bool:
+        """Whether a component is that of an impact of which the other is one before it."""
+        one, two = self._component(line), self._component(other)
+        return (
+            one is not None
+            and two == ("component", other.move.event, False)
+            and (one == ("component", other.move.event, True))
+        )
 
     def _may_stand(self, line: Line, target: int) -> bool:
         written = {each.number for each in self._order[:target]}
