@@ -95,7 +95,8 @@ def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> An
 class Forms:
     """The one form in which a number is printed: no root below a line, unless it was typed so.
 
-    A long root stays where it is, as in 93/√28249.
+    A long root stays where it is, as in 93/√28249, and the length of a direction by which a sum is
+    divided, as in (3 + 4)/√2.
 
     ``typed`` are trees of the statement: a number that stands there with a root below a line is
     printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
@@ -129,6 +130,8 @@ class Forms:
                 return left
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
+            case Binary("/", Binary("+" | "-"), Apply("sqrt")):
+                return node  # a scalar product by the length of a vector, a vector by its own
             case Binary("/", left, right) if _root_below(right):
                 return self._rational(left, right) or node
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):

@@ -31,26 +31,34 @@ _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 _MOST = 1
 
 
-def multiplied_out(scene: Scene, line: int, symbol: sp.Symbol) -> int:
-    """The line with both sides multiplied out, as a line, where that is a step of its own."""
+def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
+    """The line with both sides multiplied out, as a line, where that is a step of its own.
+
+    ``symbols`` are the unknowns in it.
+    """
     link = scene.desk.last_link(line)
-    if link.sign != "=" or _is_plain(link, symbol.name):
+    if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
         return line
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
-    generators = _generators(sides, symbol)
+    generators = _of_all(sides, symbols)
     if generators is None:
         return line
     polynomials = _without_common(scene, sides, generators)
     if polynomials is None:
         return line
-    steps = _steps(link, symbol.name) + _has_common(sides, polynomials)
+    steps = max(_steps(link, each.name) for each in symbols) + _has_common(sides, polynomials)
     if steps <= _MOST:
         return line
-    if len(generators) == 2 and _is_of_tangents(link, symbol.name):
+    (symbol, *others) = symbols
+    if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
         polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
     left, right = _sides(scene, polynomials, generators)
     relation = chain(left, (right, None))
-    if is_zero(left) or (alike(left, link.left) and alike(right, link.right)):
+    if (
+        is_zero(left)
+        or tree_of(generators[0]) in (left, right)
+        or (alike(left, link.left) and alike(right, link.right))
+    ):
         return line
     names = {each.name for each in residual(scene, line).free_symbols}
     for move in (Move("rearrange"), Move("cancel")):
@@ -63,6 +71,19 @@ def multiplied_out(scene: Scene, line: int, symbol: sp.Symbol) -> int:
 def _is_plain(link: Link, name: str) -> bool:
     """Whether the unknown stands alone on a side."""
     return Letter(name) in (link.left, link.right)
+
+
+def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
+    """The same of several unknowns: the letters before the ratios of angles."""
+    found: list[sp.Expr] = []
+    for symbol in symbols:
+        if not any(symbol in each.free_symbols for each in sides):
+            continue
+        own = _generators(sides, symbol)
+        if own is None:
+            return None
+        found += own
+    return tuple(sorted(found, key=lambda each: not each.is_Symbol)) or None
 
 
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
@@ -169,11 +190,12 @@ def _sides(
 ) -> tuple[Expression, Expression]:
     """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
     left, right = ([(m, c) for m, c in each.terms() if c != 0] for each in polynomials)
-    if not right and len(generators) == 2:
+    linear = len(generators) == 1 and polynomials[0].degree() == 1
+    if not right and (len(generators) > 1 or linear):
         signed = [(m, c, scene.model.sign(c)) for m, c in left]
         left = [(m, c) for m, c, sign in signed if sign > 0]
         right = [(m, -c) for m, c, sign in signed if sign < 0]
-    if not right and polynomials[0].degree() == 2 and len(left) == 3:
+    if not right and len(generators) == 1 and len(left) == 3:
         # a x² + b x + c = 0
         minus = scene.model.sign(left[0][1]) < 0
         return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)

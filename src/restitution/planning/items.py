@@ -24,7 +24,7 @@ from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
-from restitution.planning.quantities import formula, write_formula
+from restitution.planning.quantities import formula, write_by_momentum, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.vector import Vector
@@ -42,6 +42,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         _determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
+    if isinstance(asked, Quantity) and asked.kind == "velocity":
+        write_by_momentum(scene, asked)
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))

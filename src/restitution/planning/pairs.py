@@ -17,8 +17,9 @@ from restitution.explaining.derivation import Link, Move, Relation
 from restitution.explaining.trees import said
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.closing import close, with_known
+from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, chain
-from restitution.planning.forms import product, square, swept, tree_of
+from restitution.planning.forms import ONE, product, square, swept, tree_of
 from restitution.planning.impacts import residual
 from restitution.planning.premises import background
 from restitution.planning.ratios import inside_functions
@@ -31,7 +32,7 @@ Unknowns = tuple[sp.Symbol, sp.Symbol]
 
 def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
     """Solves two lines for the two unknowns in them. Raises NotPlannedError for other shapes."""
-    first, second = (with_known(scene, each) for each in lines)
+    first, second = (multiplied_out(scene, with_known(scene, each), *unknowns) for each in lines)
     for x, y in permutations(unknowns):
         for shape in SHAPES:
             for a, b in ((first, second), (second, first)):
@@ -229,6 +230,8 @@ def _with(tree: Expression, subject: Expression, value: Expression) -> Expressio
         if each == subject:
             return value
         match each:
+            case Binary("*", left, Binary("/", above, below)) if above == ONE:
+                return Binary("/", left, below)
             case Binary("^", inside, _) if base is not None:
                 rest = _without(inside, base)
                 if rest is not None:
