@@ -56,7 +56,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     relation = chain(left, (right, None))
     if (
         is_zero(left)
-        or tree_of(generators[0]) in (left, right)
+        or Letter(symbol.name) in (left, right)
         or (alike(left, link.left) and alike(right, link.right))
     ):
         return line

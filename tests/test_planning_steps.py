@@ -1,0 +1,306 @@
+"""The size of the steps of planned workings, and what a teacher writes in them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+from laws_of_steps import STEPS
+from test_planning_closing import lines, moves, planned, said
+
+from restitution.explain.derived import explanation_of
+from restitution.explain.text import to_text
+from restitution.explaining.derivation import Derivation, Line, Link, Move, Relation
+from restitution.explaining.notation import read_relation
+from restitution.solve import Solution
+
+TARGET = "sphere A: mass m, velocity {velocity}\nsphere B: mass {mass}, at rest\n"
+
+
+def kept(text: str) -> tuple[Solution, Derivation]:
+    """A statement and its working, which keeps the laws of steps."""
+    solution, derivation = planned(text)
+    assert [each for law in STEPS.values() for each in law(solution, derivation)] == []
+    return solution, derivation
+
+
+def printed(text: str) -> str:
+    """The working of a statement as it is printed, on long lines."""
+    solution, derivation = kept(text)
+    return to_text(explanation_of(derivation, solution.problem))
+
+
+# --- components -------------------------------------------------------------------------------
+
+
+def test_both_components_before_an_impact_stand_together_and_none_of_what_is_at_rest() -> None:
+    _, derivation = kept(
+        TARGET.format(velocity="7i + j", mass="3m")
+        + "A hits B: along 3i + 4j, e = 1/2\nfind velocity(A), speed(B)"
+    )
+    resolved = [e for e in said(derivation) if "velocity(A, 0)" in e.split(" = ")[0]]
+    assert [each.split("(")[0] for each in resolved] == ["along", "across"]
+    assert not any("velocity(B, 0)" in each.split(" = ")[0] for each in said(derivation))
+
+
+def test_what_is_at_rest_is_not_resolved_in_a_direction_in_letters() -> None:
+    text = printed(
+        TARGET.format(velocity="4u i", mass="m")
+        + "A hits B: along phi, e = 1/2\ngiven speed(A) = 2u\nfind tan(phi)"
+    )
+    assert "B along =" not in text
+    assert "A across = −4u sin φ" in text
+
+
+def test_angles_in_degrees_stand_in_the_laws_as_they_are_given() -> None:
+    _, derivation = kept(
+        TARGET.format(velocity="4u at 30°", mass="2m")
+        + "A hits B: along i, e = 1/3\nfind velocity(A)"
+    )
+    told = said(derivation)
+    assert any("= 4u sin(30°) = 2u" in each for each in told)
+    assert any(each.startswith("m (4u cos(30°)) =") for each in told)
+
+
+def test_a_component_at_a_wall_is_by_its_angle_to_the_wall() -> None:
+    _, derivation = kept(
+        "wall W: along j\nsphere P: velocity 6 at 45° to W\nP hits W: e = 1/4\nfind speed(P)"
+    )
+    told = said(derivation)
+    assert any("6cos(45°) = 3sqrt(2)" in each for each in told)
+    assert any("6sin(45°)" in each for each in told)
+
+
+def test_a_velocity_between_walls_is_resolved_by_one_angle() -> None:
+    text = printed(
+        "wall AB: along i\nwall BC: along 60°\nsphere P: velocity u at 30° to AB\n"
+        "P hits AB: e = 1/3\nP hits BC: e = 1/2\nfind speed(P)"
+    )
+    assert "cos 60° + " in text
+    assert "sin 60° + " in text
+
+
+def test_components_of_a_velocity_that_is_put_together_are_read_off() -> None:
+    _, derivation = kept(
+        "wall U: along 45°\nwall W: along i\nsphere P: velocity u i\n"
+        "P hits U: e = 1/2\nfind velocity(P)\nP hits W: e = 1/2\nfind velocity(P)"
+    )
+    last = [e for e in lines(derivation, "define") if e.move.record == "component"]
+    assert all(each.move.event != 2 for each in last)
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+def test_a_component_has_a_line_once_its_letters_are_known() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
+        "given angle(velocity(P), W) = 30°\nfind tan(alpha), speed(P)"
+    )
+    put = [each for each in lines(derivation, "put") if each.move.id == "put"]
+    assert len(put) == 2
+    (speed,) = (e for e in lines(derivation, "define") if e.move.record == "speed")
+    assert set(speed.premises) == {each.number for each in put}
+
+
+def test_a_number_in_the_place_of_a_letter_is_mental_arithmetic() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\n"
+        "given impulse = 10\nfind e, speed(P)"
+    )
+    assert moves(derivation).count("put") == 0
+
+
+def test_a_speed_that_is_given_makes_the_energy() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
+        "given speed(P) = 3u/4\nfind sin(alpha), energy(P)"
+    )
+    assert any("= 1/2 m (3u/4)^2" in each for each in said(derivation))
+
+
+def test_a_velocity_after_a_blow_has_a_line_once_its_letters_are_known() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere P: mass m, at rest\nP receives H at 45° to W\nP hits W: e = 1/2\n"
+        "given speed(P) = u\nfind H, energy(P, 1)"
+    )
+    (put,) = lines(derivation, "put")
+    assert said(derivation)[put.number - 1].startswith("velocity(P, 1) = ")
+
+
+# --- equations --------------------------------------------------------------------------------
+
+
+def test_a_quadratic_is_in_standard_form_then_in_factors() -> None:
+    _, derivation = kept(
+        "sphere A: mass m, velocity u at 30°\nsphere B: mass 3m, velocity u at 30° from -i\n"
+        "A hits B: along i\ngiven energy(A) = energy(B)\nfind e"
+    )
+    *_, standard, factors, roots, last = said(derivation)
+    assert standard.endswith(" = 0")
+    assert factors.startswith("(3e - 1)")
+    assert " or " in roots
+    assert last == "e = 1/3"
+
+
+@pytest.mark.parametrize(("mass", "speed"), [("2m", "u"), ("3m", "2u")])
+def test_equal_energies_give_a_quadratic_in_standard_form(mass: str, speed: str) -> None:
+    _, derivation = kept(
+        "sphere A: mass m, velocity u at 30°\n"
+        f"sphere B: mass {mass}, velocity {speed} at 30° from -i\n"
+        "A hits B: along i\ngiven energy(A) = energy(B)\nfind e"
+    )
+    (roots,) = lines(derivation, "roots")
+    above = derivation.line(roots.premises[0])  # type: ignore[arg-type]
+    assert above is not None
+    assert isinstance(above.relation, Relation)
+    assert above.relation.only[-1].right == read_relation("e = 0", {}).only[0].right
+
+
+def test_common_factors_and_brackets_go_before_the_unknown_is_alone() -> None:
+    _, derivation = kept(
+        "sphere A: mass 3, velocity 5i + 2j\nsphere B: mass 1, velocity -3i + 4j\n"
+        "A hits B: along i\ngiven velocity(A) parallel to velocity(B)\nfind e"
+    )
+    (first, second) = lines(derivation, "rearrange")[-2:]
+    assert "(" not in said(derivation)[first.number - 3].replace("(2)", "")
+    assert second.premises == (first.number,)
+
+
+def test_one_step_stays_one_step() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2, velocity 6i\nsphere B: mass 3, velocity -2i\nA hits B: along i\n"
+        "given velocity(A) = 0\nfind e"
+    )
+    assert moves(derivation).count("rearrange") == 2
+
+
+def test_a_sum_of_roots_is_divided_by_in_the_open() -> None:
+    _, derivation = kept(
+        "sphere A: mass m, velocity 2u at 30°\nsphere B: mass 2m, velocity u at 120°\n"
+        "A hits B: along i\ngiven deflection(B) = 60°\nfind e"
+    )
+    (links,) = derivation.lines[-1].relation.options  # type: ignore[union-attr]
+    assert [each.by for each in links] == [None, "rearrange"]
+
+
+def test_an_angle_in_many_terms_is_collected() -> None:
+    _, derivation = kept(
+        "wall AB: along i\nwall BC: along 135°\nsphere P: mass m, velocity u at alpha to AB\n"
+        "P hits AB: e = 1/3\nP hits BC: e = 1/2\ngiven velocity(P) parallel to j\nfind tan(alpha)"
+    )
+    first, last = said(derivation)[-2:]
+    assert "sin(alpha) = " in first
+    assert "cos(alpha)" in first
+    assert last.startswith("tan(alpha) = ")
+
+
+def test_two_equations_lose_their_common_factors_first() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere S: mass m, velocity u at alpha to W\nS hits W\n"
+        "given deflection(S) = 90°, energy_lost = 1/4 energy(0)\nfind e, alpha"
+    )
+    told = said(derivation)
+    assert any(each.startswith("cos^2(alpha) = e sin^2(alpha)") for each in told)
+    assert not any("u^2 (" in each for each in told)
+
+
+def test_a_sum_of_squares_says_its_identity() -> None:
+    text = printed(
+        TARGET.format(velocity="u at alpha", mass="2m") + "A hits B: along i, e = 1\nfind speed(A)"
+    )
+    assert "as sin² + cos² = 1" in text
+
+
+def test_an_irrational_quadratic_is_solved_by_the_formula() -> None:
+    text = printed(
+        "sphere A: mass m, velocity u at 30°\nsphere B: mass 2m, velocity u at 30° from -i\n"
+        "A hits B: along i\ngiven energy(A) = energy(B)\nfind e"
+    )
+    assert "By the formula for the roots of a quadratic" in text
+
+
+# --- vectors ----------------------------------------------------------------------------------
+
+
+def test_the_second_velocity_comes_by_momentum_as_vectors() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2, velocity 4i + j\nsphere B: mass 3, velocity -i + 2j\n"
+        "A hits B: along i + j, e = 1/3\nfind velocity(A), velocity(B)"
+    )
+    laws = [each.move.record for each in lines(derivation, "law")]
+    assert laws[-1] == "momentum-vector"
+    assert laws.count("unchanged") == 1
+
+
+def test_velocities_by_angles_are_put_together_of_components() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2m, velocity u at 75°\nsphere B: mass m, velocity u at 150°\n"
+        "A hits B: along 45°, e = 1/3\nfind velocity(A), velocity(B)"
+    )
+    assert "momentum-vector" not in {each.move.record for each in lines(derivation, "law")}
+
+
+# --- the laws can fail ------------------------------------------------------------------------
+
+
+def _of(*texts: tuple[str, Move, tuple[int | str, ...]]) -> Derivation:
+    made = tuple(
+        Line(n, "1", move, premises, read_relation(text, {"A": "sphere", "P": "sphere"}))
+        for n, (text, move, premises) in enumerate(texts, 1)
+    )
+    return Derivation((), made, ())
+
+
+@pytest.mark.parametrize(
+    ("law", "made"),
+    [
+        (
+            "quadratics in standard form",
+            _of(
+                ("2e^2 + e = 1", Move("put"), ()),
+                ("e = 1/2 or e = -1", Move("roots"), (1,)),
+            ),
+        ),
+        (
+            "nothing of what is at rest",
+            _of(("along(velocity(A, 0), i) = 0", Move("define", "component", 1, ("A",)), ())),
+        ),
+        (
+            "both components together",
+            _of(
+                (
+                    "along(velocity(A, 0), line_of_centres(1)) = 3",
+                    Move("define", "component", 1, ("A",)),
+                    (),
+                ),
+                ("e = 1/2", Move("fact"), ()),
+                (
+                    "across(velocity(A, 0), line_of_centres(1)) = 4",
+                    Move("define", "component", 1, ("A",)),
+                    (),
+                ),
+            ),
+        ),
+        (
+            "values have lines",
+            _of(
+                ("along(velocity(P, 1), i) = u cos(alpha)", Move("law"), ()),
+                ("cos(alpha) = 3/5", Move("triangle"), ()),
+                ("speed(P, 1) = 3u/5", Move("define", "speed", 1, ("P",)), (1, 2)),
+            ),
+        ),
+        (
+            "no long division",
+            _of(
+                ("(1 + sqrt(3)) e = 1", Move("put"), ()),
+                ("e = (sqrt(3) - 1)/2", Move("rearrange"), (1,)),
+            ),
+        ),
+    ],
+)
+def test_a_law_of_steps_can_fail(law: str, made: Derivation) -> None:
+    assert STEPS[law](None, made)  # type: ignore[arg-type]
+    for one, other in pairwise(made.lines):
+        assert one.number < other.number
+    assert all(isinstance(link, Link) for e in made.lines for link in e.relation.options[0])  # type: ignore[union-attr]
