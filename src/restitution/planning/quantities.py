@@ -240,8 +240,13 @@ def _unit_tree(direction: Vector) -> Expression:
     return tree if length == 1 else Binary("/", tree, tree_of(length))
 
 
-def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
-    """The square of a speed by its components: as a tree, as a value, and what it rests on."""
+def squares(
+    scene: Scene, body: str, stage: int, *, known: bool = False
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of a speed by its components: as a tree, as a value, and what it rests on.
+
+    With ``known`` a speed that is given, or a line, is taken.
+    """
     if not stage:
         return _initial_square(scene, body)
     struck = _after_a_blow(scene, body, stage)
@@ -251,9 +256,8 @@ def squares(scene: Scene, body: str, stage: int) -> tuple[Expression, sp.Expr, t
         return tree, sum(each**2 for each in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
-    speed = (
-        None if any(scene.unknown(each.value) for each in own) else _known_speed(scene, body, stage)
-    )
+    known = known and not any(scene.unknown(each.value) for each in own)
+    speed = _known_speed(scene, body, stage) if known else None
     if speed is not None:
         return square(tree_of(speed.value)), speed.value**2, speed.refs
     refs = together(*(each.refs for each in own), _bridge(frame, own))
@@ -706,7 +710,7 @@ def _energy(scene: Scene, quantity: Quantity) -> Formula:
     terms, values, refs = [], [], []
     for body in bodies:
         stage = scene.last_event(body, quantity.stage)
-        tree, value, own = squares(scene, body, stage)
+        tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
         if stage and stage != quantity.stage:
             own = together(own, scene.frame(stage).unit_free)
         mass = scene.mass(body)
