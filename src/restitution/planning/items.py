@@ -23,8 +23,9 @@ from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import tree_of
+from restitution.planning.momenta import write_by_momentum
 from restitution.planning.order import Solver
-from restitution.planning.quantities import formula, write_by_momentum, write_formula
+from restitution.planning.quantities import formula, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.vector import Vector

@@ -1,0 +1,62 @@
+"""A second velocity after an impact, by the momentum of both spheres as vectors."""
+
+from __future__ import annotations
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import Name, Polar, Quantity, walk
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.quantities import body_and_stage
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+
+def write_by_momentum(scene: Scene, velocity: Quantity) -> None:
+    """A second velocity after an impact in a slanting direction, by momentum as vectors.
+
+    Nothing is written where the velocities are not vectors, or the other is not a line.
+    """
+    body, stage = body_and_stage(scene, velocity)
+    own = Quantity("velocity", (Name(body),), stage)
+    if stage not in scene.model.frames or scene.desk.known(own) is not None:
+        return
+    frame = scene.frame(stage)
+    if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
+        return
+    (other,) = (each for each in scene.spheres(stage) if each != body)
+    after = scene.desk.known(Quantity("velocity", (Name(other),), stage))
+    before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
+    if after is None or None in before:
+        return
+    masses = {each: scene.mass(each) for each in (body, other)}
+    whole = [(masses[n], v) for n, v in zip(scene.bodies(stage), before, strict=True) if v]
+    sources = [*masses.values(), *(each for _, each in whole), after]
+    late = Vector(*(tidy(x) for x in scene.velocity(body, stage)))
+    value, _ = scene.put(late)
+    if any(scene.unknown(x) for x in value) or any(scene.put(each.value)[1] for each in sources):
+        return
+    left = total(product(tree_of(m.value), tree_of(v.value)) for m, v in whole if any(v.value))
+    right = total(
+        (
+            product(tree_of(masses[other].value), tree_of(after.value)),
+            product(tree_of(masses[body].value), own),
+        )
+    )
+    refs = together(*(m.refs for m in masses.values()), *(v.refs for _, v in whole), after.refs)
+    move = Move("law", "momentum-vector", stage, scene.bodies(stage))
+    line = scene.desk.write(move, refs, chain(swept(left), (swept(right), None)))
+    value = Vector(*map(tidy, value))
+    line = scene.desk.write(Move("rearrange"), (line,), chain(own, (tree_of(value), None)))
+    scene.desk.know(own, value, (line,))
+
+
+def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity before an impact that is a vector of the data, or of a line."""
+    last = scene.last_event(body, stage)
+    if not last:
+        (link,) = scene.facts[f"velocity {body}"].relation.only
+        if any(isinstance(each, Polar) for each in walk(link.right)):
+            return None
+        return scene.initial(body)
+    return scene.desk.known(Quantity("velocity", (Name(body),), last))
