@@ -12,6 +12,7 @@ from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.storing import from_json, to_json
 from restitution.explaining.tracing import Tracer
 from restitution.language.reading import parse
+from restitution.oracle.roles import POSITIVE
 
 WHOLE = ("leads-nowhere", "fact-not-used", "answer-missing")
 
@@ -500,3 +501,21 @@ def test_lines_of_students_are_known_by_their_law(
         assert trace.kind == "move"
         assert trace.move is not None
         assert law in (trace.move.record, trace.move.id)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "same"),
+    [
+        ("sqrt(8 - 4sqrt(3))", "sqrt(6) - sqrt(2)", True),
+        ("sqrt(8 - 4sqrt(3))", "sqrt(2) - sqrt(6)", False),
+        ("sqrt(5 + 2sqrt(6))", "sqrt(2) + sqrt(3)", True),
+        ("sqrt((1 - sqrt(3))^2)", "sqrt(3) - 1", True),
+        ("sqrt((1 - sqrt(3))^2)", "1 - sqrt(3)", False),
+        ("sqrt(4 - sqrt(3))", "sqrt(6) - sqrt(2)", False),
+        ("u sqrt(7 - 4sqrt(3))", "2u - sqrt(3) u", True),
+    ],
+)
+def test_roots_of_surds_are_undone_with_their_sign(left: str, right: str, same: bool) -> None:
+    world = World({"u": POSITIVE})
+    gap = world.scalar(read_tree(left, {})) - world.scalar(read_tree(right, {}))
+    assert world.reduced(gap).vanishes is same

@@ -27,6 +27,19 @@ from restitution.solve.solution import Solution
 from restitution.vector import Vector
 
 STATEMENTS = {
+    "a speed that is a root of a sum of roots": """
+sphere A: mass 3m, velocity 2u at 60°
+sphere B: mass 2m, velocity u at 45° from -i
+A hits B: along i, e = 2/3
+find speed(A), speed(B), energy_lost
+""",
+    "a speed whose root is undone": """
+wall W: along i
+sphere P: mass m, velocity u at 75° to W
+P hits W
+given angle(velocity(P), W) = 45°
+find e, speed(P)
+""",
     "products, sizes and momenta": """
 sphere A: mass 2, velocity 3i + 4j
 sphere B: mass 4, velocity -i + j

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
-from math import isqrt, lcm
+from math import isqrt, lcm, prod
 from typing import Any, Literal
 
 import sympy as sp
@@ -501,7 +501,7 @@ class World:
     def _size_of(self, polynomial: PolyElement) -> Quotient:
         """The size of a polynomial, by those of its factors."""
         number, factors = factors_of(polynomial)
-        ratio = Fraction(int(number.numerator), int(number.denominator))
+        ratio = _fraction(number)
         total = CONSTANT(abs(ratio))
         for factor, times in factors:
             odd = self._positive(factor) if times % 2 else CONSTANT(1)
@@ -524,17 +524,51 @@ class World:
             if times // 2:
                 outside = outside * self._positive(factor) ** (times // 2)
             if times % 2 and self._is_plainly_positive(factor):
-                outside = outside * self._root_generator(factor)
+                plain = self._denested(factor)
+                outside = outside * (self._root_generator(factor) if plain is None else plain)
             elif times % 2:
                 rest = rest * factor
-        ratio = Fraction(int(number.numerator), int(number.denominator))
+        ratio = _fraction(number)
         if rest == 1:
             return outside * self._root_of_number(ratio)
         square, free = _square_part(ratio.numerator * ratio.denominator)
         outside = outside * CONSTANT(Fraction(square, ratio.denominator))
         if free < 0:
             rest, free = -rest, -free
-        return outside * self._root_of_number(Fraction(free)) * self._root_generator(rest)
+        plain = self._denested(rest * free)
+        if plain is None:
+            plain = self._root_of_number(Fraction(free)) * self._root_generator(rest)
+        return outside * plain
+
+    def _denested(self, inside: PolyElement) -> Quotient | None:
+        """√(a + b√c) as √((a + d)/2) ± √((a − d)/2), where d² = a² − b²c has a rational d."""
+        parts = self._surd(inside)
+        if parts is None:
+            return None
+        a, b, c = parts
+        gap = a * a - b * b * c
+        if a <= 0 or gap < 0:
+            return None
+        above, below = isqrt(gap.numerator), isqrt(gap.denominator)
+        if above**2 != gap.numerator or below**2 != gap.denominator:
+            return None
+        d = Fraction(above, below)
+        first, second = (self._root_of_number(each) for each in ((a + d) / 2, (a - d) / 2))
+        return first + second if b > 0 else first - second
+
+    def _surd(self, polynomial: PolyElement) -> tuple[Fraction, Fraction, Fraction] | None:
+        """The a, b and c of a number a + b√c; None for anything else."""
+        keys = self.keys(polynomial)
+        terms = [(powers, _fraction(value)) for powers, value in polynomial.terms()]
+        if len(terms) != 2 or any(
+            key[0] != "root" or not key[1].is_ground for key in keys.values()
+        ):
+            return None
+        (powers, b), (last, a) = terms if any(terms[0][0]) else reversed(terms)
+        if any(last) or any(power > 1 for power in powers):
+            return None
+        radicands = [key[1].coeff(1) for number, key in keys.items() if powers[number]]
+        return a, b, prod(map(_fraction, radicands), start=Fraction(1))
 
     def _root_of_number(self, ratio: Fraction) -> Quotient:
         square, free = _square_part(ratio.numerator * ratio.denominator)
@@ -557,6 +591,11 @@ class World:
         for each in (factor, -factor):
             if each in self.ordered:
                 return Quotient(each, _ring().one)
+        surd = self._surd(factor)
+        if surd is not None:
+            a, b, c = surd
+            leading = a if a * a > b * b * c else b  # the larger of the two has the sign
+            return Quotient(factor if leading > 0 else -factor, _ring().one)
         own = self.generator(("size", factor))
         self.squares[self._keys["size", factor]] = factor**2
         return own
@@ -867,6 +906,10 @@ def _arguments(tree: Expression) -> Iterable[Expression]:
             yield each.argument
         elif isinstance(each, Polar):
             yield each.angle
+
+
+def _fraction(number: Any) -> Fraction:
+    return Fraction(int(number.numerator), int(number.denominator))
 
 
 def _square_part(number: int) -> tuple[int, int]:

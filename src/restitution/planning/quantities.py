@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    children,
     has_quantity,
     letters,
     walk,
@@ -816,10 +817,16 @@ _FORMULAS: Mapping[str, Callable[[Scene, Quantity], Formula]] = {
 # --- lines ---------------------------------------------------------------------------------------
 
 
+# A speed from components with roots is a line that people write; deeper roots are not.
+_MOST_ROOTS = 2
+
+
 def write_formula(scene: Scene, own: Formula) -> int:
     """A quantity by its definition, and what that comes to."""
     final = tree_of(own.value)
     right = swept(own.right)
+    if _depth_of_roots(right) > _MOST_ROOTS:
+        raise NotPlannedError("a root of sums of roots")
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
@@ -830,8 +837,6 @@ def write_formula(scene: Scene, own: Formula) -> int:
             refs = together(
                 refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
             )
-            if _is_nested(own.value):
-                raise NotPlannedError("a root of a sum of roots")
         if _trivial(own.right, final):
             right = final
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
@@ -891,10 +896,7 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
     return bool(sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0)
 
 
-def _is_nested(value: sp.Expr) -> bool:
-    """Whether the square of a size has a root in it, or the size a root below a root."""
-    square_ = sp.expand(sp.sympify(value, strict=True) ** 2)
-    return any(
-        each.exp.is_Rational and each.exp.q == 2 and not each.base.free_symbols
-        for each in square_.atoms(sp.Pow)
-    )
+def _depth_of_roots(tree: Expression) -> int:
+    """How many roots stand in one another in a tree."""
+    below = max(map(_depth_of_roots, children(tree)), default=0)
+    return below + (isinstance(tree, Apply) and tree.function == "sqrt")
