@@ -133,6 +133,43 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
         yield Link(Binary("*", flight, square), "=", way)
 
 
+def _moving_off(step: Step, event: Event | None) -> Iterator[Link]:
+    """That who was at rest moves off along the line of centres, to its next event."""
+    if event is None or event.kind != "impact" or event.wall:
+        return
+    axis, number = axis_of(event), event.number
+    for name in set(step.move.bodies) & set(event.bodies):
+        body = Name(name)
+        before = settled(Quantity("velocity", (body,), number - 1), step.setting.events)
+        velocity = step.rules().put_into(step.world.value(before))
+        still = isinstance(velocity, Plane) and velocity.x.vanishes and velocity.y.vanishes
+        later = [e.number for e in step.setting.events if e.number > number and name in e.bodies]
+        if not still or not later:
+            continue
+        there, here = (Quantity("position", (body,), each) for each in (min(later), number))
+        way = Binary("-", there, here) if name == event.bodies[1] else Binary("-", here, there)
+        yield Link(axis, "parallel to", way)
+
+
+def _beside(step: Step, event: Event | None) -> Iterator[Link]:
+    """Where the one centre is by the other: as far along the line of centres as they are apart."""
+    if event is None or event.kind != "impact" or event.wall:
+        return
+    first, second = (Quantity("position", (Name(each),), event.number) for each in event.bodies)
+    radii = [
+        link.left
+        for link in step.links
+        if link.left == Quantity("dot", (Binary("-", second, first),) * 2)
+    ]
+    for link in step.links if radii else ():
+        if link.left == axis_of(event) and link.sign == "parallel to":
+            apart = next(e.right for e in step.links if e.left == radii[0])
+            if not isinstance(apart, Binary):
+                continue
+            unit = Binary("/", link.right, Apply("abs", link.right))
+            yield Link(Binary("-", second, first), "=", Binary("*", apart.left, unit))
+
+
 def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Expression] | None:
     """The centre and the radius of a circle on which a body is at an event, as is cited."""
     place = Quantity("position", (body,), number)
@@ -430,4 +467,6 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "parallel": _tied,
     "scalar-angle": _between_directions,
     "chord": _chords,
+    "moves-off": _moving_off,
+    "beside": _beside,
 }

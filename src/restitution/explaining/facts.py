@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
@@ -187,7 +188,7 @@ class _Facts:
             centre = self._off_the_wall(first, "x", place.x)
             if centre is not None:
                 yield Quantity("along", (own, Unit("i"))), centre
-        elif axis is not None and self._sphere(first).radius is None:
+        elif axis is not None and self.radius is None:
             yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
 
     def _on_the_circle(
@@ -210,7 +211,7 @@ class _Facts:
 
     def _radius(self, body: str, wall: Any) -> Expression | None:
         """How far from the centre of a circular wall a body is when it touches it."""
-        radius = self._sphere(body).radius
+        radius = self.radius
         if radius is None:
             return wall.radius if isinstance(wall.radius, Expression) else None
         side = self._side(body, wall)
@@ -258,7 +259,7 @@ class _Facts:
     def _within(self, step: Impact, number: int) -> Relation | None:
         """That a sphere comes to a wall between its ends, where that is along **i** or **j**."""
         wall = self.walls.get(step.second)
-        if wall is None or wall.end is None or self._sphere(step.first).radius is not None:
+        if wall is None or wall.end is None or self.radius is not None:
             return None
         if not isinstance(self._sphere(step.first).position, Expression):
             return None
@@ -276,32 +277,38 @@ class _Facts:
         place = Quantity("along", (Quantity("position", (Name(step.first),), number), unit))
         return Relation(((Link(low, "<", place), Link(place, "<", high)),))
 
+    @cached_property
+    def radius(self) -> Expression | None:
+        """The radius of all spheres; None where they are small."""
+        told = (each.radius for each in self.problem.spheres)
+        return next((each for each in told if isinstance(each, Expression)), None)
+
     def _sphere(self, name: str) -> Any:
         return next(each for each in self.problem.spheres if each.name == name)
 
     def _off_the_wall(self, body: str, part: str, wall: Expression) -> Expression | None:
         """The coordinate of a centre at a wall: its radius away on the side where it begins."""
         sphere = self._sphere(body)
-        if sphere.radius is None:
+        if self.radius is None:
             return wall
-        if not isinstance(sphere.position, Pair) or not isinstance(sphere.radius, Expression):
+        if not isinstance(sphere.position, Pair) or not isinstance(self.radius, Expression):
             return None
         side = self._sign(Binary("-", getattr(sphere.position, part), wall))
         if side is None:
             return None
         if _is_nothing(wall):
-            return sphere.radius if side > 0 else Negate(sphere.radius)
-        return Binary("+" if side > 0 else "-", wall, sphere.radius)
+            return self.radius if side > 0 else Negate(self.radius)
+        return Binary("+" if side > 0 else "-", wall, self.radius)
 
     def _beside_it(self, step: Impact, number: int) -> Expression | None:
         """Where the first centre is, by that of the second: in one place, or two radii away."""
         theirs = Quantity("position", (Name(step.second),), number)
         first, second = (self._sphere(each) for each in (step.first, step.second))
-        if first.radius is None:
+        if self.radius is None:
             return theirs
         met = {body for each in self.events[: number - 1] for body in each.bodies}
         places = [each.position for each in (first, second)]
-        if met & {first.name, second.name} or not isinstance(first.radius, Expression):
+        if met & {first.name, second.name} or not isinstance(self.radius, Expression):
             return None
         if step.along not in (Unit("i"), Unit("j")):
             return None
@@ -314,7 +321,7 @@ class _Facts:
             side = self._approach(first, second, step.along)
         if side is None:
             return None
-        apart = Binary("*", Binary("*", Number(Fraction(2)), first.radius), step.along)
+        apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), step.along)
         return Binary("-" if side > 0 else "+", theirs, apart)
 
     def _approach(self, first: Any, second: Any, axis: Expression) -> int | None:
@@ -407,9 +414,7 @@ class _Facts:
         placed = all(isinstance(each.position, Expression) for each in (first, second))
         if not placed or step.along is not None or step.offset is not None:
             return None
-        if not isinstance(first.radius, Expression):
-            return None
-        return self._doubled(first.radius)
+        return None if self.radius is None else self._doubled(self.radius)
 
     def _doubled(self, tree: Expression) -> Expression:
         """Twice a length, as a number where it is one."""
@@ -466,7 +471,7 @@ class _Facts:
             next(e for e in self.problem.spheres if e.name == name)
             for name in (step.first, step.second)
         )
-        if number > 1 or first.radius is None or step.offset is None:
+        if number > 1 or self.radius is None or step.offset is None:
             return None
         if not isinstance(first.velocity, Expression):
             return None
@@ -475,7 +480,7 @@ class _Facts:
             if not isinstance(second.velocity, Expression):
                 return None
             path = Binary("-", path, second.velocity)
-        both = Binary("*", Number(Fraction(2)), first.radius)
+        both = Binary("*", Number(Fraction(2)), self.radius)
         angle = Apply("arcsin", Binary("/", step.offset, both))
         return Polar(Number(Fraction(1)), angle, path)
 

@@ -263,6 +263,9 @@ def records_of(step: Step) -> Iterator[Link]:
 
 
 def _is_template(step: Step, line: Link, link: Link) -> bool:
+    if step.move.record == "moves-off":
+        chosen = step.under(opaque=step.opaque | {link.left})
+        return _points_along(chosen, line, link, chosen.rules())
     if link.sign in ("parallel to", "perpendicular to"):
         return _is_tied(step, line, link)
     match link.left:

@@ -217,6 +217,8 @@ PRINCIPLES = (
         1,
         ("M", "A"),
     ),
+    # Who was at rest goes along the line of centres: to where its next event is.
+    Record("moves-off", "principle", (), "spheres", ("line_of_centres",), 1, ("M", "A")),
     Record(
         "wall-direction",
         "principle",
@@ -411,6 +413,8 @@ DEFINITIONS = (
         cost=1.5,
         marks=("M",),
     ),
+    # Centres that touch, on their line.
+    Record("beside", "definition", where="spheres", gives=("position",), marks=("M",)),
     # From one point of a circular wall to the next.
     Record("chord", "definition", where="wall", gives=("along", "across", "time"), marks=("M",)),
     Record(

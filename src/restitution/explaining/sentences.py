@@ -416,6 +416,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.time": (
         "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
     ),
+    "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
+    "beside.title": "The centres are two radii apart, along the line of centres",
+    "beside.why": (
+        "When two equal spheres touch, the distance of their centres is twice the radius. So the "
+        "place of the one is that of the other, and two radii along the line of centres."
+    ),
+    "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
     "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
     "circle.again": (
@@ -703,7 +710,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.time-of": "Time = distance ÷ speed, for {body}",
     "flight.place": "New position = old position + velocity × time",
     "flight.place-of": "New position = old position + velocity × time, for {body}",
-    "flight.same-time": "The time is the same in both directions",
+    "flight.same-time": "The path is in the direction of the velocity",
     "flight.meet": "{one} and {other} meet when their coordinates are equal",
     "derived-energy.title": "Kinetic energy",
     "derived-energy.why": (

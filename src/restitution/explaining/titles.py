@@ -39,6 +39,8 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "parallel": ("derived-parallel.title", "derived-parallel.title"),
     "straight-line": ("flight.title", "flight.title"),
     "chord": ("chord.title", None),
+    "moves-off": (None, "moves-off.title"),
+    "beside": (None, "beside.title"),
 }
 
 

@@ -76,7 +76,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         if not any(initial.value):
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
-        if _is_slanted(frame) and not _is_polar(scene, body):
+        by_places = frame.write is not None
+        if _is_slanted(frame) and (by_places or not _is_polar(scene, body)):
             form = by_degrees(scene, kind, body, frame, value)
             return _by_scalar_product(scene, tree, initial, frame, direction, form)
         form = by_degrees(scene, kind, body, frame, value)

@@ -15,6 +15,8 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
 from restitution.expression.tree import Expression, Quantity
+from restitution.planning.aims import place_at, striker, write_aim
+from restitution.planning.circles import circle_of
 from restitution.planning.desk import chain, together
 from restitution.planning.flights import swept_product
 from restitution.planning.forms import difference, product, swept, tree_of
@@ -93,11 +95,14 @@ def paths(scene: Scene) -> Iterator[Path]:
     """The equations of the paths to points, in which something unknown stands."""
     for number in range(1, scene.events + 1):
         step = scene.model.happening(number).step
+        aimed = striker(scene, number)
+        if aimed is not None and (own := _aim(scene, aimed, number)) is not None:
+            yield own
         if not isinstance(step, Arrival):
             continue
         body = step.body
         since = last_move(scene, body, number)
-        if scene.model.story.place(body, since) is None:
+        if scene.model.story.place(body, since) is None or _by_a_circle(scene, body, number):
             continue
         if any(of_contact_tree(scene, body, number, axis) is None for axis in AXES):
             continue
@@ -108,6 +113,30 @@ def paths(scene: Scene) -> Iterator[Path]:
             yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)))
 
 
+def _by_a_circle(scene: Scene, body: str, number: int) -> bool:
+    """Whether a body comes by a circular wall: where it struck that is no equation for a line."""
+    return any(
+        body in scene.bodies(each) and circle_of(scene, each) is not None
+        for each in range(1, number)
+        if len(scene.spheres(each)) == 1
+    )
+
+
+def _aim(scene: Scene, body: str, number: int) -> Path | None:
+    """That a body has to come to a place from which it sends another one where it is told."""
+    since = last_move(scene, body, number)
+    place = scene.model.story.place(body, since)
+    if place is None or (since and striker(scene, since) is not None):
+        return None
+    end = place_at(scene, number)
+    place = scene.value(place_tree(body, since))
+    gap = Vector(end.x - place.x, end.y - place.y)
+    residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
+    if not scene.unknown(residual):
+        return None
+    return Path(number, body, Candidate(f"aim {number}", 2.0, (residual,)))
+
+
 def write_path(scene: Scene, path: Path) -> int:
     """The line of a path, and its number: at the time at which the body comes there, else without.
 
@@ -115,6 +144,8 @@ def write_path(scene: Scene, path: Path) -> int:
     """
     body, number = path.body, path.number
     since = last_move(scene, body, number)
+    if striker(scene, number) == body:
+        write_aim(scene, number)
     for axis, other in (AXES, AXES[::-1]):
         pace = value_of_velocity(scene, body, since, axis)
         first = value_of_coordinate(scene, body, since, axis)

@@ -14,6 +14,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Quantity, walk
+from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
@@ -328,6 +329,11 @@ def _time_of_meeting(scene: Scene, number: int, step: Impact) -> Source:
     """The time at which two spheres meet, from the one direction in which they approach."""
     if not any(True for _ in contact_of(scene, number)):
         raise NotPlannedError("where spheres with radii touch")
+    aimed = striker(scene, number)
+    if aimed is not None:
+        write_aim(scene, number)
+        pace = scene.velocity(aimed, last_move(scene, aimed, number))
+        return time_along(scene, aimed, number, "i" if pace.x != 0 else "j")
     if circle_of(scene, number) is not None:
         return time_of_touching(
             scene, number, [_way(scene, each, number) for each in scene.bodies(number)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from restitution.components import Frame as Told
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Quantity, walk
+from restitution.planning.aims import struck, write_centres
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import whole_direction
@@ -27,6 +28,8 @@ def frame_by_places(scene: Scene, number: int, told: Told) -> Frame:
     n = told.n if told.wall is None else -told.n
 
     def write() -> tuple[Ref, ...]:
+        if struck(scene, number) is not None:
+            return (write_centres(scene, number),)
         places = [spot(scene, each, number).refs for each in scene.spheres(number)]
         whole, _ = whole_direction(n)
         line = scene.desk.write(

@@ -1,0 +1,85 @@
+"""Workings from their end: where a sphere has to be struck so that it comes to a point."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from laws_of_workings import answers as wrong_answers
+
+from restitution.explain.derived import explanation_of
+from restitution.explain.text import to_text
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+DIRECT = """
+point N: (10, 10)
+sphere A: mass 1, at (-2, 0), velocity u at alpha, radius 1
+sphere B: mass 3, at (6, 7), at rest
+A hits B: e = 2/3
+B reaches N
+find alpha
+"""
+BY_A_CUSHION = """
+point N: (9, 12)
+wall W: along i, through (0, -2)
+sphere A: mass 1, at (-6, 0), velocity u at -alpha, radius 1
+sphere B: mass 1, at (3, 4), at rest
+A hits W: e = 1/3
+A hits B: e = 1/2
+B reaches N
+find alpha
+"""
+
+
+def planned(statement: str) -> tuple[Problem, Derivation]:
+    """A statement and its working, which the follower accepts and which has its answers."""
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert wrong_answers(solution, derivation) == []
+    return problem, derivation
+
+
+def test_the_path_to_the_pocket_gives_the_line_of_centres_and_the_place() -> None:
+    problem, derivation = planned(DIRECT)
+    text = to_text(explanation_of(awarded(derivation), problem))
+    assert "B was at rest, so it moves off along the line of centres:" in text
+    assert "the line of centres is parallel to 4𝐢 + 3𝐣" in text
+    assert "6𝐢 + 7𝐣 − 2((4𝐢 + 3𝐣)/5)" in text
+
+
+def test_by_a_cushion() -> None:
+    planned(BY_A_CUSHION)
+
+
+def test_a_sense_or_a_side_that_is_wrong_is_refused() -> None:
+    problem, derivation = planned(DIRECT)
+    oracle = Oracle(roles(problem))
+    spoiled = 0
+    for line in derivation.lines:
+        text = write_relation(line.relation) if isinstance(line.relation, Relation) else ""
+        text = text.partition(" [")[0]
+        changes = {
+            "moves-off": ("10i + 10j - (6i + 7j)", "6i + 7j - (10i + 10j)"),
+            "beside": ("7j - 2", "7j + 2"),
+        }
+        if line.move.record in changes:
+            old, new = changes[line.move.record]
+            assert old in text
+            first = text.replace(old, new).rpartition(" = ")[0] or text.replace(old, new)
+            other = read_relation(first, {"A": "sphere", "B": "sphere"})
+            lines = tuple(
+                replace(each, relation=other) if each is line else each for each in derivation.lines
+            )
+            assert follow(replace(derivation, lines=lines), oracle) != ()
+            spoiled += 1
+    assert spoiled == 2
