@@ -453,3 +453,37 @@ def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) 
     text = _printed(statement)
     for each in lines:
         assert each in text
+
+
+# --- where a greatest value is reached ------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        (
+            (
+                "sphere A: mass m, velocity 5u at alpha\n"
+                "sphere B: mass m, velocity 12u at 90° - alpha from -i\n"
+                "A hits B: along i, e = 1\nfind maximum of impulse over alpha"
+            ),
+            "(5 cos α + 12 sin α)² = 169 − (12 cos α − 5 sin α)²",
+        ),
+        (
+            (
+                "wall W: along theta\nsphere P: mass m, velocity u i\nP hits W: e = 1/2\n"
+                "find maximum of across(velocity(P), i) over theta"
+            ),
+            "as sin 2θ ≤ 1",
+        ),
+        (
+            OBLIQUE + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",
+            "when tan α = √(1 − ek)/√(1 + k)",
+        ),
+    ],
+)
+def test_a_place_may_be_told_by_an_angle_or_a_root(statement: str, words: str) -> None:
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert words in _printed(statement)

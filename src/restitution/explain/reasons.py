@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Number,
     has_quantity,
     letters,
+    rational,
     walk,
 )
 from restitution.problem import Problem
@@ -54,7 +55,12 @@ class Reasons:
             return (say("derived.pythagoras"),)
         if line.move.id not in _REASONED and not self._ordered(line):
             return ()
-        reasons = (*self._monotone(line), *self._square(line), *self._known(line))
+        reasons = (
+            *self._monotone(line),
+            *self._square(line),
+            *self._wave(line),
+            *self._known(line),
+        )
         if line.move.id == "inverse":
             reasons = ()  # the acute angle is what the arc functions give
         if line.move.id == "reject" and not reasons:
@@ -231,6 +237,23 @@ class Reasons:
             return False
         return isinstance(gap, Quotient) and gap.vanishes
 
+    def _wave(self, line: Line) -> Iterator[Sentence]:
+        """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
+            return
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or not isinstance(own.relation, Relation):
+                continue
+            whole = own.relation.options[0][-1].right
+            for node in walk(whole):
+                told = _sine_and_cosine(node)
+                if told is not None and _bounds(whole, node, told[0], links[0].right):
+                    yield say("derived.fact", fact=self._laid(Relation(((told[1],),))))
+                    return
+
     @staticmethod
     def _way(tree: Expression, name: str, ends: list[Link]) -> int:
         """The sign of the change from the lower to the upper end, all other letters being 2/3."""
@@ -268,6 +291,60 @@ class Reasons:
             return 0
         except (RestitutionError, TypeError, ValueError, IndexError):
             return 0
+
+
+def _sine_and_cosine(node: Expression) -> tuple[Expression, Link] | None:
+    """The greatest value of ``a cos x + b sin x``, or of ``sin x cos x``, and what tells it."""
+    a = b = None
+    two = Number(Fraction(2))
+    match node:
+        case Binary("*", before, Apply("sin" | "cos" as one, x)):
+            rest, last = (
+                (before.left, before.right)
+                if isinstance(before, Binary) and before.op == "*"
+                else (None, before)
+            )
+            if last != Apply("cos" if one == "sin" else "sin", x):
+                return None
+            half = Binary("/", Number(Fraction(1)), two)
+            most = half if rest is None else Binary("*", rest, half)
+            double = Apply("sin", Binary("*", two, x))
+            return most, Link(double, "<=", Number(Fraction(1)))
+        case Binary("+", left, right):
+            a, b = _times(left), _times(right)
+    if a is None or b is None:
+        return None
+    if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
+        return None
+    total = sp.expand(a[0] ** 2 + b[0] ** 2)
+    other_ = Binary("-", _scaled(b[0], a[1]), _scaled(a[0], b[1]))
+    rest = Binary("-", rational(Fraction(str(total))), Binary("^", other_, two))
+    root = Apply("sqrt", rational(Fraction(str(total))))
+    return root, Link(Binary("^", node, two), "=", rest)
+
+
+def _times(tree: Expression) -> tuple[sp.Rational, Apply] | None:
+    """A number times a sine or a cosine."""
+    match tree:
+        case Apply("sin" | "cos"):
+            return sp.Integer(1), tree
+        case Binary("*", Number(value), Apply("sin" | "cos") as ratio):
+            return sp.Rational(value.numerator, value.denominator), ratio
+    return None
+
+
+def _scaled(factor: sp.Rational, ratio: Apply) -> Expression:
+    return ratio if factor == 1 else Binary("*", rational(Fraction(str(factor))), ratio)
+
+
+def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expression) -> bool:
+    """Whether a bound is a whole with the greatest value of a part of it, for letters of 2/3."""
+    put = rebuilt(whole, lambda each: most if each == node else each)
+    try:
+        one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
+        return bool(sp.sympify(one - other).equals(0))
+    except (RestitutionError, TypeError, ValueError):
+        return False
 
 
 def _squares(tree: Expression) -> Iterator[Expression]:

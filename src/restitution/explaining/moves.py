@@ -81,25 +81,35 @@ def _condition(relation: Relation) -> tuple[Link, Link] | None:
 
 
 def _under_condition(step: Step, place: Link, then: Link) -> bool:
-    if isinstance(place.left, Letter) and place.left.name in step.setting.angles:
-        return _at_angle(step, place, then)
-    chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
-    return _by_links(chosen, Relation(((then,),)))
+    if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
+        chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
+        if _by_links(chosen, Relation(((then,),))):
+            return True
+    return _at_place(step, place, then)
 
 
-def _at_angle(step: Step, place: Link, then: Link) -> bool:
-    """Whether an equation has a value where an angle has one, perhaps at an end of its range."""
+def _at_place(step: Step, place: Link, then: Link) -> bool:
+    """Whether an equation has a value where a letter has one, perhaps at an end of its range.
+
+    The place may be told by the tangent of an angle.
+    """
     base = _base(step)
     equation = None if base is None or len(base.options) != 1 else _ends(base.only)
-    if equation is None or then.left != equation.left or not isinstance(place.left, Letter):
+    if equation is None or then.left != equation.left:
         return False
+    match place.left:
+        case Letter(name):
+            at = _in_radians(step, place.right)
+        case Apply("tan", Letter(name)):
+            at = sp.atan(_in_radians(step, place.right))
+        case _:
+            return False
     value, own = (
         step.world.expression(step.world.scalar(each), step.roles)
         for each in (equation.right, then.right)
     )
-    name = place.left.name
     letter = step.roles.get(name, REAL).symbol(name)
-    there = value.subs(letter, _in_radians(step, place.right))
+    there = value.subs(letter, at)
     return bool(there.is_finite is not False) and _equal_in(step, there, own)
 
 

@@ -212,6 +212,12 @@ class _Extremum:
                 continue
             if not self.angle and role.high is not None and (own - role.high).is_positive:
                 continue
+            if self.angle and own.is_number:
+                # An angle in whole degrees is named, and so is one of which no line needs a ratio.
+                angle = sp.atan(own)
+                degrees = sp.deg(angle)
+                if degrees.is_Integer and degrees not in (30, 60):
+                    yield Link(letter, "=", tree_of(angle, angle=True, as_it_is=True))
             yield Link(subject, "=", tree_of(own))
 
     def _ends(self) -> Iterator[Link]:

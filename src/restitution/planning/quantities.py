@@ -830,7 +830,13 @@ def write_formula(scene: Scene, own: Formula) -> int:
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
-            number = scene.desk.write(Move("rearrange"), (number,), chain(own.left, (final, None)))
+            told = chain(own.left, (final, None))
+            move = Move("rearrange")
+            pythagoras = Move("identity", "pythagoras")
+            ratios = any(sp.sympify(each).atoms(sp.sin, sp.cos) for each in own.value)
+            if ratios and not scene.judge.follows(move, (number,), told):
+                move = pythagoras if scene.judge.follows(pythagoras, (number,), told) else move
+            number = scene.desk.write(move, (number,), told)
     else:
         refs = own.refs
         if isinstance(right, Apply) and right.function == "sqrt":
