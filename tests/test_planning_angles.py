@@ -5,6 +5,8 @@ Each is followed line by line, and its answers are those of the solver.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from restitution.explaining.derivation import Derivation, Relation
@@ -99,6 +101,19 @@ wall W: along i
 sphere P: velocity u at alpha to W
 P hits W
 find tan(deflection(P))
+""",
+    "along i": """
+sphere A: mass 3, velocity 2i + 4j
+sphere B: mass 1, at rest
+A hits B: along i, e = 1/2
+find direction(B), direction(A)
+""",
+    "against i": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 4m, velocity -3u i
+A hits B: along i, e = 0
+given alpha > 45°
+find direction(B)
 """,
     "a tangent of a deflection that is given": """
 sphere A: mass m, velocity u at alpha
@@ -224,3 +239,19 @@ def test_a_deflection_at_a_wall_is_the_sum_of_the_angles_to_it() -> None:
         "beta = 35° - 20° = 15°" in e
         for e in lines_of("a deflection at a wall, and the angle before it")
     )
+
+
+def test_what_moves_along_i_has_its_direction_read_off() -> None:
+    assert "direction(B, 1) = 0°" in lines_of("along i")
+    assert "direction(B, 1) = 180°" in lines_of("against i")
+
+
+def test_a_direction_is_not_read_off_in_the_other_sense() -> None:
+    derivation, solution = planned("along i")
+    relation = read_relation("direction(B, 1) = 180°", {"A": "sphere", "B": "sphere"})
+    lines = tuple(
+        replace(each, relation=relation) if each.move.record == "parallel" else each
+        for each in derivation.lines
+    )
+    complaints = follow(replace(derivation, lines=lines), Oracle(roles(solution.problem)))
+    assert any(each.reason == "does-not-follow" for each in complaints)

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Apply,
     Expression,
     Letter,
+    Name,
     Number,
     Polar,
     Quantity,
@@ -97,6 +98,8 @@ class Leads:
         record = RECORDS.get(line.move.record or "")
         if line.move.id not in TITLED or record is None or record.id == "component":
             return None
+        if record.id == "parallel" and _read_off(line) is not None:
+            return None
         event = self._naming.events.get(line.move.event or 0)
         bodies = line.move.bodies or (() if event is None else event.bodies)
         assert isinstance(line.relation, Relation)
@@ -140,6 +143,10 @@ class Leads:
             return
         if line.move.record == "wall-direction":
             yield say("so")
+            return
+        body = _read_off(line) if line.move.record == "parallel" else None
+        if body is not None:
+            yield say("derived.along-axis", body=body, axis=self._naming.laid(Unit("i")))
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")
@@ -273,3 +280,11 @@ def _is_offset(fact: Fact) -> bool:
         case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
             return True
     return False
+
+
+def _read_off(line: Line) -> str | None:
+    """The body of which a line says the direction, without a tangent."""
+    match line.relation:
+        case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
+            return body
+    return None

@@ -384,6 +384,12 @@ def _is_tie(step: Step, line: Link) -> bool:
     if tie is None or tie[2] != step.move.record + " to":  # type: ignore[operator]
         return False
     rules = step.rules()
+    if isinstance(line.left, Quantity) and line.left.kind == "direction" and line.sign == "=":
+        # An angle tells the sense too.
+        along = step.setting.settled(Link(Quantity("dot", tie[:2]), ">", ZERO))
+        ahead = step.residual(along, rules)
+        if not isinstance(ahead, Quotient) or oriented(step, ahead) != 1 or ahead.vanishes:
+            return False
     for link in ties(step, event, *tie):
         own = step.setting.settled(link)
         before, after = step.residual(own), step.residual(own, rules)

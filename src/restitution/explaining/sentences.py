@@ -751,6 +751,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: a sign lost of a component that is reversed, and the product of a "
         "component along with one across."
     ),
+    "derived.along-axis": "{body} has no component of velocity across {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (
         "Two vectors are parallel if one is a number times the other. Then that number is the "

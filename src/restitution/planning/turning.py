@@ -98,8 +98,11 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     known = scene.desk.known(asked)
     if known is not None:
         return next(ref for ref in known.refs if isinstance(ref, int))
-    own = _ratio(scene, asked)
-    if own is None:
+    line = _along_i(scene, asked) if asked.kind == "direction" else None
+    own = _ratio(scene, asked) if line is None else None
+    if line is not None:
+        pass
+    elif own is None:
         line = _by_sum(scene, asked)
     else:
         if own.function == "tan" and own.angle is None:
@@ -247,6 +250,20 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     known = velocity_source(scene, body, stage) if x.refs == y.refs else x
     side = together(known.whole, nonzero(scene, x.value))
     return Ratio(line, letter, "tan", value, extent, side, right)
+
+
+def _along_i(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a direction of 0° or 180°, which is read off: there is no component along j."""
+    body, stage = body_and_stage(scene, asked)
+    x, y = in_the_plane(scene, body, stage)
+    if y.value != 0 or not scene.model.proved_sign(scene.model.in_data(x.value)):
+        return None
+    angle = Degrees(Fraction(0 if scene.model.sign(x.value) > 0 else 180))
+    move = Move("define", "parallel", stage or None, (body,))
+    relation = chain(asked, (angle, None))
+    pool = (*y.whole, *x.whole)
+    premises = scene.judge.needed(move, [*pool, *nonzero(scene, x.value)], relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
 
 
 def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
