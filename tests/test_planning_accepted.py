@@ -251,6 +251,18 @@ sphere B: mass k m, velocity -2u i
 A hits B: along i
 find energy_lost/energy(0)
 """,
+    "a wall at an angle in letters": """
+wall W: along theta
+sphere P: mass 2m, velocity u i
+P hits W: e = 1/2
+find velocity(P)
+""",
+    "a deflection that takes an identity": """
+sphere A: mass 3m, velocity u at alpha
+sphere B: mass 2m, velocity u at 120°
+A hits B: along i, e = 1/4
+find tan(deflection(A))
+""",
     "a line of centres in roots, and letters": """
 sphere A: mass 2, velocity a i + b j
 sphere B: mass 3, velocity -i + 2j

@@ -18,7 +18,7 @@ from restitution.planning.planner import plan
 from restitution.solve import solve
 
 MANY, NIGHTLY = 60, 2000
-REFUSED = 0.1
+REFUSED = 0.05
 """The share of workings that the follower may refuse; it is to be lowered as plans get better."""
 
 
@@ -59,7 +59,8 @@ def judged(question: Question) -> Iterator[tuple[str, str]]:
     for wrong in false_lines(derivation, stories):
         yield "false", wrong
     for wrong in complaints(solution, derivation):
-        yield "refused", wrong
+        # What is given and serves nothing that is asked is the fault of the question.
+        yield "unused" if wrong.startswith("fact not used") else "refused", wrong
 
 
 def judge(questions: list[Question]) -> tuple[Counter[str], str]:
@@ -69,7 +70,7 @@ def judge(questions: list[Question]) -> tuple[Counter[str], str]:
     for question in questions:
         found = list(judged(question))
         counts.update({kind for kind, _ in found} or {"right"})
-        wrong = [f"{kind}: {what}" for kind, what in found if kind != "not planned"]
+        wrong = [f"{k}: {what}" for k, what in found if k not in ("not planned", "unused")]
         if wrong:
             texts.append("\n".join([question.statement, *wrong]))
     return counts, "\n\n".join(texts)

@@ -148,6 +148,42 @@ def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
     return replace(derivation, lines=tuple(lines))
 
 
+def with_identities(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which a line that takes sin² + cos² = 1 to follow says so."""
+    whole = settled_derivation(derivation)
+    read = _Reader(whole, oracle, frozenset())
+    lines = []
+    for line, settled_ in zip(derivation.lines, whole.lines, strict=True):
+        other = _by_identity(line)
+        if other is not None and not read.accepts(settled_):
+            named = _by_identity(settled_)
+            line = other if named is not None and read.accepts(named) else line
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
+def _by_identity(line: Line) -> Line | None:
+    """A line with sines and cosines of one angle, by the identity and not by arithmetic."""
+    if isinstance(line.relation, Meaning) or not _mixes(line):
+        return None
+    if line.move.id == "rearrange":
+        return replace(line, move=replace(line.move, id="identity", record="pythagoras"))
+    if len(line.relation.options) != 1 or line.relation.only[-1].by != "rearrange":
+        return None
+    *links, last = line.relation.only
+    return replace(line, relation=Relation(((*links, replace(last, by="identity")),)))
+
+
+def _mixes(line: Line) -> bool:
+    """Whether a sine and a cosine of one angle stand in a line."""
+    angles: dict[str, set[Expression]] = {"sin": set(), "cos": set()}
+    for tree in trees_of(line.relation):
+        for each in walk(tree):
+            if isinstance(each, Apply) and each.function in angles:
+                angles[each.function].add(each.argument)
+    return bool(angles["sin"] & angles["cos"])
+
+
 def _below_roots(line: Line) -> set[str]:
     """The letters in roots, sizes and inverse ratios of a line."""
     return {
@@ -481,6 +517,14 @@ class _Reader:
         except NotComparableError:
             return premises
         return trial.needed(line.move, every, line.relation, every[len(premises) :])
+
+    def accepts(self, line: Line) -> bool:
+        """Whether a line follows from what it cites."""
+        assert isinstance(line.relation, Relation)
+        try:
+            return self._trial(line).follows(line.move, line.premises, line.relation)
+        except NotComparableError:
+            return True  # nobody can tell
 
     def speaks_of(self, ref: Ref, names: AbstractSet[str]) -> bool:
         """Whether a premise is a line, or is about one of some letters."""

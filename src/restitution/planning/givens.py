@@ -133,9 +133,15 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
     """A ratio of an angle, by its definition, with its value on the left."""
     value, refs = scene.put(scene.scalar(each.link.right))
     left = each.link.right if not refs and not has_angle(each.link.right) else tree_of(value)
-    return scene.desk.write(
-        own.move, together(each.refs, refs, own.refs), chain(left, (swept(own.right), None))
-    )
+    premises = together(each.refs, refs, own.refs)
+    relation = chain(left, (swept(own.right), None))
+    components = {each.symbol for each in scene.model.components.values()}
+    backwards = any(scene.model.sign(x) < 0 for x in scene.unknown(own.value) & components)
+    if own.move.record == "tan-deflection" and (
+        backwards or not scene.judge.follows(own.move, premises, relation)
+    ):
+        raise NotPlannedError("to which side a sphere turns is open")
+    return scene.desk.write(own.move, premises, relation)
 
 
 def _is_right(scene: Scene, own: Link) -> bool:

@@ -10,7 +10,7 @@ from restitution.components import model, protected_letters
 from restitution.errors import MissingError
 from restitution.explaining.derivation import Derivation, Line, Meaning
 from restitution.explaining.facts import events_of, facts_of, staged
-from restitution.explaining.follower import with_ranges, without_spare
+from restitution.explaining.follower import with_identities, with_ranges, without_spare
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
 from restitution.planning import place_trees
@@ -65,7 +65,10 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         )
     )
     oracle = Oracle(roles(problem))
-    return gathered(without_spare(with_ranges(without_idle(whole), oracle), oracle))
+    whole = without_idle(whole)
+    for mended in (with_ranges, with_identities, without_spare):
+        whole = mended(whole, oracle)
+    return gathered(whole)
 
 
 def _require_plain(solution: Solution) -> None:
