@@ -6,6 +6,7 @@ Each is followed line by line, and its answers are those of the solver.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -172,6 +173,7 @@ find angle(velocity(P), velocity(P, 0))
 }
 
 
+@cache
 def planned(name: str) -> tuple[Derivation, Solution]:
     solution = solve(parse(STATEMENTS[name]))
     return plan(solution), solution

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import pytest
 from corruptions import corruptions
@@ -39,6 +40,7 @@ find position(P), velocity(P), time(1)
 """
 
 
+@cache
 def planned(statement: str) -> tuple[Problem, Derivation]:
     """A statement and its working, which the follower accepts and which has its answers."""
     problem = parse(statement)

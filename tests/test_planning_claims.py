@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import pytest
 import sympy as sp
@@ -165,6 +166,7 @@ WORKINGS = {
 }
 
 
+@cache
 def planned(text: str) -> tuple[Problem, Derivation]:
     problem = parse(text)
     return problem, plan(solve(problem))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from functools import cache
 
 import pytest
 import sympy as sp
@@ -21,6 +22,7 @@ from restitution.solve import Solution, solve
 from restitution.solve.letters import roles
 
 
+@cache
 def planned(text: str) -> tuple[Solution, Derivation]:
     """A statement solved, and its working; the follower and the answers are asked first."""
     problem = parse(text)

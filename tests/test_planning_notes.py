@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -34,6 +35,7 @@ A hits B: along i{e}
 """
 
 
+@cache
 def planned(text: str) -> tuple[Solution, Derivation]:
     """The solution of a statement, and its working, which the follower accepts."""
     solution = solve(parse(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 from laws_of_workings import answers as wrong_answers
 
@@ -27,6 +28,7 @@ find time(1), line_of_centres, velocity(B), distance(A, B, at 6)
 """
 
 
+@cache
 def planned(statement: str) -> tuple[Problem, Derivation]:
     """A statement and its working, which the follower accepts and which has its answers."""
     problem = parse(statement)

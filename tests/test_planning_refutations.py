@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import pytest
 
@@ -91,6 +92,7 @@ CLAIMS = {
 }
 
 
+@cache
 def planned(text: str) -> tuple[Solution, Derivation]:
     solution = solve(parse(text))
     derivation = plan(solution)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
+from functools import cache
 
 import pytest
 import sympy as sp
@@ -198,6 +199,7 @@ find speed(A) + speed(B), velocity(B) - velocity(A), mass(A)/mass(B)*speed(A)
 }
 
 
+@cache
 def _planned(text: str) -> tuple[Solution, Derivation]:
     solution = solve(parse(text))
     return solution, plan(solution)
