@@ -97,3 +97,30 @@ def test_a_sense_or_a_radius_that_is_wrong_is_refused() -> None:
                 assert follow(replace(derivation, lines=lines), oracle) != ()
                 spoiled += 1
     assert spoiled == 3
+
+
+def test_a_time_says_from_what_it_is_counted() -> None:
+    problem, derivation = planned(AT_REST)
+    text = printed(problem, derivation)
+    assert "6 s after the start" in text
+    assert "at time" not in text
+    problem, derivation = planned(
+        """
+        sphere A: mass m, velocity 3u i + u j
+        sphere B: mass m, velocity u j
+        A hits B: along i, e = 1/2
+        find distance(A, B, at time(1) + t)
+        """
+    )
+    assert "t after the impact" in printed(problem, derivation)
+
+
+def test_the_size_of_a_blow() -> None:
+    _, derivation = planned(
+        """
+        sphere P: mass 2, velocity i
+        P receives 3i - 4j
+        find impulse, velocity(P)
+        """
+    )
+    assert write_relation(derivation.items[0].answer) == "impulse(1) = 5"

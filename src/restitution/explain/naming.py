@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from restitution.explain.measured import Measures, with_unit
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -462,7 +463,7 @@ class Naming:
     def _at(self, words: Sentence, stage: Stage) -> Sentence:
         match stage:
             case AtTime(time):
-                when = say("derived.at-time", time=self.laid(time))
+                when = self._later(time)
             case 0:
                 when = say("derived.at-the-start")
             case int(number) if number in self.events:
@@ -470,6 +471,33 @@ class Naming:
             case _:
                 return words
         return say("derived.when", quantity=words, when=when)
+
+    def _later(self, time: Expression) -> Sentence:
+        """A time by what it is counted from: an event, or where the clock starts."""
+        match time:
+            case Binary("+", Quantity("time", (), int(number)), length) if number in self.events:
+                return say(
+                    "derived.later", time=self._in_seconds(length), event=self._started(number)
+                )
+        fact = self.derivation.fact("start")
+        if any(isinstance(each, Quantity) for each in walk(time)) or fact is None:
+            return say("derived.at-time", time=self.laid(time))
+        left = fact.relation.only[0].left
+        begins = left.stage if isinstance(left, Quantity) else None
+        start = self._started(begins if isinstance(begins, int) else 0)
+        return say("derived.later", time=self._in_seconds(time), event=start)
+
+    def _started(self, number: int) -> Sentence:
+        """The event, or the start, from which a time is counted."""
+        return self._event(self.events[number]) if number in self.events else say("event.start")
+
+    def _in_seconds(self, time: Expression) -> lay.Layout:
+        """A plain number of seconds with its unit, where the statement has units."""
+        laid = self.laid(time)
+        if not all(isinstance(each, Number | Binary) for each in walk(time)):
+            return laid
+        unit = Measures(self.problem, self.meanings).unit(Quantity("time", (), 1))
+        return with_unit(laid, unit)
 
     @staticmethod
     def _timeless(tree: Expression) -> Expression:

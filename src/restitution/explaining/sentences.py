@@ -632,6 +632,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.before": "before {event}",
     "derived.at-the-start": "at the start",
     "derived.at-time": "at time {time}",
+    "derived.later": "{time} after {event}",
+    "event.start": "the start",
     "derived.of": "of {event}",
     "derived.velocity": "velocity of {body}",
     "derived.coefficient": "coefficient of restitution",

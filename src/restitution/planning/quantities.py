@@ -570,7 +570,7 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     if quantity.arguments:
         return _impulse_vector(scene, quantity, event)
     if event not in scene.model.frames:
-        raise NotPlannedError("the size of a blow")
+        return _size_of_blow(scene, quantity, event)
     frame = scene.frame(event)
     spheres = scene.spheres(event)
     body = spheres[0]
@@ -606,6 +606,17 @@ def _is_open(scene: Scene, body: str, event: int) -> bool:
     """Whether the component along the line of centres after an impact is not known yet."""
     component = scene.model.components.get((event, body))
     return component is not None and bool(scene.unknown(component.symbol))
+
+
+def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
+    """The size of a blow that is given as a vector."""
+    blow = scene.data(f"impulse {event}")
+    if not isinstance(blow.value, Vector):
+        raise NotPlannedError("the size of a blow")
+    tree = Apply("sqrt", total(square(tree_of(each)) for each in blow.value if each != 0))
+    value = tidy(sp.sqrt(tidy(sp.expand(blow.value.dot(blow.value)))))
+    move = Move("define", "size", event, scene.bodies(event))
+    return Formula(move, _itself, quantity, tree, value, blow.refs)
 
 
 def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
