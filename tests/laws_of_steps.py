@@ -87,7 +87,7 @@ def values_have_lines(solution: Solution, derivation: Derivation) -> list[str]:
         known = dict(values)
         for left, right in values:
             named = isinstance(left, Letter) and left.name in own
-            if not named and not _is_of_velocity(left):
+            if (not named and not _is_of_velocity(left)) or isinstance(right, Letter):
                 continue
             put = [e for e in walk(right) if e in known and _is_put(e, own)]
             angles = [e for e in walk(right) if isinstance(e, Apply) and e.argument in known]
