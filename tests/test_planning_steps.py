@@ -304,3 +304,13 @@ def test_a_law_of_steps_can_fail(law: str, made: Derivation) -> None:
     for one, other in pairwise(made.lines):
         assert one.number < other.number
     assert all(isinstance(link, Link) for e in made.lines for link in e.relation.options[0])  # type: ignore[union-attr]
+
+
+def test_a_velocity_beside_one_that_is_given_comes_by_momentum_before_any_component() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2, velocity 3i + 2j\nsphere B: mass 1, velocity -i + 4j\n"
+        "A hits B: along 2i - j\ngiven velocity(B) = 3i + 2j\nfind velocity(A), e"
+    )
+    assert derivation.lines[0].move.record == "momentum-vector"
+    laws = [each.move.record for each in lines(derivation, "law")]
+    assert laws == ["momentum-vector", "restitution"]

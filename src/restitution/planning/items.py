@@ -36,6 +36,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
+    if isinstance(asked, Quantity) and asked.kind == "velocity" and write_by_momentum(scene, asked):
+        solver.take_velocity(asked)
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
     if placed:
         solver.determine(journeys.goals(scene, asked))
@@ -43,8 +45,6 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         _determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
-    if isinstance(asked, Quantity) and asked.kind == "velocity":
-        write_by_momentum(scene, asked)
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))

@@ -12,30 +12,35 @@ from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
 
-def write_by_momentum(scene: Scene, velocity: Quantity) -> None:
+def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     """A second velocity after an impact in a slanting direction, by momentum as vectors.
 
-    Nothing is written where the velocities are not vectors, or the other is not a line.
+    Nothing is written, and False returned, where the velocities are not vectors that are known.
     """
+    if not isinstance(velocity.stage, int):
+        return False
     body, stage = body_and_stage(scene, velocity)
     own = Quantity("velocity", (Name(body),), stage)
     if stage not in scene.model.frames or scene.desk.known(own) is not None:
-        return
+        return False
     frame = scene.frame(stage)
     if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
-        return
+        return False
     (other,) = (each for each in scene.spheres(stage) if each != body)
-    after = scene.desk.known(Quantity("velocity", (Name(other),), stage))
+    after = _as_vector(scene, other, stage)
     before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
     if after is None or None in before:
-        return
+        return False
     masses = {each: scene.mass(each) for each in (body, other)}
     whole = [(masses[n], v) for n, v in zip(scene.bodies(stage), before, strict=True) if v]
-    sources = [*masses.values(), *(each for _, each in whole), after]
-    late = Vector(*(tidy(x) for x in scene.velocity(body, stage)))
-    value, _ = scene.put(late)
-    if any(scene.unknown(x) for x in value) or any(scene.put(each.value)[1] for each in sources):
-        return
+    values = [each.value for pair in ((*masses.values(), after), *whole) for each in pair]
+    if any(scene.unknown(x) or scene.put(x)[1] for x in values):
+        return False
+    sums = [
+        sum(m.value * v.value[n] for m, v in whole) - masses[other].value * after.value[n]
+        for n in (0, 1)
+    ]
+    late = Vector(*(tidy(each / masses[body].value) for each in sums))
     left = total(product(tree_of(m.value), tree_of(v.value)) for m, v in whole if any(v.value))
     right = total(
         (
@@ -46,17 +51,24 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> None:
     refs = together(*(m.refs for m in masses.values()), *(v.refs for _, v in whole), after.refs)
     move = Move("law", "momentum-vector", stage, scene.bodies(stage))
     line = scene.desk.write(move, refs, chain(swept(left), (swept(right), None)))
-    value = Vector(*map(tidy, value))
-    line = scene.desk.write(Move("rearrange"), (line,), chain(own, (tree_of(value), None)))
-    scene.desk.know(own, value, (line,))
+    line = scene.desk.write(Move("rearrange"), (line,), chain(own, (tree_of(late), None)))
+    scene.desk.know(own, late, (line,))
+    return True
 
 
 def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
-    """A velocity before an impact that is a vector of the data, or of a line."""
+    """A velocity that is a vector of the data, of a given fact, or of a line."""
     last = scene.last_event(body, stage)
     if not last:
         (link,) = scene.facts[f"velocity {body}"].relation.only
         if any(isinstance(each, Polar) for each in walk(link.right)):
             return None
         return scene.initial(body)
-    return scene.desk.known(Quantity("velocity", (Name(body),), last))
+    known = scene.desk.known(Quantity("velocity", (Name(body),), last))
+    if known is not None:
+        return known
+    quantity = Quantity("velocity", (Name(body),), last)
+    for each in scene.given:
+        if each.link.sign == "=" and each.link.left == quantity:
+            return Source(scene.vector(each.link.right), (each.fact.id,))
+    return None
