@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from restitution.explaining.algebra import NotComparableError
-from restitution.explaining.derivation import Meaning, Note, Relation
+import sympy as sp
+
+from restitution.explaining.algebra import NotComparableError, Plane
+from restitution.explaining.derivation import Link, Meaning, Note, Relation
 from restitution.explaining.step import Cited, Step
 from restitution.explaining.trees import of_relation
-from restitution.oracle import BeyondError, Oracle
+from restitution.expression.tree import Quantity, walk
+from restitution.oracle import BeyondError, Oracle, compared, negation
 
+_ANGLES = frozenset({"angle", "deflection", "direction"})
 _WORDS = frozenset({"parallel to", "perpendicular to", "≈"})
 
 
-def excludes(note: Note, step: Step, unknown: bool = False) -> bool:
+def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = False) -> bool:
     """Whether what a step cites cannot hold together, nor with the claim of a note.
 
-    Letters have the values of its instance. ``unknown`` is the answer for what cannot be compared.
+    Letters have the values of its instance. ``unknown`` is the answer for what cannot be compared:
+    directions, decimals, and angles. Of what is ``quickly`` seen, values are put into the claim.
     """
     claim = None if note.claim is None else _at(note, note.claim)
-    if claim is not None and any(e.sign in _WORDS for links in claim.options for e in links):
+    if claim is not None and any(_is_beyond(e) for links in claim.options for e in links):
         return unknown
     cited = tuple(
         Cited(e.ref, e.relation if isinstance(e.relation, Meaning) else _at(note, e.relation))
@@ -25,10 +30,38 @@ def excludes(note: Note, step: Step, unknown: bool = False) -> bool:
     )
     there = step.under(cited=cited)
     try:
+        if claim is not None and len(claim.options) == 1 and _is_refuted(there, claim.only):
+            return True
+        if quickly:
+            return False
         facts = (*there.facts, *(() if claim is None else (there.formula(claim),)))
         return Oracle(there.roles, facts).possible.answer == "refuted"
     except (NotComparableError, BeyondError):
         return unknown
+
+
+def _is_beyond(link: Link) -> bool:
+    """Whether a claim is of what the oracle does not know."""
+    return link.sign in _WORDS or any(
+        isinstance(each, Quantity) and each.kind in _ANGLES
+        for side in (link.left, link.right)
+        for each in walk(side)
+    )
+
+
+def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:
+    """Whether one of some links is false with the values put in that are cited: the quick way."""
+    oracle = Oracle(step.roles)
+    zero = sp.Integer(0)
+    for link in links:
+        value = step.residual(link, step.rules())
+        parts = (value.x, value.y) if isinstance(value, Plane) else (value,)
+        for each in parts:
+            gap = step.world.expression(each, step.roles)
+            plain = {symbol.name for symbol in gap.free_symbols} <= step.roles.keys()
+            if plain and oracle.proves(negation(compared(gap, link.sign, zero))):
+                return True
+    return False
 
 
 def _at(note: Note, relation: Relation) -> Relation:

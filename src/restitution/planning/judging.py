@@ -82,9 +82,10 @@ class Judge:
         except (NotComparableError, BeyondError):
             return False
 
-    def excludes(self, note: Note, unknown: bool = False) -> bool:
+    def excludes(self, note: Note, unknown: bool = False, *, quickly: bool = False) -> bool:
         """Whether what a note rests on cannot hold; ``unknown`` where that is not compared."""
-        return excludes(note, self._trial().step(Move("reject"), note.premises), unknown)
+        step = self._trial().step(Move("reject"), note.premises)
+        return excludes(note, step, unknown, quickly=quickly)
 
     def known(self, names: Iterable[str]) -> tuple[Ref, ...]:
         """What may be cited of the range of letters."""

@@ -253,6 +253,6 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 _NAMES = {"sin", "cos", "tan"}
 # A longer story is no exam question, and every pair of its events would be looked at.
 _MOST_EVENTS = 12
-_MOST_ITEMS = 24
+_MOST_ITEMS = 40
 # Data of exam questions stay far below these.
 _MOST_NODES, _MOST_FUNCTIONS, _MOST_POWER, _LARGEST = 60, 6, 6, 10**12

@@ -16,8 +16,11 @@ from restitution.explaining.trees import trees_of
 from restitution.expression import read_expression
 from restitution.expression.evaluate import Angle, evaluate
 from restitution.expression.tree import (
+    Binary,
+    Degrees,
     Expression,
     Letter,
+    Negate,
     Number,
     Quantity,
     has_quantity,
@@ -158,6 +161,8 @@ class _Refutation:
         self, note: Note, lines: Sequence[int], numbers: Mapping[str, sp.Expr]
     ) -> tuple[Ref, ...]:
         """Lines and facts that exclude the claim; nothing where they do not."""
+        if self._excluded(self._at(replace(note, premises=tuple(lines)), numbers), quickly=True):
+            return tuple(lines)
         named = together(lines, self._named(lines))
         axes = together(named, self._data("axis ", "wall "))
         data = together(axes, self._data("velocity "))
@@ -192,8 +197,8 @@ class _Refutation:
             if fact.id.startswith(kinds):
                 yield fact.id
 
-    def _excluded(self, note: Note, unknown: bool = False) -> bool:
-        return self.scene.judge.excludes(note, unknown)
+    def _excluded(self, note: Note, unknown: bool = False, *, quickly: bool = False) -> bool:
+        return self.scene.judge.excludes(note, unknown, quickly=quickly)
 
     def _at(self, note: Note, numbers: Mapping[str, sp.Expr]) -> Note:
         known = roles(self.scene.problem)
@@ -226,15 +231,32 @@ class _Refutation:
 
     def _rounded(self, tree: Expression, figures: int) -> Expression:
         """What a side is worth, its number to some figures."""
-        value = self._there(self.scene.value(tree), {})
+        value = self._value(tree, {})
+        if isinstance(value, Vector):
+            raise NotPlannedError("a vector to some figures")
+        angle = self._is_angle(tree)
+        value = sp.deg(value) if angle else value
         units = dict.fromkeys(value.free_symbols, sp.Integer(1))
         number = sp.Rational(str(sp.N(value.xreplace(units), figures)))
+        told = Fraction(number.p, number.q)
+        if angle:
+            return Degrees(told)
         scale = tidy(value / value.xreplace(units))
-        return product(Number(Fraction(number.p, number.q)), tree_of(scale))
+        return product(Number(told), tree_of(scale))
 
     def _is_angle(self, tree: Expression) -> bool:
-        own = self.scene.value(tree)
-        return isinstance(own, Angle)
+        """Whether a side is an angle, which is printed in degrees."""
+        match tree:
+            case Letter(name):
+                known = roles(self.scene.problem).get(name)
+                return known is not None and known.kind == "angle"
+            case Quantity(kind):
+                return kind in ("angle", "deflection", "direction")
+            case Negate(operand):
+                return self._is_angle(operand)
+            case Binary(op, left, right) if op != "^":
+                return self._is_angle(left) or self._is_angle(right)
+        return False
 
     def _letters(self, tree: Expression) -> set[str]:
         value = self.scene.value(tree)
