@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Self
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation, Sign
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.expression.tree import (
     Apply,
@@ -23,7 +23,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
-from restitution.planning.forms import ZERO, tree_of
+from restitution.planning.forms import ONE, ZERO, tree_of
 from restitution.planning.inequalities import (
     FLIPPED,
     is_monic,
@@ -496,8 +496,39 @@ class Claims:
             line = self.judge.write((Move("rearrange"),), [each], relation)
             if line is not None:
                 return line
-        kind = "compare" if conditions else "sign"
-        return self.judge.write((Move(kind),), pool, relation)  # type: ignore[arg-type]
+        kind: MoveId = "compare" if conditions else "sign"
+        line = self.judge.write((Move(kind),), pool, relation)
+        if line is not None:
+            return line
+        mark = self.worths.mark()
+        several = self.coefficients(names)
+        products = self.products(several)
+        if products:
+            rest = self.judge.known(
+                n for n in names - set(several) if n in roles(self.scene.problem)
+            )
+            line = self.judge.write((Move("compare"),), [*refs, *products, *rest], relation)
+        if line is None:
+            self.worths.back(mark)
+        return line
+
+    def coefficients(self, names: Iterable[str]) -> list[str]:
+        """The coefficients of restitution among some letters."""
+        known = roles(self.scene.problem)
+        return sorted(n for n in names if n in known and known[n].kind == "restitution")
+
+    def products(self, several: Sequence[str]) -> list[int]:
+        """The bounds of a product of coefficients, where there are several."""
+        if len(several) < 2:
+            return []
+        known = roles(self.scene.problem)
+        product = tree_of(sp.Mul(*(known[each].symbol(each) for each in several)))
+        bounds = (Link(product, ">", ZERO), Link(product, "<=", ONE))
+        lines = [
+            self.judge.write((Move("sign"),), self.judge.known(several), Relation(((each,),)))
+            for each in bounds
+        ]
+        return [each for each in lines if each is not None]
 
     def _rooted(self, refs: Sequence[Ref], relation: Relation, pool: Sequence[Ref]) -> int | None:
         """Of a bound of the square of a ratio, that of the ratio, where its angle is asked."""

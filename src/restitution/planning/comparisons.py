@@ -19,6 +19,7 @@ from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, Source
 from restitution.planning.forms import tree_of
 from restitution.planning.quantities import frame_after
+from restitution.solve.letters import roles
 
 
 class Comparison:
@@ -54,7 +55,33 @@ class Comparison:
                 number_ = self.claims.compared([line], relation)
                 if number_ is not None:
                     return number_, relation
+        if len(numbers) == 1:
+            number_ = self._by_product(numbers[0], values, lines, relation)
+            if number_ is not None:
+                return number_, relation
         raise NotPlannedError("who is the faster")
+
+    def _by_product(
+        self, line: int, values: Sequence[sp.Expr], lines: Sequence[Ref], relation: Relation
+    ) -> int | None:
+        """The sense of a component with several coefficients: their product is positive."""
+        own_roles = roles(self.scene.problem)
+        names = {s.name for each in values for s in each.free_symbols if s.name in own_roles}
+        several = self.claims.coefficients(names)
+        mark = self.worths.mark()
+        products = self.claims.products(several)
+        if not products:
+            return None
+        rest = self.judge.known(names - set(several))
+        sides = relation.only[0]
+        subject, value = (sides.left, values[0]) if values[1] == 0 else (sides.right, values[1])
+        told = Relation(((Link(subject, "=", tree_of(value)),),))
+        named = self.judge.write((Move("put"), Move("rearrange")), lines, told) or line
+        pool = [named, *lines, *products, *rest]
+        found = self.judge.write((Move("compare"),), pool, relation)
+        if found is None:
+            self.worths.back(mark)
+        return found
 
     def _difference(self, relation: Relation, lines: Sequence[int]) -> int | None:
         for pair in (lines, lines[::-1]):

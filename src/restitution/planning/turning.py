@@ -144,11 +144,10 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
         if own.function == "tan" and _sign_of_tangent(scene, own) < 0:
             at += sp.pi
         value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
-        line = scene.desk.write(
-            Move("triangle"),
-            (own.line, own.extent),
-            Relation(((Link(tree, "=", tree_of(value)),),)),
-        )
+        told = Relation(((Link(tree, "=", tree_of(value)),),))
+        if not scene.judge.follows(Move("triangle"), (own.line, own.extent), told):
+            raise NotPlannedError(f"the {function} by another ratio")
+        line = scene.desk.write(Move("triangle"), (own.line, own.extent), told)
     return line, chain(tree, (tree_of(value), None))
 
 
