@@ -25,6 +25,7 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.expressions import outermost
 from restitution.planning.forms import (
     ONE,
     ZERO,
@@ -314,15 +315,20 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
         number = _of_two_speeds(scene, each, own.left)
         if number is not None:
             return number
-    refs: list[int] = []
+    refs: list[Ref] = []
     values: dict[Expression, Expression] = {}
     for side in (own.left, own.right):
-        for node in walk(side):
+        for node in outermost(side):
             if (
                 not isinstance(node, Quantity)
                 or node.kind in ("mass", "position")
                 or node in values
             ):
+                continue
+            if node.kind in ("along", "across"):
+                component = formula(scene, node)
+                values[node] = tree_of(component.value)
+                refs += component.refs
                 continue
             if place_trees.serves(node):
                 number, value = journeys.write(scene, node)
@@ -346,4 +352,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
     left, right = (
         swept(rebuilt(side, lambda node: values.get(node, node))) for side in (own.left, own.right)
     )
-    return scene.desk.write(Move("put"), together(each.refs, refs), chain(left, (right, None)))
+    relation = chain(left, (right, None))
+    whole = together(each.refs, refs)
+    first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]
+    premises = scene.judge.enough(Move("put"), first, relation, whole)
+    return scene.desk.write(Move("put"), premises or whole, relation)
