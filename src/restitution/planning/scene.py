@@ -301,9 +301,12 @@ class Scene:
         )
 
     def _stands_for(self, name: str, names: Sequence[str]) -> bool:
-        """Whether a letter of a fact is replaced: an angle is not, where others are beside it."""
+        """Whether a letter of a fact is replaced: an angle is not, where others are beside it.
+
+        A letter of a component after an impact is the unknown itself.
+        """
         fact = self.facts.get(f"let {name}")
-        if fact is None:
+        if fact is None or name in {e.symbol.name for e in self.model.components.values()}:
             return False
         quantity = fact.relation.only[0].left
         angle = isinstance(quantity, Quantity) and quantity.kind in _ANGLES
