@@ -215,6 +215,7 @@ class Leads:
                 yield say("derived.square-add", equations=equations)
             case "put":
                 facts = tuple(self._fact(each) for each in source.facts)
+                self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
                 letters = tuple(
                     self._naming.laid(each) for each in source.letters if each not in spoken
