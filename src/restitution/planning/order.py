@@ -430,13 +430,14 @@ class Solver:
                 scene.desk.know(Letter(component.symbol.name), value, source.refs)
 
     def take_velocity(self, velocity: Quantity) -> None:
-        """The component of a velocity that is a line is known, where the laws do not stand yet."""
+        """The components are known, once both velocities are, where the laws do not stand yet."""
         (body,) = velocity.arguments
         assert isinstance(body, Name)
         assert isinstance(velocity.stage, int)
         event = self.scene.last_event(body.name, velocity.stage)
         if written_law(self.scene, "momentum", event) is None:
-            self._take_components(body.name, event)
+            for each in self.scene.spheres(event):
+                self._take_components(each, event)
 
     def _take_components(self, body: str, event: int) -> None:
         """The component of a velocity that is a line is known from now on."""
