@@ -161,8 +161,13 @@ class _Refutation:
         self, note: Note, lines: Sequence[int], numbers: Mapping[str, sp.Expr]
     ) -> tuple[Ref, ...]:
         """Lines and facts that exclude the claim; nothing where they do not."""
-        if self._excluded(self._at(replace(note, premises=tuple(lines)), numbers), quickly=True):
-            return tuple(lines)
+        plain = self._at(replace(note, premises=tuple(lines)), numbers)
+        if self._excluded(plain, quickly=True):
+            for ref in lines:
+                fewer = replace(plain, premises=tuple(e for e in plain.premises if e != ref))
+                if self._excluded(fewer, quickly=True):
+                    plain = fewer
+            return plain.premises
         named = together(lines, self._named(lines))
         axes = together(named, self._data("axis ", "wall "))
         data = together(axes, self._data("velocity "))
