@@ -163,8 +163,8 @@ class _Refutation:
         """Lines and facts that exclude the claim; nothing where they do not."""
         plain = self._at(replace(note, premises=tuple(lines)), numbers)
         if self._excluded(plain, quickly=True):
-            for ref in lines:
-                fewer = replace(plain, premises=tuple(e for e in plain.premises if e != ref))
+            for line in lines:
+                fewer = replace(plain, premises=tuple(e for e in plain.premises if e != line))
                 if self._excluded(fewer, quickly=True):
                     plain = fewer
             return plain.premises
