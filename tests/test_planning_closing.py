@@ -16,7 +16,6 @@ from restitution.explaining.notation import write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.solve import Solution, solve
 from restitution.solve.letters import roles
@@ -315,13 +314,14 @@ def test_speeds_after_a_wall_give_angles() -> None:
         assert sp.simplify(answer.value**2 - sp.Rational(share.numerator, share.denominator)) == 0
 
 
-def test_what_has_no_shape_has_no_plan() -> None:
-    with pytest.raises(NotPlannedError):
-        plan(
-            solve(
-                parse(
-                    "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
-                    "given deflection(P) = 3 alpha/2\nfind alpha"
-                )
+def test_what_has_no_shape_has_no_answer_and_a_note_that_says_why() -> None:
+    derivation = plan(
+        solve(
+            parse(
+                "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+                "given deflection(P) = 3 alpha/2\nfind alpha"
             )
         )
+    )
+    assert derivation.items == ()
+    assert [each.kind for each in derivation.notes] == ["impossible"]
