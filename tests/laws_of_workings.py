@@ -116,6 +116,8 @@ def printed_results(solution: Solution, derivation: Derivation) -> list[str]:
 
 def facts_used(solution: Solution, derivation: Derivation) -> list[str]:
     """Every given equation that is in force for an item is below the last line of one."""
+    if derivation.notes:
+        return []  # what an item without an answer rests on is under no last line
     found = []
     for part in dict.fromkeys(end.part for end in derivation.items):
         ends = [end.line for end in derivation.items if end.part == part]

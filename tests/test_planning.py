@@ -45,7 +45,7 @@ NOT_YET = {
         "greatest-deflection-shown",
     },
     "vectors stay vectors": {"286-triangular-table"},
-    "numbers are plain": {"308-mirrored-unequal-speeds"},
+    "numbers are plain": {"243-abs-dot", "308-mirrored-unequal-speeds"},
 }
 
 
