@@ -135,6 +135,33 @@ find total_energy_lost
 a: 5 alpha = 20°
 b: 8 total_energy_lost(1) = 1/4 m u^2
 """,
+    # From a place on a circular wall to the next: along a chord.
+    "circle": """
+wall C: circle centre (0, 0) radius 1
+sphere P: at (-1, 0), velocity 2i + 2j
+P hits C: e = 1/3
+find time(1)
+---
+1 a | define chord 1 P | contact 1, velocity P | along(velocity(P, 0), line_of_centres(1)) = 2
+2 a | define chord 1 P | contact 1, start, velocity P | time(1) = 2 * 2/8 = 1/2 [rearrange]
+a: 2 time(1) = 1/2
+""",
+    # Who was at rest moves off to a point: that gives the line of centres, and where they touched.
+    "pocket": """
+point N: (10, 10)
+sphere A: mass 1, at (-2, 0), velocity u at alpha, radius 1
+sphere B: mass 3, at (6, 7), at rest
+A hits B: e = 2/3
+B reaches N
+find alpha
+---
+1 a | law moves-off 1 B | velocity B, position B | line_of_centres(1) parallel to 4i + 3j
+2 a | define beside 1 A | position B, 1 | position(A, 1) = 22/5 i + 29/5 j
+3 a | define straight-line 1 A | 2 | (22/5 + 2) (u sin(alpha)) = 29/5 (u cos(alpha))
+4 a | rearrange | 3 | tan(alpha) = 29/32
+5 a | inverse | 4, acute: alpha | alpha = arctan(29/32)
+a: 5 alpha = arctan(29/32)
+""",
 }
 
 # Rule, working, line; what stands there in the styles fm1, m4 and caie.
@@ -177,6 +204,9 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("angle-by-a-difference", "equal-elastic", 11, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
     ("time-or-place", "reaches-a-point", 4, "M1", "M1", "M1"),
+    ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
+    ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
+    ("chord", "circle", 1, "M1", "M1", "M1"),
     ("energy", "energy-inequality", 7, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("first-of-several-energies", "energies", 6, "DM1", "DM1", "DM1"),
     ("second-of-several-energies", "energies", 7, "A1", "A1", "A1"),

@@ -70,15 +70,13 @@ def bounds(value: sp.Expr, values: sp.Set) -> list[Formula]:
 
 def ranges(solution: Solution) -> Iterator[tuple[Working, ItemResult, int, int]]:
     """The ranges answered, each with its working, its place in the part and the event."""
-    from restitution.explain.asked import stages
-
     carried: route.Carried = {}
     for part in solution.parts.values():
         if not part.branches:
             continue
         works = route.workings(solution, part, carried)
         route._carry(part.part, works, carried)
-        nows = [now for _, now in stages(solution.problem, part.part)]
+        nows = [now for _, now in solution.problem.asked(part.part)]
         for index, (item, now) in enumerate(zip(part.items, nows, strict=False)):
             if isinstance(item.item, Range) and item.error is None:
                 for work in works:
@@ -143,7 +141,7 @@ def test_the_corpus_has_ranges() -> None:
             P hits W
             find range of a
             """,
-            ["a > 1", "a < 4"],
+            ["P hits W between its ends: 1 < a < 4"],
         ),
         (
             """
@@ -164,12 +162,12 @@ def test_the_corpus_has_ranges() -> None:
             P hits Y: e = 2e
             find range of e
             """,
-            ["A coefficient of restitution lies between 0 and 1:", "e ≤ ½"],
+            ["A coefficient of restitution is at most 1: e ≤ ½", "0 ≤ e ≤ ½, as e ≥ 0"],
         ),
     ],
 )
 def test_conditions_that_fail_only_far_away_are_told(text: str, lines: list[str]) -> None:
-    working = " ".join(str(explain(restitution.solve(parse(text)))).split())
+    working = " ".join(str(explain(restitution.solve(parse(text)), marks="none")).split())
     for line in lines:
         assert line in working
 
@@ -211,7 +209,7 @@ def test_claims_beside_a_range_agree_with_it(fact: str, claims: dict[str, bool])
     shows = "".join(f"\nshow {claim}" for claim in claims)
     solution = restitution.solve(parse(IMPACT + fact + shows))
     assert {claim: solution[claim].holds for claim in claims} == claims
-    working = " ".join(str(explain(solution)).split())
+    working = " ".join(str(explain(solution, marks="none")).split())
     for claim, holds in claims.items():
         shown = claim.replace(">=", "≥").replace("<=", "≤")
         false = f"It is not true in general that {shown}:"
