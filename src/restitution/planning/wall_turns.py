@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
 )
+from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
 from restitution.planning.frames import Frame
@@ -79,15 +80,28 @@ def _by_tangents(
     if refs is None:
         return None
     number = scene.desk.write(identity, refs, relation)
-    values = [tangents[0], scene.desk.last_link(line).right]
+    first, premises = _known_tangent(scene, angle) if asked else (tangents[0], ())
+    values = [first, scene.desk.last_link(line).right]
     quotient = Binary("/", total(values), difference(ONE, swept(product(*values))))
     if asked:
         final = tree_of(tidy(scene.scalar(quotient)))
         relation = chain(turned, (quotient, None), (final, "rearrange"))
     else:
         relation = chain(quotient, (turned, None))
-    refs = scene.judge.enough(Move("put"), (number, line), relation, known)
+    refs = scene.judge.enough(Move("put"), (number, line, *premises), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _known_tangent(scene: Scene, angle: Letter) -> tuple[Expression, tuple[Ref, ...]]:
+    """The tangent of an angle: its value with the line of it, where the angle was worked out."""
+    tangent = Apply("tan", angle)
+    symbol = scene.model.unknowns.letter(angle.name)
+    if symbol not in scene.model.final or symbol in scene.free:
+        return tangent, ()
+    if scene.desk.known(tangent) is None:
+        write_other_ratio(scene, symbol, "tan")
+    known = scene.desk.known(tangent)
+    return (tangent, ()) if known is None else (tree_of(known.value), known.refs)
 
 
 def given_at_a_wall(
