@@ -90,11 +90,19 @@ def test_the_working_as_data_belongs_to_json(folder):
 
 def test_a_file_that_cannot_be_solved_has_parts_without_derivations(folder):
     name = "missing.impact"
-    for limit in ("50", "0.001"):
-        options = ("--format", "json", "--working", "--time-limit", limit)
-        status, out, _ = run("solve", name, *options, cwd=folder)
-        assert status == 1
-        assert [part["derivation"] for part in json.loads(out)["parts"]] == [None]
+    options = ("--format", "json", "--working", "--time-limit", "0.001")
+    status, out, _ = run("solve", name, *options, cwd=folder)
+    assert status == 1
+    assert [part["derivation"] for part in json.loads(out)["parts"]] == [None]
+
+
+def test_an_item_without_an_answer_has_a_note_in_the_derivation(folder):
+    options = ("--format", "json", "--working", "--time-limit", "50")
+    status, out, _ = run("solve", "missing.impact", *options, cwd=folder)
+    assert status == 1
+    (part,) = json.loads(out)["parts"]
+    assert [each["kind"] for each in part["derivation"]["notes"]] == ["missing"]
+    assert [each["item"] for each in part["derivation"]["items"]] == ["2"]
 
 
 def test_a_check_tells_whether_the_working_was_followed(folder):

@@ -17,6 +17,7 @@ from restitution.explain.markup import to_latex, to_markdown
 from restitution.explain.text import to_text
 from restitution.explain.typst import to_markup
 from restitution.explaining.algebra import NotComparableError, World
+from restitution.explaining.definitions import WORKED_OUT
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -215,9 +216,10 @@ def test_records_know_what_they_need_and_what_is_said_of_them() -> None:
                 assert SENTENCES[f"{topic}.mistakes"]
     for record in RECORDS.values():
         if record.kind == "principle":
-            assert record.templates
             assert record.gives
-            assert record.needs
+            if record.id not in WORKED_OUT:
+                assert record.templates
+                assert record.needs
 
 
 # --- JSON -----------------------------------------------------------------------------------------
