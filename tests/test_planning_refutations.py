@@ -39,10 +39,10 @@ B hits C: along i, e = 1/2
 
 # A statement, and what its working says in the end; each stands in place of a proof.
 CLAIMS = {
-    "a value": (WALL + "show speed(S) = e v", "The speed of S is not ev: it is v√("),
+    "a value": (WALL + "show speed(S) = e v", "The speed of S is not ev in general: it is v√("),
     "an impulse": (
         WALL + "show impulse = 3(1 - e) m v sin(theta)",
-        "The magnitude of the impulse is not 3(1 − e)mv sin θ: it is 3(1 + e)mv sin θ.",
+        "The magnitude of the impulse is not 3(1 − e)mv sin θ in general: it is 3(1 + e)mv sin θ.",
     ),
     "an inequality": (
         OBLIQUE + "show energy_lost > 1/2 energy(0)",

@@ -202,8 +202,8 @@ def _is_decimal(value: sp.Expr) -> bool:
     return bool(number.q == 1 and abs(number) < 1000) or not number
 
 
-def percentage(tree: Expression) -> lay.Layout | None:
-    """A number as a percentage."""
+def percentage(tree: Expression) -> tuple[lay.Layout, str] | None:
+    """A number as a percentage, with the sign before it: ≈ where it is rounded."""
     if has_quantity(tree):
         return None
     try:
@@ -211,7 +211,8 @@ def percentage(tree: Expression) -> lay.Layout | None:
     except RestitutionError:
         return None
     shown = lay.display(value, percentage=True)
-    return shown.operands[-1] if isinstance(shown, lay.Relation) else shown
+    sign = "=" if _is_decimal(100 * value) else "≈"
+    return (shown.operands[-1] if isinstance(shown, lay.Relation) else shown), sign
 
 
 def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:

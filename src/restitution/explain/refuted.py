@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
 from restitution.explain.ends import Ends, claim_of_meeting
 from restitution.explain.measured import as_answer
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, Link, Note, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 
@@ -95,9 +101,28 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     elif added:
         value = lay.Relation((value, *(e for e, _ in added)), tuple(s for _, s in added))
     name = naming.laid(link.left)
-    if isinstance(name, lay.Bold):
-        return say("refuted.vector", quantity=name, claimed=claimed, value=value)
-    return say("refuted.value", quantity=name, claimed=claimed, value=value)
+    plain, general = (
+        ("refuted.vector", "refuted.vector-general")
+        if isinstance(name, lay.Bold)
+        else ("refuted.value", "refuted.value-general")
+    )
+    sentence = general if _may_agree(link.right, own.right) else plain
+    return say(sentence, quantity=name, claimed=claimed, value=value)
+
+
+def _may_agree(claimed: Expression, value: Expression) -> bool:
+    """Whether two values in letters may be equal for some: their ratio is no number."""
+    if not letters(claimed) | letters(value):
+        return False
+    try:
+        ends: list[Any] = [
+            evaluate(each, lambda name: sp.Symbol(name, positive=True)) for each in (claimed, value)
+        ]
+    except RestitutionError:
+        return True
+    if not all(isinstance(each, sp.Expr) and each != 0 for each in ends):
+        return True
+    return bool(tidy(ends[0] / ends[1]).free_symbols)
 
 
 def _link_of(derivation: Derivation, number: int) -> Link:

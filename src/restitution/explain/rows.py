@@ -33,6 +33,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Value
 from restitution.render import layout as lay
+from restitution.render.text import to_text
 
 # In these the second line of an equation leaves out the side that stays.
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
@@ -198,14 +199,14 @@ class Rows:
             if isinstance(asked, Value) and asked.percentage:
                 hundred = percentage(right)
                 if hundred is not None:
-                    sides.append(hundred)
-                    signs.append("=")
+                    sides.append(hundred[0])
+                    signs.append(hundred[1])
                 return
             place = self._ends.is_place(line)
             for side, sign in as_answer(right, place) if links[-1].sign == "=" else ():
                 if place and sign == "=" and len(sides) == len(links) + 1:
                     sides[-1] = side  # a place is told by its coordinates
-                elif side != sides[-1]:
+                elif side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
         nothing = sides[-1] == lay.Number("0")
@@ -321,6 +322,11 @@ def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
     if two.right == Negate(one.right):
         return one
     return two if one.right == Negate(two.right) else None
+
+
+def _has_decimals(side: lay.Layout) -> bool:
+    """Whether a side is written in decimals, to which no zeros need be added."""
+    return "." in to_text(side)
 
 
 def _is_value(tree: Expression) -> bool:

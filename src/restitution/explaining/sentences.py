@@ -121,6 +121,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, along and across the line of centres:"
     ),
     "resolved-spheres.after": "Components after the impact, along and across the line of centres:",
+    "resolved-spheres.before-along": "Components before the impact along the line of centres:",
+    "resolved-spheres.before-across": "Components before the impact across the line of centres:",
+    "resolved-spheres.after-along": "Components after the impact along the line of centres:",
+    "resolved-spheres.after-across": "Components after the impact across the line of centres:",
     "resolved-spheres.why": (
         "Along the line of centres momentum and Newton's experimental law hold; across it "
         "nothing changes. So each velocity is resolved in these two directions first, by sine "
@@ -132,6 +136,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",
     "resolved-wall.after": "Components after the impact, towards {wall} and parallel to it:",
+    "resolved-wall.before-along": "Component before the impact towards {wall}:",
+    "resolved-wall.before-across": "Component before the impact parallel to {wall}:",
+    "resolved-wall.after-along": "Component after the impact towards {wall}:",
+    "resolved-wall.after-across": "Component after the impact parallel to {wall}:",
     "resolved-wall.why": (
         "The two components behave differently at a wall: the one towards it is reversed and "
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
@@ -327,11 +335,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "let.component-centres": (
         "Let {letter} be the component of the velocity of {body} along the line of centres, in "
-        "the sense from {first} to {second} after the impact."
+        "the sense from {first} to {second}, after the impact."
     ),
     "let.components-centres": (
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
-        "centres, in the sense from {first} to {second} after the impact."
+        "centres, in the sense from {first} to {second}, after the impact."
     ),
     "let.component-centres-towards": (
         "Let {letter} be the component of the velocity of {body} along the line of centres, in "
@@ -540,7 +548,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.minimum": "The minimum of {quantity} is not {value}.",
     "refuted.range": "The range of possible values is not {range}.",
     "refuted.value": "The {quantity} is not {claimed}: it is {value}.",
+    "refuted.value-general": "The {quantity} is not {claimed} in general: it is {value}.",
     "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
+    "refuted.vector-general": "{quantity} is not {claimed} in general: it is {value}.",
     "refuted.claim": "It is not true that {claim}: {sides:and}.",
     "refuted.general": (
         "It is not true in general that {claim}: with {values:and}, for instance, {sides:and}."
