@@ -22,6 +22,12 @@ from restitution.solve.letters import roles
 from restitution.solve.solution import Solution
 
 STATEMENTS = {
+    "directions along both axes": """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity -u j
+A hits B: along i, e = 1/2
+find direction(A), direction(B, 0), direction(B)
+""",
     "a wall at an angle that is asked": """
 wall W: along theta
 sphere P: velocity 3u i
@@ -257,3 +263,17 @@ def test_a_direction_is_not_read_off_in_the_other_sense() -> None:
     )
     complaints = follow(replace(derivation, lines=lines), Oracle(roles(solution.problem)))
     assert any(each.reason == "does-not-follow" for each in complaints)
+
+
+def test_a_direction_along_an_axis_is_read_off_with_its_sign() -> None:
+    solution = solve(parse(STATEMENTS["directions along both axes"]))
+    derivation = plan(solution)
+    answers = [write_relation(each.answer) for each in derivation.items]
+    assert answers[:2] == ["direction(A, 1) = 90°", "direction(B, 0) = -90°"]
+    end = derivation.items[0]
+    line = derivation.line(end.line)
+    assert line is not None
+    turned = replace(line, relation=read_relation("direction(A, 1) = -90°", {}))
+    lines = tuple(turned if each is line else each for each in derivation.lines)
+    wrong = replace(derivation, lines=lines)
+    assert any(each.line == line.number for each in follow(wrong, Oracle(roles(solution.problem))))

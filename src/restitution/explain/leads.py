@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from restitution.explain.flights import chord_title, flight_title
 from restitution.explain.naming import Naming
@@ -15,9 +16,11 @@ from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
+    Degrees,
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -165,7 +168,11 @@ class Leads:
             return
         body = _read_off(line) if line.move.record == "parallel" else None
         if body is not None:
-            yield say("derived.along-axis", body=body, axis=self._naming.laid(Unit("i")))
+            assert isinstance(line.relation, Relation)
+            angle = line.relation.only[-1].right
+            size = angle.operand if isinstance(angle, Negate) else angle
+            none = Unit("i" if size == Degrees(Fraction(90)) else "j")
+            yield say("derived.along-axis", body=body, axis=self._naming.laid(none))
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")

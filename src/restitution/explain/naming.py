@@ -282,7 +282,7 @@ class Naming:
             case Quantity("direction", (Name(),), int()):
                 velocity = Quantity("velocity", tree.arguments, tree.stage)
                 unit = self.laid(Unit("i"))
-                return say("derived.angle", of=(self.laid(velocity), unit))
+                return say("derived.direction", velocity=self.laid(velocity), unit=unit)
             case Quantity(_, _, stage) if stage is not None:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)

@@ -656,6 +656,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.energy-lost": "kinetic energy lost",
     "derived.energy-lost-all": "total kinetic energy lost",
     "derived.angle": "angle between {of:and}",
+    "derived.direction": "angle from {unit} to {velocity}",
     "derived.deflection": "angle of deflection of {of:and}",
     "derived.impulse": "impulse on {of:and}",
     "derived.impulse-size": "magnitude of the impulse",
@@ -763,7 +764,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: a sign lost of a component that is reversed, and the product of a "
         "component along with one across."
     ),
-    "derived.along-axis": "{body} has no component of velocity across {axis}:",
+    "derived.along-axis": "{body} has no component of velocity in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (
         "Two vectors are parallel if one is a number times the other. Then that number is the "

@@ -98,7 +98,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     known = scene.desk.known(asked)
     if known is not None:
         return next(ref for ref in known.refs if isinstance(ref, int))
-    line = _along_i(scene, asked) if asked.kind == "direction" else None
+    line = _along_an_axis(scene, asked) if asked.kind == "direction" else None
     own = _ratio(scene, asked) if line is None else None
     if line is not None:
         pass
@@ -251,13 +251,19 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     return Ratio(line, letter, "tan", value, extent, side, right)
 
 
-def _along_i(scene: Scene, asked: Quantity) -> int | None:
-    """The line of a direction of 0° or 180°, which is read off: there is no component along j."""
+def _along_an_axis(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a direction along **i** or **j**, which is read off: one component is 0."""
     body, stage = body_and_stage(scene, asked)
     x, y = in_the_plane(scene, body, stage)
-    if y.value != 0 or not scene.model.proved_sign(scene.model.in_data(x.value)):
+    angle: Expression
+    if y.value == 0 and scene.model.proved_sign(scene.model.in_data(x.value)):
+        angle = Degrees(Fraction(0 if scene.model.sign(x.value) > 0 else 180))
+    elif x.value == 0 and scene.model.proved_sign(scene.model.in_data(y.value)):
+        x, y = y, x
+        angle = Degrees(Fraction(90))
+        angle = angle if scene.model.sign(x.value) > 0 else Negate(angle)
+    else:
         return None
-    angle = Degrees(Fraction(0 if scene.model.sign(x.value) > 0 else 180))
     move = Move("define", "parallel", stage or None, (body,))
     relation = chain(asked, (angle, None))
     pool = (*y.whole, *x.whole)
