@@ -271,6 +271,28 @@ given impulse(A) = -6i + 3j, e = 2/3
 given velocity(A) perpendicular to velocity(A, 0)
 find a, b
 """,
+    "an angle of a coefficient that a later part gives": """
+wall W: along j
+sphere Q: mass m, velocity 2u at alpha to W
+Q hits W: e = e
+given deflection(Q) = 90°
+part a
+find tan(alpha)
+part b
+given e = 1/3
+find alpha
+""",
+    "an angle that is no plain one, of a coefficient that a later part gives": """
+wall W: along i
+sphere P: velocity u at theta to W
+P hits W: e = e
+given deflection(P) = 90°
+part a
+find tan(theta)
+part b
+given e = 2/3
+find theta
+""",
 }
 
 

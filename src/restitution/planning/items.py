@@ -26,6 +26,7 @@ from restitution.planning.forms import tree_of
 from restitution.planning.momenta import write_by_momentum
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
+from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.vector import Vector
@@ -101,7 +102,27 @@ def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:
     put, refs = scene.put(value)
     if put == value:
         return line
+    if (own := _closed_angle(scene, asked, line, value)) is not None:
+        return own
     return scene.desk.write(Move("put"), (line, *refs), chain(asked, (tree_of(put), None)))
+
+
+def _closed_angle(scene: Scene, asked: Expression, line: int, angle: sp.Expr) -> int | None:
+    """The line of an angle that is known by its ratio: what is known is put into that first."""
+    own = scene.desk.line(line)
+    ratios = [each for each in own.premises if isinstance(each, int)]
+    if own.move.id != "inverse" or not isinstance(asked, Letter) or len(ratios) != 1:
+        return None
+    link = scene.desk.last_link(ratios[0])
+    functions = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
+    ratio = next((f(angle) for n, f in functions.items() if link.left == Apply(n, asked)), None)
+    if ratio is None:
+        return None
+    put, refs = scene.put(ratio)
+    known = chain(link.left, (tree_of(put), None))
+    number = scene.desk.write(Move("put"), (ratios[0], *refs), known)
+    (written,) = inverse(scene, number, scene.model.unknowns.letter(asked.name)).refs
+    return written if isinstance(written, int) else None
 
 
 def _is_wall(scene: Scene, asked: Expression) -> bool:
