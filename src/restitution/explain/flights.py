@@ -5,7 +5,7 @@ from __future__ import annotations
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Quantity
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -15,7 +15,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     body = line.move.bodies[0]
     event = naming.events.get(line.move.event or 0)
     one = naming.movers == 1
-    if _is_time(left):
+    if _is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if _is_place(left):
         return say("flight.place") if one else say("flight.place-of", body=body)
@@ -38,6 +38,12 @@ def _is_meeting(event: Event, line: Line) -> bool:
     """Whether a line says that two spheres are at one place."""
     spheres = event.kind == "impact" and not event.wall
     return spheres and " ".join(("contact", str(event.number))) in line.premises
+
+
+def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
+    """Whether the statement lets a letter stand for a time."""
+    fact = derivation.fact(" ".join(("let", letter.name)))
+    return fact is not None and _is_time(fact.relation.only[0].left)
 
 
 def _is_time(tree: Expression) -> bool:

@@ -76,6 +76,7 @@ class Sources:
             if any(_is_vector(tree) for tree in trees_of(each.relation))
         }
         self._lines = {each.number: each for each in shown}
+        self._ended = {end.line for end in derivation.items}
         self._cases = {n: each.line for each in derivation.cases for n in each.lines}
         self._of = {line.number: self._source(line) for line in shown}
         named = {ref for source in self._of.values() if source for ref in source.numbered}
@@ -101,7 +102,11 @@ class Sources:
         above = self._above.get(line.number)
         if move == "triangle":
             facts = self._given(line.premises)
-            return Source("put", facts=facts) if facts else None
+            if facts:
+                return Source("put", facts=facts)
+            # Below an answer it is a new thought, and says where it comes from.
+            apart = bool(cited) and (cited[0] != above or above in self._ended)
+            return Source("add", tuple(cited)) if apart else None
         if move in _SILENT:
             return None
         if cited and self._splits(line, cited[0]):
