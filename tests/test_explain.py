@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -110,7 +112,24 @@ def test_every_answer_is_in_the_working(path: Path) -> None:
                     plain, *condition = answer.display.split(", for ")
                     last = plain.split(" when ")[0].split(" approached")[0].rpartition("=")[2]
                     for each in (last, *condition):
-                        assert "".join(each.split()) in seen, (item.text, answer.display)
+                        assert any(text in seen for text in spellings("".join(each.split()))), (
+                            item.text,
+                            answer.display,
+                        )
+
+
+def spellings(answer: str) -> list[str]:
+    """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
+    in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
+    return [answer, *(f"={start}{in_decimals}" for start in ("", "("))]
+
+
+def _decimal(fraction: re.Match[str]) -> str:
+    text = fraction[0]
+    if len(text) == 1:
+        return str(unicodedata.numeric(text))
+    value = Fraction(int(fraction[1]), int(fraction[2]))
+    return str(float(value)) if 10**9 % value.denominator == 0 else text
 
 
 @pytest.mark.parametrize("path", EXAMPLES[::3], ids=lambda path: path.stem)
@@ -135,7 +154,7 @@ centres, in the direction of 𝐣, after the impact.
 Perpendicular to the line of centres the velocities do not change: the
 components stay 3 m s⁻¹ for A and 2 m s⁻¹ for B.                              B1
 Conservation of momentum along the line of centres:
-    −2 × 4 + 3 × 3 = 2v + 3w   (1)                                         M1 A1
+    2(−4) + 3 × 3 = 2v + 3w   (1)                                          M1 A1
 Newton's experimental law:
     v − w = (3/7)(3 + 4)   (2)                                             M1 A1
 Eliminating w from (1) and (2):
@@ -188,7 +207,8 @@ find alpha
 def test_several_solutions_from_one_equation() -> None:
     text = to_text(told(TWO_ROOTS))
     flat = " ".join(text.split())
-    assert "4 tan²α − 5 tan α + 1 = 0 tan α = 1 or tan α = ¼" in flat
+    assert "4 tan²α − 5 tan α + 1 = 0 (4 tan α − 1)(tan α − 1) = 0" in flat
+    assert "tan α = 1 or tan α = ¼" in flat
     assert text.count("Conservation of momentum") == 1
     assert text.index("If tan α = 1:") < text.index("α = 45°")
     assert text.index("If tan α = ¼:") < text.index("α = arctan(1/4)")
@@ -202,7 +222,7 @@ def test_a_rejected_root_is_told_with_its_reason() -> None:
         )
     )
     flat = " ".join(text.split())
-    assert flat.index("v = √2 u/8 or v = −√2 u/8") < flat.index("v = √2 u/8, as ")
+    assert flat.index("v = ±√2 u/8") < flat.index("v = √2 u/8, as ")
     (reason,) = re.findall(r"v = √2 u/8, as (.*?) Substituting", flat)
     assert reason == "e ≤ 1"
 
@@ -338,8 +358,10 @@ def test_an_inequality_of_letters_is_told_with_the_condition_behind_it() -> None
         )
     )
     flat = " ".join(text.split())
-    assert "as α is acute and e ≤ 1" in flat
-    assert flat.index("tan²α = 1/e") < flat.index("e ≤ 1") < flat.index("α ≥ 45°")
+    lines = ("tan²α = 1/e", "tan²α ≥ 1, as e ≤ 1", "tan α ≥ 1, as α is acute", "α ≥ 45°")
+    assert flat.endswith("as α is acute (as required)")
+    places = [flat.index(line) for line in lines]
+    assert places == sorted(places)
 
 
 def test_an_extremum_has_a_bound_and_the_place_where_it_is_reached() -> None:
@@ -554,8 +576,8 @@ COMMANDS = frozenset(
         """
     documentclass usepackage begin end setlength mathindent parindent parskip allowdisplaybreaks
     AtBeginDocument abovedisplayskip belowdisplayskip ifPDFTeX fi
-    textbf emph text mathbf hspace fill tag quad qquad left right
-    frac tfrac sqrt surd times cdot circ infty leq geq neq approx lvert rvert
+    textbf emph text mathbf underline hspace fill tag quad qquad left right
+    frac tfrac sqrt surd times div pm cdot circ infty leq geq neq approx lvert rvert
     sin cos tan sec csc cot arcsin arccos arctan
     alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho
     sigma tau upsilon phi varphi chi psi omega textbackslash textasciicircum textasciitilde
@@ -607,12 +629,24 @@ def test_formulas_among_words_are_mathematics_in_latex() -> None:
     assert "√" not in source
 
 
+def test_opposite_roots_are_mathematics_in_latex() -> None:
+    source = to_latex(
+        told(
+            "sphere A, B: mass m\nsphere A: velocity u at 45°\nsphere B: at rest\n"
+            "A hits B: along i\ngiven angle(velocity(A), line_of_centres) = arctan(4)\nfind e"
+        )
+    )
+    assert r"v &= \pm{}\frac{\sqrt{2}\,u}{8}" in source
+    assert "±" not in source
+
+
 def test_long_sums_of_a_page_can_be_broken() -> None:
     """So that a narrow screen shows the whole line; short ones stay in one piece."""
     page = to_html(told(SPHERES.replace("find", "find energy_lost,")))
-    assert "<wbr>" in page
     assert page.count("<math") == page.count("</math>")
-    assert "<wbr>" not in to_html(told(WALL.replace("find impulse, energy_lost", "find impulse")))
+    short = to_html(told(WALL.replace("find impulse, energy_lost", "find impulse")))
+    within = '<wbr><math><mo form="infix">'
+    assert within in page and within not in short
 
 
 def test_styled_text_differs_from_plain_text_in_type_only() -> None:
@@ -638,11 +672,11 @@ B hits A: along i, e = 2/3
 @pytest.mark.parametrize(
     ("statement", "said"),
     [
-        (LINE + "show B and C collide again", "B and C do not collide again, as 𝐯_B = (u/16)𝐢"),
+        (LINE + "show B and C collide again", "So B and C will not collide again, and the claim"),
         ("sphere A: mass 50, velocity 3 i\nshow speed(A) + 1 < 2", "It is not true that"),
         (LINE + "show B at rest", "B is not at rest: 𝐯_B = (u/16)𝐢"),
-        (LINE + "show speed(C) = 0.5u to 1 s.f.", "The speed of C is not 0.5u: it is 0.417u."),
-        (LINE + "show speed(C) = u", "The speed of C is not u: it is 5u/12 = 0.417u."),
+        (LINE + "show speed(C) = 0.5u to 1 s.f.", "The speed of C is not 0.5u: it is 0.4u."),
+        (LINE + "show speed(C) = u", "The speed of C is not u: it is 5u/12 ≈ 0.417u."),
         (
             WALL.replace("find impulse, energy_lost", "show 2 speed(P) = e u"),
             "It is not true in general that ",

@@ -277,3 +277,21 @@ def test_a_direction_along_an_axis_is_read_off_with_its_sign() -> None:
     lines = tuple(turned if each is line else each for each in derivation.lines)
     wrong = replace(derivation, lines=lines)
     assert any(each.line == line.number for each in follow(wrong, Oracle(roles(solution.problem))))
+
+
+def test_a_letter_of_an_angle_is_in_degrees_once_its_letters_are_known() -> None:
+    statement = """
+wall W: along j
+sphere Q: velocity v at beta to W
+Q hits W
+given deflection(Q) = 90°
+part a
+find beta
+part b
+given e = 1/3
+find beta
+"""
+    derivation = plan(solve(parse(statement)))
+    last = derivation.lines[-1].relation
+    assert isinstance(last, Relation)
+    assert write_relation(last) == "beta = 60°"

@@ -48,6 +48,8 @@ _BY_SIGN = {
     "−": "-",
     "√": r"\surd",
     "×": r"\times",
+    "÷": r"\div",
+    "±": r"\pm",
     "·": r"\cdot",
     "°": r"^{\circ}",
     "≤": r"\leq",

@@ -342,7 +342,7 @@ def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expres
     put = rebuilt(whole, lambda each: most if each == node else each)
     try:
         one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
-        return bool(sp.sympify(one - other).equals(0))
+        return bool(sp.sympify(one - other, strict=True).equals(0))
     except (RestitutionError, TypeError, ValueError):
         return False
 

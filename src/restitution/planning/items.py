@@ -29,6 +29,7 @@ from restitution.planning.quantities import formula, write_formula
 from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
+from restitution.solve.letters import roles
 from restitution.vector import Vector
 
 
@@ -104,7 +105,14 @@ def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:
         return line
     if (own := _closed_angle(scene, asked, line, value)) is not None:
         return own
-    return scene.desk.write(Move("put"), (line, *refs), chain(asked, (tree_of(put), None)))
+    right = tree_of(put, angle=_is_letter_of_angle(scene, asked))
+    return scene.desk.write(Move("put"), (line, *refs), chain(asked, (right, None)))
+
+
+def _is_letter_of_angle(scene: Scene, asked: Expression) -> bool:
+    """Whether a letter is an angle, which is printed in degrees."""
+    role = roles(scene.problem).get(asked.name) if isinstance(asked, Letter) else None
+    return role is not None and role.kind == "angle"
 
 
 def _closed_angle(scene: Scene, asked: Expression, line: int, angle: sp.Expr) -> int | None:

@@ -844,7 +844,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
             told = chain(own.left, (final, None))
             move = Move("rearrange")
             pythagoras = Move("identity", "pythagoras")
-            ratios = any(sp.sympify(each).atoms(sp.sin, sp.cos) for each in own.value)
+            ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
             if ratios and not scene.judge.follows(move, (number,), told):
                 move = pythagoras if scene.judge.follows(pythagoras, (number,), told) else move
             number = scene.desk.write(move, (number,), told)

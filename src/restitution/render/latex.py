@@ -2,7 +2,9 @@ r"""Mathematics in LaTeX: ``\tfrac{1}{2}mu^{2}(1 - e^{2})\sin^{2}\alpha``; no de
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
+from unicodedata import normalize
 
 from restitution.render.layout import (
     Bold,
@@ -63,6 +65,9 @@ _ESCAPES = {
 }
 
 
+_POWER = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+
+
 def to_latex(layout: Layout) -> str:
     r"""The layout in LaTeX's mathematical mode (needs amsmath for ``\tfrac`` and ``\text``)."""
     match layout:
@@ -75,6 +80,8 @@ def to_latex(layout: Layout) -> str:
             return rf"\mathbf{{{name}}}" + _subscript(subscript)
         case Words("∞"):
             return r"\infty"
+        case Words("±"):
+            return r"\pm{}"
         case Words(text):
             return rf"\text{{{_words(text)}}}"
         case Sum(terms):
@@ -114,7 +121,11 @@ def to_latex(layout: Layout) -> str:
 
 def _words(text: str) -> str:
     """Upright words; the powers of units as mathematics, blanks that hold as ties."""
-    return escape(text).replace("⁻¹", "$^{-1}$").replace("\u00a0", "~")
+    return _POWER.sub(_power, escape(text)).replace("\u00a0", "~")
+
+
+def _power(raised: re.Match[str]) -> str:
+    return f"$^{{{normalize('NFKC', raised[0]).replace('−', '-')}}}$"
 
 
 def escape(text: str) -> str:
@@ -203,5 +214,5 @@ def _unit_number(inside: Layout) -> str:
 
 
 def _phrase(items: tuple[Layout, ...], separator: str) -> str:
-    gap = {" ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{escape(separator)}}}")
+    gap = {"": "", " ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{escape(separator)}}}")
     return gap.join(to_latex(each) for each in items)
