@@ -121,6 +121,7 @@ def test_every_answer_is_in_the_working(path: Path) -> None:
 def spellings(answer: str) -> list[str]:
     """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
     in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
+    in_decimals = re.sub(r"(\.\d*[1-9])0+$", r"\1", in_decimals)  # no zeros behind decimals
     return [answer, *(f"={start}{in_decimals}" for start in ("", "("))]
 
 
@@ -278,7 +279,7 @@ def test_show_ends_with_the_printed_result() -> None:
 
 def test_false_claims_are_refuted_not_shown() -> None:
     text = to_text(told(WALL.replace("find impulse, energy_lost", "show speed(P) = e u")))
-    assert "The speed of P is not eu: it is" in " ".join(text.split())
+    assert "The speed of P is not eu in general: it is" in " ".join(text.split())
     assert "A1*" not in text
 
 
