@@ -121,7 +121,7 @@ def test_every_answer_is_in_the_working(path: Path) -> None:
 def spellings(answer: str) -> list[str]:
     """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
     in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
-    in_decimals = re.sub(r"(\.\d*[1-9])0+$", r"\1", in_decimals)  # no zeros behind decimals
+    in_decimals = re.sub(r"(\.\d*[1-9])0+(?!\d)", r"\1", in_decimals)  # no zeros behind decimals
     return [answer, *(f"={start}{in_decimals}" for start in ("", "("))]
 
 
