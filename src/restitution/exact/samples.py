@@ -16,7 +16,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Float, Rational, S, Symbol
 
-from restitution.exact.simplicity import MASKED, TRIGONOMETRIC
+from restitution.exact.simplicity import MASKED, TRIGONOMETRIC, WITHOUT_VALUE
 from restitution.work import spend
 
 
@@ -128,13 +128,7 @@ def value_at(
     try:
         number = value.evalf(digits, subs=point, maxn=4 * digits)
         scale = _scale(value, point)
-    except (
-        TypeError,
-        ValueError,
-        ArithmeticError,
-        AttributeError,
-        NotImplementedError,
-    ):
+    except WITHOUT_VALUE:
         return None
     if not number.is_number or number.has(S.NaN, S.ComplexInfinity, S.Infinity):
         return None

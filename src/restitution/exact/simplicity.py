@@ -21,6 +21,8 @@ EXPANDED = 200
 TRIGONOMETRIC = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
 MASKED = ("sin", "cos", "tan")
 HALF = Rational(1, 2)
+# What SymPy raises for an expression that has no value, or whose value it cannot find.
+WITHOUT_VALUE = (TypeError, ValueError, ArithmeticError, AttributeError, NotImplementedError)
 # An unusual form that some step of the search cannot read.
 UNREADABLE = (
     ArithmeticError,

@@ -12,7 +12,7 @@ from sympy import Expr, Float
 from restitution.exact.directions import direction_of
 from restitution.exact.numbers import tidy_number
 from restitution.exact.samples import admissible_points, value_at
-from restitution.exact.simplicity import SEARCHED, node_count
+from restitution.exact.simplicity import SEARCHED, WITHOUT_VALUE, node_count
 from restitution.exact.textbook import tidy
 
 MOST_DIGITS = 20_000
@@ -152,11 +152,5 @@ def _proved_zero(value: Expr) -> bool:
         if not value.free_symbols:
             return bool(tidy_number(value) == 0)
         return bool(tidy(value) == 0)
-    except (
-        TypeError,
-        ValueError,
-        ArithmeticError,
-        AttributeError,
-        NotImplementedError,
-    ):
+    except WITHOUT_VALUE:
         return False

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from restitution.explain.ends import Ends
 from restitution.explain.introductions import Introductions
 from restitution.explain.joining import joined
-from restitution.explain.leads import TITLED, Leads, is_nothing
+from restitution.explain.leads import TITLED, Leads
 from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explain.naming import Naming
 from restitution.explain.noted import Notes
@@ -31,7 +31,7 @@ from restitution.explaining.derivation import Derivation, Line, Meaning, Note, R
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Letter, Quantity
+from restitution.expression.tree import Letter, Quantity, is_zero
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -206,7 +206,7 @@ class _Writer:
             and len(relation.options) == 1
             and len(chains(relation.only)) == 1
             and relation.only[-1].sign == "="
-            and not is_nothing(relation.only[-1].right)
+            and not is_zero(relation.only[-1].right)
             and isinstance(relation.only[0].left, Letter | Quantity)
             and line.shown != "silent"
             and line.move.id not in ("triangle", "fact")

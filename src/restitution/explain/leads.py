@@ -21,11 +21,11 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
-    Number,
     Polar,
     Quantity,
     Unit,
     has_quantity,
+    is_zero,
     walk,
 )
 from restitution.render import layout as lay
@@ -101,7 +101,7 @@ class Leads:
         assert isinstance(line.relation, Relation)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=told),)
-        nothing = is_nothing(line.relation.options[0][-1].right)
+        nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
@@ -134,7 +134,7 @@ class Leads:
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
-            case "perpendicular", _ if not is_nothing(last.right):
+            case "perpendicular", _ if not is_zero(last.right):
                 return None
         if name is None:
             return None
@@ -308,11 +308,6 @@ class Leads:
 def _across(axis: Expression) -> Unit | None:
     """The other one of **i** and **j**."""
     return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
-
-
-def is_nothing(tree: Expression) -> bool:
-    """Whether a side is the number 0."""
-    return isinstance(tree, Number) and not tree.value
 
 
 def _is_offset(fact: Fact) -> bool:

@@ -187,12 +187,11 @@ class Reasons:
     def _is_end(tree: Expression, name: str, ends: list[Link], bound: Relation) -> bool:
         """Whether a bound is what a tree is worth at an end of a letter, others being 2/3."""
 
-        def value(own: Expression, at: Any) -> Any:
-            return evaluate(own, lambda each: at if each == name else sp.Rational(2, 3))
-
         def agrees(end: Expression, side: Expression) -> bool:
             try:
-                gap = value(tree, value(end, sp.Integer(0))) - value(side, sp.Integer(1))
+                gap = _worth(tree, name, _worth(end, name, sp.Integer(0))) - _worth(
+                    side, name, sp.Integer(1)
+                )
                 return bool(sp.sympify(gap, strict=True).equals(0))
             except (RestitutionError, TypeError, ValueError, AttributeError):
                 return False
@@ -258,19 +257,16 @@ class Reasons:
     def _way(tree: Expression, name: str, ends: list[Link]) -> int:
         """The sign of the change from the lower to the upper end, all other letters being 2/3."""
 
-        def value(own: Expression, at: Any) -> Any:
-            return evaluate(own, lambda each: at if each == name else sp.Rational(2, 3))
-
         def change(low: Any, high: Any) -> Any:
             try:
-                return sp.sympify(value(tree, high) - value(tree, low), strict=True)
+                return sp.sympify(_worth(tree, name, high) - _worth(tree, name, low), strict=True)
             except RestitutionError:
                 return None  # at that end there is no value
 
         try:
             places = sorted(
                 (
-                    value(side, sp.Integer(0))
+                    _worth(side, name, sp.Integer(0))
                     for each in ends
                     for side in (each.left, each.right)
                     if not letters(side)
@@ -383,3 +379,8 @@ def _merged(bounds: list[Link]) -> Iterator[Relation]:
         low, high = (other, link) if link.sign in _UP else (link, other)
         sign = "<" if low.sign == ">" else "<="
         yield Relation(((Link(low.right, sign, low.left), high),))  # type: ignore[arg-type]
+
+
+def _worth(tree: Expression, name: str, at: Any) -> Any:
+    """What a tree is worth where one letter has a value, all others being 2/3."""
+    return evaluate(tree, lambda each: at if each == name else sp.Rational(2, 3))

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_zero,
     letters,
     rational,
     walk,
@@ -118,7 +119,7 @@ class _Facts:
             )
             for word, quantity, value in told:
                 if isinstance(value, Expression):
-                    if word == "velocity" and _is_nothing(value):
+                    if word == "velocity" and is_zero(value):
                         value = Pair(value, value)
                     yield self._fact(f"{word} {sphere.name}", quantity, value, sphere.place)
         for point in self.problem.points:
@@ -180,11 +181,11 @@ class _Facts:
         if not isinstance(place, Pair) or along is None:
             return
         axis = _turned(along)
-        if along == Unit("i") or (isinstance(along, Pair) and _is_nothing(along.y)):
+        if along == Unit("i") or (isinstance(along, Pair) and is_zero(along.y)):
             centre = self._off_the_wall(first, "y", place.y)
             if centre is not None:
                 yield Quantity("along", (own, Unit("j"))), centre
-        elif along == Unit("j") or (isinstance(along, Pair) and _is_nothing(along.x)):
+        elif along == Unit("j") or (isinstance(along, Pair) and is_zero(along.x)):
             centre = self._off_the_wall(first, "x", place.x)
             if centre is not None:
                 yield Quantity("along", (own, Unit("i"))), centre
@@ -206,7 +207,7 @@ class _Facts:
         if not isinstance(centre, Pair):
             return None
         own = Quantity("position", (Name(body),), number)
-        at_origin = _is_nothing(centre.x) and _is_nothing(centre.y)
+        at_origin = is_zero(centre.x) and is_zero(centre.y)
         return own if at_origin else Binary("-", own, centre)
 
     def _radius(self, body: str, wall: Any) -> Expression | None:
@@ -264,9 +265,9 @@ class _Facts:
         if not isinstance(self._sphere(step.first).position, Expression):
             return None
         match self._place(wall.start), self._place(wall.end):
-            case Pair(a, b), Pair(c, d) if _is_nothing(_difference(d, b)):
+            case Pair(a, b), Pair(c, d) if is_zero(_difference(d, b)):
                 ends, unit = (a, c), Unit("i")
-            case Pair(a, b), Pair(c, d) if _is_nothing(_difference(c, a)):
+            case Pair(a, b), Pair(c, d) if is_zero(_difference(c, a)):
                 ends, unit = (b, d), Unit("j")
             case _:
                 return None
@@ -296,7 +297,7 @@ class _Facts:
         side = self._sign(Binary("-", getattr(sphere.position, part), wall))
         if side is None:
             return None
-        if _is_nothing(wall):
+        if is_zero(wall):
             return self.radius if side > 0 else Negate(self.radius)
         return Binary("+" if side > 0 else "-", wall, self.radius)
 
@@ -332,7 +333,7 @@ class _Facts:
         ]
         if not all(isinstance(each, Expression) for each in paces):
             return None
-        a, b = (Quantity("dot", (each, axis)) if not _is_nothing(each) else each for each in paces)
+        a, b = (Quantity("dot", (each, axis)) if not is_zero(each) else each for each in paces)
         return self._sign(Binary("-", a, b))
 
     def _sign(self, tree: Expression) -> int | None:
@@ -714,11 +715,7 @@ def _difference(a: Expression, b: Expression) -> Expression:
         return Number(Fraction(0))
     if isinstance(a, Number) and isinstance(b, Number):
         return rational(a.value - b.value)
-    return a if _is_nothing(b) else Negate(b) if _is_nothing(a) else Binary("-", a, b)
-
-
-def _is_nothing(tree: Expression) -> bool:
-    return isinstance(tree, Number) and not tree.value
+    return a if is_zero(b) else Negate(b) if is_zero(a) else Binary("-", a, b)
 
 
 def _is_unit(tree: Expression) -> bool:
@@ -768,7 +765,7 @@ def _dot(world: Any, a: Any, b: Any) -> Any:
 
 
 def _at_rest(velocity: Any) -> bool:
-    return isinstance(velocity, Pair) and _is_nothing(velocity.x) and _is_nothing(velocity.y)
+    return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)
 
 
 def _opposite(tree: Expression) -> Expression:

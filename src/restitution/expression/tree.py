@@ -255,3 +255,8 @@ def letters(node: Expression) -> frozenset[str]:
 def has_quantity(node: Expression) -> bool:
     """Whether an expression speaks of the motion, not of letters and numbers alone."""
     return any(isinstance(each, Quantity) for each in walk(node))
+
+
+def is_zero(node: Expression) -> bool:
+    """Whether a node is the number 0, perhaps of a vector."""
+    return isinstance(node, Number) and not node.value

@@ -12,12 +12,11 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, walk
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, is_zero, walk
 from restitution.planning.desk import chain
 from restitution.planning.forms import (
     alike,
     difference,
-    is_zero,
     number,
     product,
     tree_of,

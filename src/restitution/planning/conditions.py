@@ -12,9 +12,9 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
-    Number,
     Quantity,
     has_quantity,
+    is_zero,
     walk,
 )
 from restitution.planning.deflections import cosine_of_deflection
@@ -231,7 +231,7 @@ class Conditions:
     ) -> int | None:
         """A condition with values put in: at once where it is short, else in two lines."""
         put = (Move("put"),)
-        if not _is_zero(link.right):
+        if not is_zero(link.right):
             values = [
                 sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
                 for side in (link.left, link.right)
@@ -282,7 +282,3 @@ class Conditions:
 def has_quantity_in(relation: Relation) -> bool:
     """Whether a relation speaks of a quantity of the motion."""
     return any(has_quantity(side) for link in relation.only for side in (link.left, link.right))
-
-
-def _is_zero(tree: Expression) -> bool:
-    return isinstance(tree, Number) and not tree.value

@@ -17,13 +17,13 @@ from restitution.expression.tree import (
     Name,
     Polar,
     Quantity,
+    is_zero,
     letters,
 )
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
     ZERO,
     difference,
-    is_zero,
     product,
     square,
     swept,

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Unit,
+    is_zero,
 )
 from restitution.render import layout as lay
 from restitution.vector import Vector
@@ -144,11 +145,6 @@ def _sum_of(terms: list[tuple[str, Expression]]) -> Expression:
 
 
 # --- putting together --------------------------------------------------------------------------
-
-
-def is_zero(tree: Expression) -> bool:
-    """Whether a tree is the number 0, perhaps of a vector."""
-    return isinstance(tree, Number) and not tree.value
 
 
 def product(*factors: Expression) -> Expression:

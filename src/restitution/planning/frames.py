@@ -37,6 +37,11 @@ class Frame:
     write: Callable[[], tuple[Ref, ...]] | None = None
 
     @property
+    def is_slanted(self) -> bool:
+        """Whether the directions are given as vectors beside **i** and **j**."""
+        return self.across is None and self.n.x != 0 and self.n.y != 0
+
+    @property
     def refs(self) -> tuple[Ref, ...]:
         """The fact, or the line, that gives the axis."""
         return self.told if self.write is None else self.write()

@@ -44,7 +44,7 @@ class _Gathering:
         for line in tuple(self._order):
             if line.move.id == "reject":
                 self._raise_to_its_roots(line)
-        return _numbered(self._derivation, self._order)
+        return numbered_anew(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
 
@@ -192,7 +192,8 @@ def _subject(line: Line) -> object:
     return line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
 
 
-def _numbered(derivation: Derivation, order: list[Line]) -> Derivation:
+def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
+    """A working of these of its lines, in this order, with all that refers to them."""
     numbers = {line.number: n for n, line in enumerate(order, 1)}
 
     def renumbered(line: Line) -> Line:
@@ -205,7 +206,11 @@ def _numbered(derivation: Derivation, order: list[Line]) -> Derivation:
         items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
         notes=tuple(each.renumbered(numbers) for each in derivation.notes),
         cases=tuple(
-            replace(each, line=numbers[each.line], lines=tuple(numbers[n] for n in each.lines))
+            replace(
+                each,
+                line=numbers[each.line],
+                lines=tuple(numbers[n] for n in each.lines if n in numbers),
+            )
             for each in derivation.cases
         ),
     )

@@ -53,7 +53,7 @@ def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
     """
     lines = len(scene.desk.lines)
     source = in_direction(scene, kind, body, frame.number - 1, frame)
-    if len(scene.desk.lines) > lines and _is_slanted(frame):
+    if len(scene.desk.lines) > lines and frame.is_slanted:
         other = "across" if kind == "along" else "along"
         in_direction(scene, other, body, frame.number - 1, frame)
     return source
@@ -77,7 +77,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         by_places = frame.write is not None
-        if _is_slanted(frame) and (by_places or not _is_polar(scene, body)):
+        if frame.is_slanted and (by_places or not _is_polar(scene, body)):
             form = by_degrees(scene, kind, body, frame, value)
             return _by_scalar_product(scene, tree, initial, frame, direction, form)
         form = by_degrees(scene, kind, body, frame, value)
@@ -135,11 +135,6 @@ def _sought(scene: Scene, body: str, direction: Vector) -> Source | None:
         return None
     own = scene.sought(body, "j" if direction.x == 0 else "i")
     return Source(own.value * (direction.x + direction.y), own.refs)
-
-
-def _is_slanted(frame: Frame) -> bool:
-    """Whether the directions of a frame are given as vectors beside **i** and **j**."""
-    return frame.across is None and frame.n.x != 0 and frame.n.y != 0
 
 
 def _is_polar(scene: Scene, body: str) -> bool:
@@ -352,7 +347,7 @@ def _of_vector(
 ) -> Source:
     """A component after an event of a velocity that is known as a vector."""
     direction = frame.direction(kind)
-    if _is_slanted(frame) and all(x.is_number for x in frame.n):
+    if frame.is_slanted and all(x.is_number for x in frame.n):
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
         return _by_scalar_product(scene, quantity, source, frame, direction)
     own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
 from restitution.components import model, protected_letters
 from restitution.errors import MissingError
-from restitution.explaining.derivation import Derivation, Line, Meaning
+from restitution.explaining.derivation import Derivation, Meaning
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import with_identities, with_ranges, without_spare
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
@@ -20,7 +18,7 @@ from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError
-from restitution.planning.gathering import gathered
+from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.items import write_item
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
@@ -116,26 +114,7 @@ def pruned(derivation: Derivation) -> Derivation:
         if number not in kept:
             kept.add(number)
             pending += [ref for ref in lines[number].premises if isinstance(ref, int)]
-    numbers = {old: new for new, old in enumerate(sorted(kept), 1)}
-
-    def renumbered(line: Line) -> Line:
-        premises = tuple(numbers[e] if isinstance(e, int) else e for e in line.premises)
-        return replace(line, number=numbers[line.number], premises=premises)
-
-    return replace(
-        derivation,
-        lines=tuple(renumbered(each) for each in derivation.lines if each.number in kept),
-        items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
-        notes=tuple(each.renumbered(numbers) for each in derivation.notes),
-        cases=tuple(
-            replace(
-                each,
-                line=numbers[each.line],
-                lines=tuple(numbers[n] for n in each.lines if n in kept),
-            )
-            for each in derivation.cases
-        ),
-    )
+    return numbered_anew(derivation, [each for each in derivation.lines if each.number in kept])
 
 
 def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: bool) -> Desk:

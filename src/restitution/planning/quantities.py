@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    is_zero,
     letters,
     walk,
 )
@@ -30,7 +31,6 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
-    is_zero,
     negative,
     number,
     product,

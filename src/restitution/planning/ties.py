@@ -108,7 +108,7 @@ def _to_a_direction(
         refs = together(each.refs, source.whole, frame.names_axis(kind))
         return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
     direction, about = _direction(scene, other)
-    if _slants(frame):
+    if frame.is_slanted:
         return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
     x, y = in_the_plane(scene, body, stage)
     refs = together(each.refs, about)
@@ -145,10 +145,6 @@ def _across_a_frame(
     tree = total(product(tree_of(w), tree_of(s.value)) for s, w in used)
     refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
     return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
-
-
-def _slants(frame: Frame) -> bool:
-    return frame.across is None and frame.n.x != 0 and frame.n.y != 0
 
 
 def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
