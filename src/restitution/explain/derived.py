@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from restitution.explain.bold_letters import Used
 from restitution.explain.ends import Ends
 from restitution.explain.introductions import Introductions
 from restitution.explain.joining import joined
@@ -56,11 +57,14 @@ def explanation_of(
     With the ``solution`` it can be illustrated. ``conditions`` are said below the lines with
     these numbers.
     """
-    writer = _Writer(derivation, problem, conditions or {})
+    draft = _Writer(derivation, problem, conditions or {})
+    for label in dict.fromkeys(derivation.asked.values()):
+        draft.part(label)
+    # Which velocities have letters is known now, so that they can be introduced together.
+    writer = _Writer(derivation, problem, conditions or {}, draft.naming.bold.all)
     parts: list[PartExplanation] = []
     for label in dict.fromkeys(derivation.asked.values()):
-        lines = [each for each in derivation.lines if writer.ends.part(each) == label]
-        steps = tuple(joined(writer.steps(lines, label)))
+        steps = writer.part(label)
         ends = [each for each in derivation.items if each.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
@@ -75,13 +79,14 @@ class _Writer:
     derivation: Derivation
     problem: Problem
     conditions: Mapping[int, Sentence] = field(default_factory=dict)
+    used: Used | None = None
     heading: int | None = None
     title: Sentence | None = None
     before: tuple[Sentence, ...] = ()
 
     def __post_init__(self) -> None:
         derivation = self.derivation
-        self.naming = Naming(derivation, self.problem)
+        self.naming = Naming(derivation, self.problem, self.used)
         self.measures = Measures(self.problem, derivation.meanings)
         self.sources = Sources(derivation)
         self.reasons = Reasons(derivation, self.naming, self.problem)
@@ -97,6 +102,11 @@ class _Writer:
         self.entered: set[int] = set()
         self.stay: list[Line] = []
         self.recalled: set[tuple[str | None, int]] = set()
+
+    def part(self, label: str | None) -> tuple[Step, ...]:
+        """The steps of a part."""
+        lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
+        return tuple(joined(self.steps(lines, label)))
 
     def afresh(self) -> None:
         """What comes next goes on from nothing above it."""
@@ -157,6 +167,7 @@ class _Writer:
             yield step
             claim = self.ends.claim(line)
             if claim is not None:
+                yield from self._introduced()
                 yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
             condition = self.conditions.get(line.number)
             if condition is not None and condition not in conditions:
@@ -168,7 +179,14 @@ class _Writer:
         """Why items have no answer, or why a claim is not true."""
         for note, sentence in self.notes.said(notes):
             self.afresh()
+            yield from self._introduced()
             yield Step("note", sentences=(sentence,), item=self.ends.place_of(note.item))
+
+    def _introduced(self) -> Iterator[Step]:
+        """What letters stand for that have come into use."""
+        introduced = self.naming.introduced()
+        if introduced:
+            yield Step("setting", sentences=introduced)
 
     def _recalled(self, line: Line) -> Iterator[Step]:
         """The values of earlier parts on which a line rests, where it does not name them."""

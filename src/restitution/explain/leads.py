@@ -40,22 +40,12 @@ _BY = {
 }
 
 
-# Before the impact or after it, and which components.
+# Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
-    (True, "both"): "resolved-spheres.before",
-    (True, "along"): "resolved-spheres.before-along",
-    (True, "across"): "resolved-spheres.before-across",
-    (False, "both"): "resolved-spheres.after",
-    (False, "along"): "resolved-spheres.after-along",
-    (False, "across"): "resolved-spheres.after-across",
-}
-_RESOLVED_AT_A_WALL = {
-    (True, "both"): "resolved-wall.before",
-    (True, "along"): "resolved-wall.before-along",
-    (True, "across"): "resolved-wall.before-across",
-    (False, "both"): "resolved-wall.after",
-    (False, "along"): "resolved-wall.after-along",
-    (False, "across"): "resolved-wall.after-across",
+    (True, True): "resolved-wall.before-units",
+    (True, False): "resolved-wall.after-units",
+    (False, True): "resolved-spheres.before-units",
+    (False, False): "resolved-spheres.after-units",
 }
 
 
@@ -191,7 +181,7 @@ class Leads:
             yield from self._source(source)
 
     def resolved(self, line: Line) -> Sentence | None:
-        """What is said before components: of which time they are, and in which directions."""
+        """What is said before components: of which time they are."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
             case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
@@ -202,27 +192,7 @@ class Leads:
                 return None
         if event is None:
             return None
-        early = stage < event.number
-        kinds = {
-            left.kind
-            for each in self._derivation.lines
-            if each.move.record == "component" and isinstance(each.relation, Relation)
-            if isinstance(left := each.relation.options[0][0].left, Quantity)
-            if each.move.event == line.move.event and each.item == line.item
-            if self._is_early(left, event.number) == early
-        }
-        (kind,) = kinds if len(kinds) == 1 else ("both",)
-        if event.wall:
-            return say(_RESOLVED_AT_A_WALL[early, kind], wall=event.bodies[1])
-        return say(_RESOLVED[early, kind])
-
-    @staticmethod
-    def _is_early(component: Quantity, event: int) -> bool:
-        """Whether a component is that of a velocity before an event."""
-        match component.arguments:
-            case (Quantity("velocity", _, int(stage)), *_):
-                return stage < event
-        return False
+        return say(_RESOLVED[event.wall, stage < event.number])
 
     def _of_the_story(self, line: Line) -> Sentence | None:
         """What has to be for there to be such an impact, where that is what a line says."""

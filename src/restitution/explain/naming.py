@@ -1,8 +1,7 @@
 """How a working calls the quantities of the motion: letters that a reader knows, or plain words.
 
-A velocity is **v** with the name of its body, and **u** before anything happens. When something is
-so is told only where it is not plain from what stands above: the heading of an impact, or the end
-of the motion.
+What is vectors has letters in bold type (`bold_letters`). When something is so is told only where
+it is not plain from what stands above: the heading of an impact, or the end of the motion.
 """
 
 from __future__ import annotations
@@ -11,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from restitution.explain.bold_letters import BoldLetters, Used
 from restitution.explain.measured import Measures, with_unit
 from restitution.explaining.derivation import (
     Derivation,
@@ -47,10 +47,14 @@ from restitution.render import layout as lay
 
 @dataclass
 class Naming:
-    """The names of one working; ``now`` is the event under whose heading the next line stands."""
+    """The names of one working; ``now`` is the event under whose heading the next line stands.
+
+    ``used`` are the bold letters that it needs, where that is known.
+    """
 
     derivation: Derivation
     problem: Problem
+    used: Used | None = None
     now: int | None = None
     _own: dict[Expression, lay.Layout] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
@@ -69,6 +73,9 @@ class Naming:
         for line in self.derivation.lines:
             if not isinstance(line.relation, Meaning):
                 self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
+        self.bold = BoldLetters(
+            self.derivation, self._used, self._plain_when, self.laid, self.used
+        )
         self._often = Counter(
             node
             for line in self.derivation.lines
@@ -147,7 +154,7 @@ class Naming:
     def introduced(self) -> tuple[Sentence, ...]:
         """What letters stand for that have come into use since this was last asked."""
         pending, self._pending = tuple(self._pending), []
-        return pending
+        return (*self.bold.introduced(), *pending)
 
     def knows(self, tree: Expression, letter: str) -> None:
         """A quantity has a letter from now on, and is called by it."""
@@ -176,8 +183,10 @@ class Naming:
         if tree in self._own:
             return self._own[tree]
         match tree:
-            case Quantity("velocity", (Name(body),), stage):
-                return self._velocity(tree, body, stage)
+            case Quantity("velocity", (Name(body),), _):
+                return self._velocity(tree, body)
+            case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(),)) as v, axis)):
+                return self._scalar_product(kind, v, axis) or operand(self.quantity(tree))
             case Quantity("time", (), int(stage)) if stage in self.events:
                 return self._lettered(tree, "t", str(stage) if self.several else "")
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
@@ -199,20 +208,22 @@ class Naming:
         self._pending.append(say("derived.let", meanings=(meaning,)))
         return laid
 
-    def _velocity(self, tree: Quantity, body: str, stage: Stage) -> lay.Layout:
+    def _velocity(self, tree: Quantity, body: str) -> lay.Layout:
         number = self._settled(tree)
-        if number == 0 and "u" not in self.vectors:
-            laid = lay.Bold("u", body)
-            if tree not in self._own:
-                self._own[tree] = laid
-                words = say("derived.velocity", body=body)
-                late = say("derived.when", quantity=words, when=self._start())
-                meaning = say("derived.meaning", letter=laid, quantity=late)
-                self._pending.append(say("derived.let", meanings=(meaning,)))
-            return laid
-        when = self._when(number, body)
-        own = lay.Bold("v", body)
-        return own if when is None else operand(say("derived.when", quantity=own, when=when))
+        if number is None or (number == 0 and "u" in self.vectors):
+            own = lay.Bold("v", body)
+            when = self._when(number, body)
+            return own if when is None else operand(say("derived.when", quantity=own, when=when))
+        return self.bold.velocity(body, number)
+
+    def _scalar_product(self, kind: str, vector: Quantity, axis: Expression) -> lay.Layout | None:
+        """A component along a slanting line, or across it: by the unit vector in its direction."""
+        event = None if isinstance(axis, Negate) else self.event_of_axis(axis)
+        if event is None or not self.bold.has_unit(event.number):
+            return None
+        velocity = self.laid(vector)
+        unit = self.bold.unit(event.number, kind)
+        return None if unit is None else lay.product(velocity, unit, sign="·")
 
     def heading(self, event: Event) -> Sentence:
         """The heading of an impact."""
@@ -362,11 +373,8 @@ class Naming:
 
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
         match vector:
-            case Quantity("velocity", (Name(body),), _):
-                number = self._settled(vector)
-                of: lay.Layout = lay.Bold("v" if number else "u", body)
-                if number == 0 and "u" in self.vectors:
-                    of = lay.Bold("v", body)
+            case Quantity("velocity", (Name(),), _):
+                of = self.laid(vector)
             case Quantity("position", (Name(body),), stage) if isinstance(axis, Unit):
                 words = (
                     say("derived.coordinate-x", body=body)
@@ -377,6 +385,9 @@ class Naming:
             case _:
                 of = self.laid(vector)
         event = self.event_of_axis(axis)
+        unit = None if isinstance(axis, Negate) else self.unit_of(event, kind)
+        if unit is not None:
+            return say("derived.component-unit", axis=self.laid(unit), of=of)
         if event is None:
             if kind == "along" and isinstance(axis, Unit):
                 return say("derived.component-unit", axis=self.laid(axis), of=of)
@@ -397,6 +408,21 @@ class Naming:
         if isinstance(own, Quantity) and own.kind == "line_of_centres":
             return self.events.get(own.stage) if isinstance(own.stage, int) else None
         return None
+
+    def unit_of(self, event: Event | None, kind: str) -> Expression | None:
+        """**i** or **j**, perhaps reversed, where that is along the line of an event, or across."""
+        fact = None if event is None else self.derivation.fact(f"axis {event.number}")
+        if fact is None or len(fact.relation.options) != 1:
+            return None
+        axis = fact.relation.only[-1].right
+        back = isinstance(axis, Negate)
+        own = axis.operand if isinstance(axis, Negate) else axis
+        if not isinstance(own, Unit):
+            return None
+        if kind == "across":
+            back = back != (own.axis == "j")
+            own = Unit("j" if own.axis == "i" else "i")
+        return Negate(own) if back else own
 
     # --- times ----------------------------------------------------------------------------------
 

@@ -25,7 +25,6 @@ from restitution.expression.tree import (
     Apply,
     Expression,
     Letter,
-    Name,
     Negate,
     Quantity,
     has_quantity,
@@ -126,7 +125,7 @@ class Rows:
         trees = [links[0].left, *(each.right for each in links)]
         if self._measures.decimals and self._measures.unit(links[0].left):
             trees[1:] = map(as_decimal, trees[1:])
-        sides_ = [self._laid(line, each, n) for n, each in enumerate(trees)]
+        sides_ = [self._naming.laid(each) for each in trees]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
                 sides_[n] = to_three_figures(trees[n]) or sides_[n]
@@ -141,22 +140,6 @@ class Rows:
             self._ended(line, links, sides_, signs)
         return Row(tuple(sides_), tuple(signs))
 
-    def _laid(self, line: Line, tree: Expression, index: int) -> lay.Layout:
-        """An operand; a component that is resolved is called by its direction alone."""
-        if not index and line.move.id == "define" and line.move.record == "component":
-            match tree:
-                case Quantity(
-                    "along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)
-                ):
-                    event = self._naming.event_of_axis(axis)
-                    if event is not None and event.wall:
-                        name = "operand.towards" if kind == "along" else "operand.parallel"
-                        return operand(say(name, wall=event.bodies[1]))
-                    if event is not None:
-                        name = "operand.along" if kind == "along" else "operand.across"
-                        return operand(say(name, body=body))
-        return self._naming.laid(tree)
-
     def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
         """Whether a row gives a rebound as a negative component towards a wall."""
         if self._ends.of(line) is not None:
@@ -167,6 +150,7 @@ class Rows:
                 return (
                     event is not None
                     and event.wall
+                    and not self._naming.bold.has_unit(event.number)
                     and all(lay.split_sign(each)[0] == "-" for each in sides[1:])
                 )
         return False
@@ -176,11 +160,8 @@ class Rows:
         vector, axis = tree.arguments
         event = self._naming.event_of_axis(axis)
         assert event is not None
-        body = vector.arguments[0]  # type: ignore[union-attr]
-        assert isinstance(body, Name)
-        return operand(
-            say("derived.component-away", of=lay.Bold("v", body.name), wall=event.bodies[1])
-        )
+        of = self._naming.laid(vector)
+        return operand(say("derived.component-away", of=of, wall=event.bodies[1]))
 
     def _ended(
         self,

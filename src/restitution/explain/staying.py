@@ -9,10 +9,10 @@ from restitution.explain.ends import Ends
 from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explain.naming import Naming
 from restitution.explain.sources import Sources
-from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.derivation import Derivation, Event, Line, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Number, Quantity
+from restitution.expression.tree import Number, Quantity, Unit
 from restitution.render import layout as lay
 
 
@@ -71,6 +71,18 @@ class Staying:
         wanted = line.number in self._sources.numbers or self._ends.of(line) is not None
         return len(line.relation.only) == 1 and not wanted and self.is_idle(line)
 
+    def _sense(self, line: Line, event: Event) -> lay.Layout | None:
+        """The direction in which a component that stays is counted, where it has a short name."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.only[0].left:
+            case Quantity("along", (_, Unit() as own)):
+                return self._naming.laid(own)
+            case Quantity("across", (_, Quantity())):
+                unit = self._naming.bold.unit(event.number, "across")
+                own_ = self._naming.unit_of(event, "across")
+                return unit or (None if own_ is None else self._naming.laid(own_))
+        return None
+
     def said(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
         """The components that stay as a title and a sentence."""
         event = self._naming.events[lines[0].move.event or 1]
@@ -89,11 +101,14 @@ class Staying:
             if event.wall
             else say("unchanged.title")
         )
+        axis = self._sense(lines[0], event)
+        sense = {} if axis is None else {"axis": axis}
+        told = "" if axis is None else "-in"
         if event.wall:
-            said = say("unchanged-wall.component", value=values[0][1])
+            said = say(f"unchanged-wall.component{told}", value=values[0][1], **sense)
         elif len(values) == 1:
-            said = say("derived.stays", of=values[0][0], value=values[0][1])
+            said = say(f"derived.stays{told}", of=values[0][0], value=values[0][1], **sense)
         else:
             components = [say("unchanged.component", value=v, body=b) for b, v in values]
-            said = say("unchanged.components", components=components)
+            said = say(f"unchanged.components{told}", components=components, **sense)
         return title, said

@@ -68,6 +68,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "unchanged-wall.title": "Parallel to {wall} the velocity does not change",
     "unchanged-wall.component": "the component stays {value}.",
+    "unchanged-wall.component-in": "the component in the direction of {axis} stays {value}.",
     "unchanged-wall.why": (
         "The wall is smooth, so it can push the sphere only perpendicular to itself. No impulse "
         "acts along the wall, and so the component of velocity along it is the same before and "
@@ -79,6 +80,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "unchanged.title": "Perpendicular to the line of centres the velocities do not change",
     "unchanged.components": "the components stay {components:and}.",
+    "unchanged.components-in": (
+        "the components in the direction of {axis} stay {components:and}."
+    ),
     "unchanged.component": "{value} for {body}",
     "unchanged.why": (
         "The spheres are smooth, so each pushes the other only along the line of centres. No "
@@ -149,6 +153,24 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: taking the angle from the normal where it was given to the wall; and at "
         "a second wall, using the angle of the first again."
     ),
+    "resolved-spheres.before-units": "Components before the impact:",
+    "resolved-spheres.after-units": "Components after the impact:",
+    "resolved-wall.before-units": "Components before the impact:",
+    "resolved-wall.after-units": "Components after the impact:",
+    "units.both-spheres": (
+        "Let {along} be the unit vector along the line of centres, and {across} the one "
+        "perpendicular to it."
+    ),
+    "units.along-spheres": "Let {along} be the unit vector along the line of centres.",
+    "units.across-spheres": (
+        "Let {across} be the unit vector perpendicular to the line of centres."
+    ),
+    "units.both-wall": (
+        "Let {along} be the unit vector perpendicular to {wall}, towards it, and {across} the one "
+        "parallel to {wall}."
+    ),
+    "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
+    "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "offset.path": "The line of centres makes an angle {angle} with the path of {body}, where",
     "offset.relative-path": (
         "The line of centres makes an angle {angle} with the path of {body} relative to {other}, "
@@ -645,7 +667,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.later": "{time} after {event}",
     "event.start": "the start",
     "derived.of": "of {event}",
-    "derived.velocity": "velocity of {body}",
+    "derived.velocity": "velocity of {bodies:and}",
+    "derived.velocities": "velocities of {bodies:and}",
+    "derived.meanings": "{letters:and} be the {quantity}",
     "derived.coefficient": "coefficient of restitution",
     "derived.speed": "speed of {of:and}",
     "derived.energy": "kinetic energy",
@@ -678,6 +702,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.component-along-vector": "component of {of} in the direction of {axis}",
     "derived.component-across-vector": "component of {of} perpendicular to {axis}",
     "derived.stays": "the component of {of} stays {value}.",
+    "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
     "derived.combine": "Eliminating {letter} from {equations:and}:",
     "derived.add": "From {equations:and}:",
     "derived.divide": "Dividing {first} by {second}:",

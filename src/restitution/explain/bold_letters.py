@@ -1,0 +1,205 @@
+"""Letters in bold type: the velocities of bodies, and unit vectors along slanting lines.
+
+A velocity is **v** with the name of its body, and **u** before anything happens. Where a working
+speaks of several velocities of one body, each has the number of its impact. Along a slanting line
+that is told by **i** and **j** there are unit vectors, **n** along the line of centres or towards
+the wall and **t** at right angles to it, so that a component is a scalar product with its sense.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.planning.forms import tree_of
+from restitution.planning.impacts import whole_direction
+from restitution.render import layout as lay
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True)
+class Used:
+    """The bold letters of a working: bodies and events of velocities, events of unit vectors."""
+
+    velocities: frozenset[tuple[str, int]] = frozenset()
+    units: frozenset[tuple[int, str]] = frozenset()
+
+
+@dataclass
+class BoldLetters:
+    """The bold letters of one working.
+
+    ``used`` are those that it turns out to need, where that is known: then each is introduced with
+    those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
+    and ``laid`` prints a tree.
+    """
+
+    derivation: Derivation
+    taken: set[str]
+    when: Callable[[int], Sentence]
+    laid: Callable[[Expression], lay.Layout]
+    used: Used | None = None
+    _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
+    _units: dict[tuple[int, str], lay.Bold] = field(default_factory=dict)
+    _pending: list[Sentence] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        events = self.derivation.events
+        self._events = {each.number: each for each in events}
+        self._movers = {
+            body
+            for each in events
+            for place, body in enumerate(each.bodies)
+            if not (place and each.wall)
+        }
+        self._directions = {n: _direction(self.derivation, n) for n in self._events}
+
+    @property
+    def all(self) -> Used:
+        """The letters that have been used so far."""
+        return Used(frozenset(self._velocities), frozenset(self._units))
+
+    def introduced(self) -> tuple[Sentence, ...]:
+        """What letters stand for that have come into use since this was last asked."""
+        pending, self._pending = tuple(self._pending), []
+        return pending
+
+    # --- velocities -----------------------------------------------------------------------------
+
+    def velocity(self, body: str, number: int) -> lay.Bold:
+        """The letter for a velocity after an event, or for the initial one (0)."""
+        if (body, number) not in self._velocities:
+            late = (self.used or self.all).velocities
+            others = (each for each, event in late if event == number)
+            bodies = [body, *others] if self.used is not None else [body]
+            new = sorted(e for e in set(bodies) if (e, number) not in self._velocities)
+            for each in new:
+                self._velocities[each, number] = self._letter(each, number)
+            letters = tuple(self._velocities[each, number] for each in new)
+            name = "derived.velocity" if len(new) == 1 else "derived.velocities"
+            words = say(name, bodies=tuple(new))
+            late_ = say("derived.when", quantity=words, when=self.when(number))
+            meaning = say("derived.meanings", letters=letters, quantity=late_)
+            self._pending.append(say("derived.let", meanings=(meaning,)))
+        return self._velocities[body, number]
+
+    def _letter(self, body: str, number: int) -> lay.Bold:
+        """**u** or **v** with the name of the body, and a number where there are several."""
+        several = self._several(body)
+        alone = len(self._movers) == 1
+        if not number:
+            return lay.Bold("u", "" if alone and several else body)
+        if not several:
+            return lay.Bold("v", body)
+        impacts = [n for n, each in self._events.items() if each.kind != "arrival"]
+        order = str(1 + sorted(impacts).index(number)) if number in impacts else str(number)
+        if alone:
+            return lay.Bold("v", order)
+        return lay.Bold("v", f"{body},{order}" if body[-1].isdigit() else f"{body}{order}")
+
+    def _several(self, body: str) -> bool:
+        """Whether a working speaks of several velocities of a body after impacts."""
+        if self.used is None:
+            return False
+        return sum(bool(n) for own, n in self.used.velocities if own == body) > 1
+
+    # --- unit vectors ---------------------------------------------------------------------------
+
+    def has_unit(self, number: int) -> bool:
+        """Whether the line of an event has unit vectors."""
+        return self._directions.get(number) is not None and not {"n", "t"} & self.taken
+
+    def unit(self, number: int, kind: str) -> lay.Bold | None:
+        """The unit vector along the line of an event, or across it; None where there is none."""
+        direction = self._directions.get(number)
+        if direction is None or not self.has_unit(number):
+            return None
+        if (number, kind) not in self._units:
+            kinds = ["along", "across"]
+            if self.used is not None:
+                kinds = [e for e in kinds if (number, e) in self.used.units]
+            else:
+                kinds = [kind]
+            self._introduce(number, kinds, direction)
+        return self._units[number, kind]
+
+    def _introduce(self, number: int, kinds: list[str], direction: Vector) -> None:
+        events = {n for n, _ in self.used.units} if self.used is not None else {number}
+        subscript = str(number) if len(events) > 1 else ""
+        equations: list[lay.Layout] = []
+        for kind in kinds:
+            letter = lay.Bold("n" if kind == "along" else "t", subscript)
+            self._units[number, kind] = letter
+            way = direction if kind == "along" else direction.turned_left()
+            value = self.laid(_tree_of_unit(way))
+            equations.append(lay.Relation((letter, value), ("=",)))
+        event = self._events[number]
+        which = kinds[0] if len(kinds) == 1 else "both"
+        place = "wall" if event.wall else "spheres"
+        wall = {"wall": event.bodies[1]} if event.wall else {}
+        slots = dict(zip(kinds, equations, strict=True))
+        self._pending.append(say(f"units.{which}-{place}", **slots, **wall))
+
+
+def _direction(derivation: Derivation, number: int) -> Vector | None:
+    """The direction of the line of an event, where it is told by **i** and **j** and slants."""
+    axis = Quantity("line_of_centres", (), number)
+    told: list[Line | Fact] = [
+        each
+        for each in derivation.lines
+        if not derivation.cases and not isinstance(each.relation, Meaning)
+    ]
+    fact = derivation.fact(f"axis {number}")
+    for each in (*told, *(() if fact is None else (fact,))):
+        assert isinstance(each.relation, Relation)
+        match each.relation.options:
+            case ((Link(left, "=" | "parallel to"), *_),) if left == axis:
+                direction = _in_numbers(each.relation.only[-1].right)
+                if direction is not None:
+                    return direction
+    return None
+
+
+def _in_numbers(tree: Expression) -> Vector | None:
+    """A direction with both components, in numbers or of length 1; None of any other."""
+    nodes = list(walk(tree))
+    if not any(isinstance(each, Unit) for each in nodes):
+        return None
+    if any(isinstance(each, Quantity | Polar | Degrees) for each in nodes):
+        return None
+    try:
+        value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    except RestitutionError:
+        return None
+    if not isinstance(value, Vector) or not all(value):
+        return None
+    if any(sp.sympify(each, strict=True).free_symbols for each in value):
+        return value if tidy(sp.expand(value.dot(value))) == 1 else None
+    size = sp.sqrt(tidy(sp.expand(value.dot(value))))
+    return Vector(*(tidy(each / size) for each in value))
+
+
+def _tree_of_unit(way: Vector) -> Expression:
+    """A unit vector as whole numbers of **i** and **j** over its length, where it is one."""
+    whole, length = whole_direction(way)
+    tree = tree_of(whole)
+    return tree if length == 1 else Binary("/", tree, tree_of(length))
+
+
+__all__ = ["BoldLetters", "Used"]
