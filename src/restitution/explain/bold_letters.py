@@ -32,6 +32,16 @@ from restitution.planning.impacts import whole_direction
 from restitution.render import layout as lay
 from restitution.vector import Vector
 
+# What introduces unit vectors, at a wall and elsewhere: along its normal, across it, or both.
+_UNITS = {
+    (False, "both"): "units.both-spheres",
+    (False, "along"): "units.along-spheres",
+    (False, "across"): "units.across-spheres",
+    (True, "both"): "units.both-wall",
+    (True, "along"): "units.along-wall",
+    (True, "across"): "units.across-wall",
+}
+
 
 @dataclass(frozen=True)
 class Used:
@@ -151,10 +161,10 @@ class BoldLetters:
             equations.append(lay.Relation((letter, value), ("=",)))
         event = self._events[number]
         which = kinds[0] if len(kinds) == 1 else "both"
-        place = "wall" if event.wall else "spheres"
-        wall = {"wall": event.bodies[1]} if event.wall else {}
-        slots = dict(zip(kinds, equations, strict=True))
-        self._pending.append(say(f"units.{which}-{place}", **slots, **wall))
+        slots: dict[str, lay.Layout | str] = dict(zip(kinds, equations, strict=True))
+        if event.wall:
+            slots["wall"] = event.bodies[1]
+        self._pending.append(say(_UNITS[event.wall, which], **slots))
 
 
 def _direction(derivation: Derivation, number: int) -> Vector | None:
@@ -165,7 +175,7 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
         for each in derivation.lines
         if not derivation.cases and not isinstance(each.relation, Meaning)
     ]
-    fact = derivation.fact(f"axis {number}")
+    fact = derivation.fact(" ".join(("axis", str(number))))
     for each in (*told, *(() if fact is None else (fact,))):
         assert isinstance(each.relation, Relation)
         match each.relation.options:

@@ -73,9 +73,7 @@ class Naming:
         for line in self.derivation.lines:
             if not isinstance(line.relation, Meaning):
                 self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
-        self.bold = BoldLetters(
-            self.derivation, self._used, self._plain_when, self.laid, self.used
-        )
+        self.bold = BoldLetters(self.derivation, self._used, self._plain_when, self.laid, self.used)
         self._often = Counter(
             node
             for line in self.derivation.lines
@@ -386,7 +384,7 @@ class Naming:
                 of = self.laid(vector)
         event = self.event_of_axis(axis)
         unit = None if isinstance(axis, Negate) else self.unit_of(event, kind)
-        if unit is not None:
+        if unit is not None and event is not None and not event.wall:
             return say("derived.component-unit", axis=self.laid(unit), of=of)
         if event is None:
             if kind == "along" and isinstance(axis, Unit):
@@ -411,7 +409,9 @@ class Naming:
 
     def unit_of(self, event: Event | None, kind: str) -> Expression | None:
         """**i** or **j**, perhaps reversed, where that is along the line of an event, or across."""
-        fact = None if event is None else self.derivation.fact(f"axis {event.number}")
+        fact = (
+            None if event is None else self.derivation.fact(" ".join(("axis", str(event.number))))
+        )
         if fact is None or len(fact.relation.options) != 1:
             return None
         axis = fact.relation.only[-1].right

@@ -102,13 +102,23 @@ class Staying:
             else say("unchanged.title")
         )
         axis = self._sense(lines[0], event)
-        sense = {} if axis is None else {"axis": axis}
-        told = "" if axis is None else "-in"
+        return title, self._sentence(event, values, axis)
+
+    @staticmethod
+    def _sentence(
+        event: Event, values: Sequence[tuple[str, lay.Layout]], axis: lay.Layout | None
+    ) -> Sentence:
+        """The components that stay, in the direction of an axis where that is not None."""
+        (body, value), *others = values
         if event.wall:
-            said = say(f"unchanged-wall.component{told}", value=values[0][1], **sense)
-        elif len(values) == 1:
-            said = say(f"derived.stays{told}", of=values[0][0], value=values[0][1], **sense)
-        else:
-            components = [say("unchanged.component", value=v, body=b) for b, v in values]
-            said = say(f"unchanged.components{told}", components=components, **sense)
-        return title, said
+            if axis is None:
+                return say("unchanged-wall.component", value=value)
+            return say("unchanged-wall.component-in", value=value, axis=axis)
+        if not others:
+            if axis is None:
+                return say("derived.stays", of=body, value=value)
+            return say("derived.stays-in", of=body, value=value, axis=axis)
+        components = [say("unchanged.component", value=v, body=b) for b, v in values]
+        if axis is None:
+            return say("unchanged.components", components=components)
+        return say("unchanged.components-in", components=components, axis=axis)

@@ -80,9 +80,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "unchanged.title": "Perpendicular to the line of centres the velocities do not change",
     "unchanged.components": "the components stay {components:and}.",
-    "unchanged.components-in": (
-        "the components in the direction of {axis} stay {components:and}."
-    ),
+    "unchanged.components-in": ("the components in the direction of {axis} stay {components:and}."),
     "unchanged.component": "{value} for {body}",
     "unchanged.why": (
         "The spheres are smooth, so each pushes the other only along the line of centres. No "
@@ -124,11 +122,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "resolved-spheres.before": (
         "Components before the impact, along and across the line of centres:"
     ),
-    "resolved-spheres.after": "Components after the impact, along and across the line of centres:",
-    "resolved-spheres.before-along": "Components before the impact along the line of centres:",
-    "resolved-spheres.before-across": "Components before the impact across the line of centres:",
-    "resolved-spheres.after-along": "Components after the impact along the line of centres:",
-    "resolved-spheres.after-across": "Components after the impact across the line of centres:",
     "resolved-spheres.why": (
         "Along the line of centres momentum and Newton's experimental law hold; across it "
         "nothing changes. So each velocity is resolved in these two directions first, by sine "
@@ -139,11 +132,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "scalar product with a vector that was not divided by its size."
     ),
     "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",
-    "resolved-wall.after": "Components after the impact, towards {wall} and parallel to it:",
-    "resolved-wall.before-along": "Component before the impact towards {wall}:",
-    "resolved-wall.before-across": "Component before the impact parallel to {wall}:",
-    "resolved-wall.after-along": "Component after the impact towards {wall}:",
-    "resolved-wall.after-across": "Component after the impact parallel to {wall}:",
     "resolved-wall.why": (
         "The two components behave differently at a wall: the one towards it is reversed and "
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
