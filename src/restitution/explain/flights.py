@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from restitution.explain.naming import Naming
+from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Letter, Quantity
+from restitution.expression.tree import Expression, Letter, Quantity
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -15,7 +16,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     body = line.move.bodies[0]
     event = naming.events.get(line.move.event or 0)
     one = naming.movers == 1
-    if _is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
+    if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if _is_place(left):
         return say("flight.place") if one else say("flight.place-of", body=body)
@@ -31,7 +32,7 @@ def chord_title(line: Line) -> Sentence:
     """The title of a line about a chord of a circular wall."""
     assert isinstance(line.relation, Relation)
     left = line.relation.options[0][0].left
-    return say("chord.time") if _is_time(left) else say("chord.title")
+    return say("chord.time") if is_time(left) else say("chord.title")
 
 
 def _is_meeting(event: Event, line: Line) -> bool:
@@ -43,16 +44,7 @@ def _is_meeting(event: Event, line: Line) -> bool:
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
     """Whether the statement lets a letter stand for a time."""
     fact = derivation.fact(" ".join(("let", letter.name)))
-    return fact is not None and _is_time(fact.relation.only[0].left)
-
-
-def _is_time(tree: Expression) -> bool:
-    match tree:
-        case Quantity("time"):
-            return True
-        case Binary("-", Quantity("time"), Quantity("time")):
-            return True
-    return False
+    return fact is not None and is_time(fact.relation.only[0].left)
 
 
 def _is_place(tree: Expression) -> bool:
@@ -71,6 +63,6 @@ def _tells_a_time(derivation: Derivation, line: Line) -> bool:
             return True
         own = derivation.line(ref) if isinstance(ref, int) else None
         match None if own is None else own.relation:
-            case Relation(options=((Link(left=left), *_), *_)) if _is_time(left):
+            case Relation(options=((Link(left=left), *_), *_)) if is_time(left):
                 return True
     return False

@@ -138,7 +138,7 @@ class Leads:
             given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
             if given and given[0].relation == line.relation and given[0].kind == "geometry":
                 return  # a direction of the data, which the row says in words
-            at = self._naming.at_a_circle(given[0]) if given else None
+            at = self._naming.at_contact(given[0]) if given else None
             if at is not None:
                 yield at
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
@@ -216,6 +216,8 @@ class Leads:
                 yield say("derived.combine", letter=letter, equations=equations)
             case "compare" if not equations:
                 yield say("given.compare")
+            case "times":
+                yield say("flight.add")
             case "formula":
                 yield say("derived.formula")
             case "divide":

@@ -37,6 +37,7 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    is_zero,
     letters,
     walk,
 )
@@ -100,6 +101,10 @@ class Naming:
 
     def laid(self, tree: Expression) -> lay.Layout:
         """A tree as it stands in a line."""
+        for node in walk(tree):
+            match node:
+                case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
+                    self.name(early)  # it is introduced before the later one
         return of_tree(tree, self.vectors, self.name, self.forms)
 
     def relation(self, relation: Relation) -> lay.Layout:
@@ -346,11 +351,18 @@ class Naming:
         """The walls that are circular."""
         return {each.name for each in self.problem.walls if each.centre is not None}
 
-    def at_a_circle(self, fact: Fact) -> Sentence | None:
-        """How far a body is from a centre that a contact tells of; None of another contact."""
+    def at_contact(self, fact: Fact) -> Sentence | None:
+        """What a contact tells of the place of a body: how far it is from a centre, or on a wall.
+
+        None of another fact.
+        """
         kind, _, number = fact.id.partition(" ")
         event = self.events.get(int(number)) if kind == "contact" else None
         match fact.relation.only[0]:
+            case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
+                event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
+            ):
+                return say("contact.wall", body=event.bodies[0], wall=event.bodies[-1])
             case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
                 one, other = event.bodies
                 if other in self._circles:

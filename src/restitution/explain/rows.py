@@ -17,6 +17,7 @@ from restitution.explain.measured import (
     with_unit,
 )
 from restitution.explain.naming import Naming
+from restitution.explain.sources import is_time
 from restitution.explain.steps import REQUIRED, Row
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.layouts import chains
@@ -312,7 +313,7 @@ def _has_decimals(side: lay.Layout) -> bool:
 
 def _is_value(tree: Expression) -> bool:
     """Whether a side names one quantity, whose dimension is known."""
-    return isinstance(tree, Letter | Quantity)
+    return isinstance(tree, Letter | Quantity) or is_time(tree)
 
 
 def _sign(link: Link) -> str:

@@ -33,12 +33,22 @@ class Source:
     into which it is.
     """
 
-    kind: Literal["compare", "combine", "add", "divide", "square-add", "put", "formula"]
+    kind: Literal["compare", "combine", "add", "divide", "square-add", "put", "formula", "times"]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
     eliminated: str = ""
     last: bool = False
+
+
+def is_time(tree: Expression) -> bool:
+    """Whether a tree is a time, or the time between two events."""
+    match tree:
+        case Quantity("time"):
+            return True
+        case Binary("-", Quantity("time"), Quantity("time")):
+            return True
+    return False
 
 
 def _is_vector(tree: Expression) -> bool:
@@ -178,6 +188,15 @@ class Sources:
                 return
         yield links[0].left
 
+    def _is_sum_of_times(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line adds up the times of several ways."""
+        lines = [line, *(self._lines[each] for each in cited if each in self._lines)]
+        return len(lines) == len(line.premises) + 1 and all(
+            is_time(each.relation.options[0][0].left)
+            for each in lines
+            if isinstance(each.relation, Relation)
+        )
+
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
@@ -189,6 +208,8 @@ class Sources:
             for letter in self._subjects(own, target)
         )
         facts = self._given(line.premises)
+        if self._is_sum_of_times(line, cited):
+            return Source("times")
         numbered = () if target is None or target == above else (target,)
         last = bool(values) and values == [above]
         if not (numbered or letters or facts):

@@ -31,6 +31,7 @@ class Staying:
         self._measures = measures
         self._sources = sources
         self._ends = ends
+        self._facts = {each.id: each for each in derivation.facts}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
 
     def stays(self, line: Line) -> bool:
@@ -64,7 +65,14 @@ class Staying:
         )
 
     def is_nothing(self, line: Line) -> bool:
-        """Whether a line says that a body at rest has no component, which no one writes."""
+        """Whether a line says that a body at rest has no component, or stays where it is.
+
+        No one writes that, nor that a body stays on an axis.
+        """
+        if (line.move.id, line.move.record) == ("define", "straight-line"):
+            assert isinstance(line.relation, Relation)
+            named = line.number in self._sources.numbers or self._ends.of(line) is not None
+            return not named and not line.marks and (self.is_idle(line) or self._rests(line))
         if (line.move.id, line.move.record) != ("define", "component"):
             return False
         assert isinstance(line.relation, Relation)
@@ -82,6 +90,18 @@ class Staying:
                 own_ = self._naming.unit_of(event, "across")
                 return unit or (None if own_ is None else self._naming.laid(own_))
         return None
+
+    def _rests(self, line: Line) -> bool:
+        """Whether a line is about a body that is at rest until then."""
+        facts = [self._facts.get(each) for each in line.premises if isinstance(each, str)]
+        if len(facts) != len(line.premises):
+            return False
+        return any(
+            fact is not None
+            and fact.id.startswith("velocity ")
+            and fact.relation.only[0].right == Number(Fraction(0))
+            for fact in facts
+        )
 
     def said(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
         """The components that stay as a title and a sentence."""

@@ -154,6 +154,8 @@ RULES: tuple[Rule, ...] = (
     _rule("difference-of-angles", ("define",), "", ("difference",), ("of-angles", "on-the-way")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("data", ("define",), "", ("straight-line", *_ENERGIES), ("of-facts", "on-the-way")),
+    _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
+    _rule("place-that-stays", ("define",), "", ("straight-line",), ("of-data", "on-the-way")),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),
     _rule("centres-two-radii-apart", ("define",), "A", ("beside",)),
@@ -502,6 +504,11 @@ def _zero(work: _Awarding, line: Line) -> bool:
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
+def _of_data(work: _Awarding, line: Line) -> bool:
+    """Where a body is that does not move in that direction: no time goes into it."""
+    return all(isinstance(each, str) and each != "start" for each in line.premises)
+
+
 def _again(work: _Awarding, line: Line) -> bool:
     """The part has such a principle already, at another event."""
     return any(
@@ -704,6 +711,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "of-angles": _of_angles,
+    "of-data": _of_data,
     "of-one-term": _of_one_term,
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from sympy.polys.rings import PolyElement
 
@@ -14,7 +15,7 @@ from restitution.explaining.algebra import (
     Value,
     World,
 )
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, Quantity
 
 
 @dataclass
@@ -89,6 +90,10 @@ class Rules:
             n: {m[n] for m in own.above if m[n]} for n in keys if keys[n][0] not in ("root", "size")
         }
         single = len(own.above) == 1
+        if keys and not single and all(_is_time(key) for key in keys.values()):
+            # Of the time from one event to another the later one is told.
+            last = max(keys, key=lambda n: keys[n][1].stage)
+            return (last, 1) if powers[last] == {1} else None
         for n, key in keys.items():
             if n not in powers or len(powers[n]) != 1:
                 continue
@@ -151,6 +156,14 @@ class Rules:
                 raise NotComparableError("a line divides by zero")
             value = self.world.reduced(above / below)
         return value
+
+
+def _is_time(key: Any) -> bool:
+    """Whether a generator is the time of an event."""
+    match key:
+        case ("quantity", Quantity("time", (), int())):
+            return True
+    return False
 
 
 def _uses(value: Quotient, number: int) -> bool:

@@ -441,6 +441,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "place of the one is that of the other, and two radii along the line of centres."
     ),
     "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
+    "contact.wall": "{body} is then on the line of {wall}:",
     "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
     "circle.again": (
@@ -737,6 +738,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.place": "New position = old position + velocity × time",
     "flight.place-of": "New position = old position + velocity × time, for {body}",
     "flight.same-time": "The path is in the direction of the velocity",
+    "flight.add": "Putting the times together:",
     "flight.meet": "{one} and {other} meet when their coordinates are equal",
     "derived-energy.title": "Kinetic energy",
     "derived-energy.why": (

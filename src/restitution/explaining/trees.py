@@ -25,6 +25,22 @@ def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Exp
     return change(replace(tree, **put) if put else tree)
 
 
+def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """A tree with others in place of some of its parts, outermost first."""
+    if tree in values:
+        return values[tree]
+    put: dict[str, Any] = {}
+    for name in PARTS[type(tree)]:
+        value = getattr(tree, name)
+        if type(value) in PARTS:
+            put[name] = exchanged(value, values)
+        elif isinstance(value, tuple):
+            put[name] = tuple(
+                exchanged(each, values) if type(each) in PARTS else each for each in value
+            )
+    return replace(tree, **put) if put else tree
+
+
 def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> object:
     if isinstance(value, tuple):
         new = tuple(_rebuilt(each, change) for each in value)

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
-from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, walk
-from restitution.planning import distances
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.planning import distances, journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import square, swept, total, tree_of
+from restitution.planning.place_trees import is_duration
 from restitution.planning.quantities import formula, velocity_source, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line
@@ -51,7 +62,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     final = tree_of(value)
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
         raise NotPlannedError("a quotient that is zero")
-    right = swept(rebuilt(asked, lambda each: values.get(each, each)))
+    right = swept(exchanged(asked, values))
     if isinstance(value, Vector):
         line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
         if right != final:
@@ -99,29 +110,29 @@ def is_angle_sum(tree: Expression) -> bool:
 
 
 def outermost(tree: Expression) -> list[Expression]:
-    """The quantities and letters in an expression, but for what stands inside a quantity."""
-    inside = {
-        each
-        for node in walk(tree)
-        if isinstance(node, Quantity)
-        for argument in node.arguments
-        for each in walk(argument)
-    }
+    """The quantities and letters in an expression, but for what stands inside a quantity.
+
+    The time between two events is one of them.
+    """
     ratios = {
         each.argument
         for each in walk(tree)
         if isinstance(each, Apply) and isinstance(each.argument, Letter)
     }
-    found = [
-        node
-        for node in walk(tree)
-        if (
-            (isinstance(node, Quantity) and node not in inside)
-            or (isinstance(node, Letter) and node not in inside and node not in ratios)
-            or (isinstance(node, Apply) and node.argument in ratios)
-        )
-    ]
-    return list(dict.fromkeys(found))
+
+    def found(node: Expression) -> Iterator[Expression]:
+        if isinstance(node, Quantity) or is_duration(node):
+            yield node
+        elif isinstance(node, Letter):
+            if node not in ratios:
+                yield node
+        elif isinstance(node, Apply) and node.argument in ratios:
+            yield node
+        else:
+            for each in children(node):
+                yield from found(each)
+
+    return list(dict.fromkeys(found(tree)))
 
 
 def _value_of(scene: Scene, node: Expression) -> Source | None:
@@ -138,6 +149,9 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
     match node:
         case Quantity("velocity", (Name(body),), int(stage)) if not scene.last_event(body, stage):
             return velocity_source(scene, body, 0)
+    if is_duration(node):
+        number, value = journeys.write(scene, node)
+        return Source(value, (number,))
     if isinstance(node, Quantity):
         own = formula(scene, node)
         return Source(own.value, (write_formula(scene, own),))
@@ -157,7 +171,7 @@ def _angle_tree(scene: Scene, source: Source) -> Expression:
 
 
 def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]) -> Any:
-    put = rebuilt(asked, lambda each: values.get(each, each))
+    put = exchanged(asked, values)
     value = scene.value(put)
     if isinstance(value, Vector):
         return Vector(*(tidy(sp.expand(each)) for each in value))

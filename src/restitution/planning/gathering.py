@@ -15,7 +15,7 @@ from restitution.expression.tree import Name, Quantity
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
 # Lines that belong to the impact of which they speak, and go where its others are.
-_OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line"}
+_OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"}
 
 
 def gathered(derivation: Derivation) -> Derivation:

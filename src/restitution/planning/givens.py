@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -319,6 +320,11 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
     values: dict[Expression, Expression] = {}
     for side in (own.left, own.right):
         for node in outermost(side):
+            if place_trees.is_duration(node) and node not in values:
+                number, value = journeys.write(scene, node)
+                values[node] = tree_of(value)
+                refs.append(number)
+                continue
             if (
                 not isinstance(node, Quantity)
                 or node.kind in ("mass", "position")
@@ -347,11 +353,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             )
             values[node] = made.right
             refs.append(number)
-    from restitution.explaining.trees import rebuilt
 
-    left, right = (
-        swept(rebuilt(side, lambda node: values.get(node, node))) for side in (own.left, own.right)
-    )
+    left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
     relation = chain(left, (right, None))
     whole = together(each.refs, refs)
     first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]

@@ -6,25 +6,25 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy
 from restitution.explaining.derivation import Move
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.distances import distance, sized
-from restitution.planning.flights import divisor_refs, time_quotient
-from restitution.planning.forms import difference, swept, tree_of
+from restitution.planning.forms import tree_of
 from restitution.planning.instants import piece, place_then
 from restitution.planning.paths import without_walls
-from restitution.planning.place_trees import AXES, place_tree, time_tree
+from restitution.planning.place_trees import AXES, place_tree
 from restitution.planning.places import (
     coordinate,
     coordinate_given,
     coordinate_moved,
+    flight_time,
+    leg_line,
     place_moved,
     time_of,
 )
 from restitution.planning.scene import Scene
-from restitution.planning.whereabouts import are_apart, axis_for, last_move, standing, velocity
+from restitution.planning.whereabouts import are_apart, standing
 from restitution.vector import Vector
 
 
@@ -109,48 +109,12 @@ def _place(scene: Scene, body: str, stage: int) -> Source:
 
 
 def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:
-    """The time between two events: of one body in one direction, or as a difference of times."""
+    """The time between two events: of one way, or of several, added up."""
+    tree, value, refs = flight_time(scene, early, late)
     known = standing(scene, asked)
     if known is not None:
         return known
-    times = [standing(scene, time_tree(each)) for each in (late, early)]
-    shared = [each for each in scene.bodies(late) if last_move(scene, each, late) == early]
-    if all(times) or not shared:
-        return _difference_of_times(scene, asked, late, early)
-    body = shared[0]
-    axis = axis_for(scene, body, late)
-    if axis is None:
-        return _difference_of_times(scene, asked, late, early)
-    first, last = (coordinate(scene, body, each, axis) for each in (early, late))
-    pace = velocity(scene, body, early, axis)
-    value = tidy((last.value - first.value) / pace.value)
-    line = scene.desk.write(
-        Move("define", "straight-line", late, (body,)),
-        together(
-            first.refs,
-            last.refs,
-            pace.refs,
-            divisor_refs(scene, last.value - first.value, pace.value),
-        ),
-        chain(
-            asked,
-            (swept(time_quotient(scene, last.value, first.value, pace.value)), None),
-            (tree_of(value), "rearrange"),
-        ),
-    )
-    return scene.desk.know(asked, value, (line,))
-
-
-def _difference_of_times(scene: Scene, asked: Expression, late: int, early: int) -> Source:
-    a, b = (time_of(scene, each) for each in (late, early))
-    value = tidy(a.value - b.value)
-    line = scene.desk.write(
-        Move("combine"),
-        together(a.refs, b.refs),
-        chain(
-            asked,
-            (difference(tree_of(a.value), tree_of(b.value)), None),
-            (tree_of(value), "rearrange"),
-        ),
-    )
+    premises = tuple(dict.fromkeys((*leg_line(scene, late), *refs)))
+    relation = chain(asked, (tree, None), (tree_of(value), "rearrange"))
+    line = scene.desk.write(Move("put"), premises, relation)
     return scene.desk.know(asked, value, (line,))

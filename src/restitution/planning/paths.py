@@ -21,7 +21,7 @@ from restitution.planning.desk import chain, together
 from restitution.planning.flights import swept_product
 from restitution.planning.forms import difference, product, swept, tree_of
 from restitution.planning.place_trees import AXES, place_tree, time_tree
-from restitution.planning.places import coordinate, time_along, time_of
+from restitution.planning.places import coordinate, flight_time, leg_along
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
@@ -154,13 +154,14 @@ def write_path(scene: Scene, path: Path) -> int:
         values = [without_walls(scene, each) for each in (pace, first, last, when)]
         if pace == 0 or any(scene.unknown(each) for each in values):
             continue
-        known = standing(scene, time_tree(number)) or time_along(scene, body, number, axis)
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
-        speed, early = velocity(scene, body, since, other), time_of(scene, since)
-        flight = difference(tree_of(known.value), tree_of(early.value))
+        if standing(scene, time_tree(number)) is None:
+            leg_along(scene, body, number, axis)
+        flight, _, refs = flight_time(scene, since, number)
+        speed = velocity(scene, body, since, other)
         return scene.desk.write(
             Move("define", "straight-line", number, (body,)),
-            together(*(each.refs for each in ends), speed.refs, early.refs, known.refs),
+            together(*(each.refs for each in ends), speed.refs, refs),
             chain(
                 swept(difference(tree_of(ends[1].value), tree_of(ends[0].value))),
                 (swept(product(tree_of(speed.value), flight)), None),

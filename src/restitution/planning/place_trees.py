@@ -17,6 +17,11 @@ def time_tree(number: int) -> Quantity:
     return Quantity("time", (), number)
 
 
+def duration_tree(late: int, early: int) -> Binary:
+    """The time from one event to another."""
+    return Binary("-", time_tree(late), time_tree(early))
+
+
 def place_tree(body: str, stage: int) -> Quantity:
     """Where a body is at an event."""
     return Quantity("position", (Name(body),), stage)

@@ -20,7 +20,14 @@ from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added, divisor_refs, time_quotient
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
-from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree, time_tree
+from restitution.planning.place_trees import (
+    AXES,
+    Axis,
+    coordinate_tree,
+    duration_tree,
+    place_tree,
+    time_tree,
+)
 from restitution.planning.rims import Way, time_of_touching, time_on_a_chord
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
@@ -96,14 +103,15 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         return Source(part_of(place.value, axis), place.refs)
     since = last_move(scene, body, stage)
     if not keeps_still(scene, body, since, axis):
-        time_of(scene, stage)
-    first = coordinate(scene, body, since, axis)
+        leg(scene, stage)
+    near = _nearest(scene, body, since, stage, axis)
+    first = coordinate(scene, body, near, axis)
     pace = velocity(scene, body, since, axis)
     refs = [*first.refs, *pace.refs]
     tree: Expression = tree_of(first.value)
     value = first.value
     if pace.value != 0:
-        flight, length, used = _flight_time(scene, since, stage)
+        flight, length, used = flight_time(scene, near, stage)
         refs += used
         tree = total((tree, product(tree_of(pace.value), flight)))
         value = tidy(first.value + pace.value * length)
@@ -116,15 +124,6 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     return scene.desk.know(quantity, value, (number,))
 
 
-def _flight_time(
-    scene: Scene, since: int, stage: int
-) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
-    """The time between two events, as a difference, and what it is worth."""
-    early, late = time_of(scene, since), time_of(scene, stage)
-    tree = difference(tree_of(late.value), tree_of(early.value))
-    return tree, tidy(late.value - early.value), together(early.refs, late.refs)
-
-
 def place_moved(scene: Scene, body: str, stage: int) -> Source:
     """A place by the velocity since the last event of a body, as a vector."""
     quantity = place_tree(body, stage)
@@ -133,21 +132,22 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
         return known
     since = last_move(scene, body, stage)
     if not rests(scene, body, stage):
-        time_of(scene, stage)
+        leg(scene, stage)
     open_ = _open_line(scene, body, stage)
     if open_ is not None:
-        time = time_of(scene, stage)
+        _, time = leg(scene, stage)
         value = tidied(scene, scene.value(quantity))
         number = scene.desk.write(
             Move("put"), (open_, *time.refs), chain(quantity, (tree_of(value), None))
         )
         return _know_place(scene, body, stage, value, number)
-    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    near = _nearest(scene, body, since, stage)
+    first, pace = spot(scene, body, near), velocity_then(scene, body, since)
     refs = together(first.refs, pace.refs)
     tree: Expression = tree_of(first.value)
     value = first.value
     if tuple(pace.value) != (0, 0):
-        flight, length, used = _flight_time(scene, since, stage)
+        flight, length, used = flight_time(scene, near, stage)
         refs = together(refs, used)
         tree = added(first.value, flight, pace.value)
         value = Vector(
@@ -210,39 +210,124 @@ def _open_line(scene: Scene, body: str, stage: int) -> int | None:
     return None
 
 
+def _nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
+    """The last event before another at which a line says where a body is; else its own last one."""
+    near = stage - 1
+    tree = place_tree(body, near) if axis is None else coordinate_tree(body, near, axis)
+    return near if near > since and scene.desk.known(tree) is not None else since
+
+
+# --- times -----------------------------------------------------------------------------------
+
+
 def time_of(scene: Scene, number: int) -> Source:
-    """The time of an event; written down where it is worked out."""
+    """The time of an event; written down where it is worked out, as a sum of the ways to it."""
     first, refs = start(scene)
     if number == first:
         return Source(sp.Integer(0), refs)
     known = standing(scene, time_tree(number))
     if known is not None:
         return known
+    legs = _legs(scene, number)
+    if len(legs) == 1:
+        return legs[number]
+    value = tidy(sum(each.value for each in legs.values()))
+    terms = [tree_of(legs[each].value) for each in sorted(legs)]
+    line = scene.desk.write(
+        Move("put"),
+        (*leg_line(scene, number), *(ref for each in legs.values() for ref in each.refs)),
+        chain(time_tree(number), (swept(total(terms)), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(time_tree(number), value, (line,))
+
+
+def flight_time(
+    scene: Scene, since: int, stage: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The time between two events by the ways in between: a tree, its value, what it rests on."""
+    late, early = _legs(scene, stage), _legs(scene, since)
+    more = [late[each] for each in sorted(late.keys() - early.keys())]
+    less = [early[each] for each in sorted(early.keys() - late.keys())]
+    tree = difference(
+        total(tree_of(each.value) for each in more), total(tree_of(each.value) for each in less)
+    )
+    value = tidy(sum(each.value for each in more) - sum(each.value for each in less))
+    first, begin = start(scene)
+    refs = begin if since == first else ()
+    return tree, value, together(refs, *(each.refs for each in (*more, *less)))
+
+
+def _legs(scene: Scene, number: int) -> dict[int, Source]:
+    """The ways on which the time to an event goes by, each by the event at its end."""
+    first, _ = start(scene)
+    found: dict[int, Source] = {}
+    while number != first:
+        begin, own = leg(scene, number)
+        found[number] = own
+        number = begin
+    return found
+
+
+def leg(scene: Scene, number: int) -> tuple[int, Source]:
+    """The event at which the last way to an event begins, and how long that takes.
+
+    It is written down where it is worked out.
+    """
+    first, refs = start(scene)
+    if number == first:
+        return first, Source(sp.Integer(0), refs)
+    for begin in range(number - 1, first, -1):
+        known = standing(scene, duration_tree(number, begin))
+        if known is not None:
+            return begin, known
+    known = standing(scene, time_tree(number))
+    if known is not None:
+        return first, known
     if number < first:
         raise NotPlannedError("a time before the clock starts")
     if number == 0:
         raise NotPlannedError("the start has no time")
     step = scene.model.happening(number).step
     if isinstance(step, Impact) and step.second in scene.model.story.spheres:
-        return _time_of_meeting(scene, number, step)
+        return _leg_of_meeting(scene, number, step)
     if not isinstance(step, Impact | Arrival):
         raise NotPlannedError("the time of a blow")
     body = scene.bodies(number)[0]
     axis = axis_for(scene, body, number)
     if circle_of(scene, number) is not None:
-        return _time_to_circle(scene, body, number)
+        return _leg_to_circle(scene, body, number)
     if axis is None:
-        return _time_to_slanted(scene, body, number)
-    return time_along(scene, body, number, axis)
+        return _leg_to_slanted(scene, body, number)
+    return leg_along(scene, body, number, axis)
 
 
-def time_along(scene: Scene, body: str, number: int, axis: Axis) -> Source:
-    """A time by a distance and a speed in one direction."""
+def leg_line(scene: Scene, number: int) -> tuple[Ref, ...]:
+    """The line of the last way to an event, from which a sum of times starts."""
+    begin, _ = leg(scene, number)
+    known = scene.desk.known(_since(scene, number, begin))
+    return () if known is None else known.refs
+
+
+def _since(scene: Scene, number: int, begin: int) -> Expression:
+    """The time from one event to another, as lines write it: from the start, the time itself."""
+    first, _ = start(scene)
+    return time_tree(number) if begin == first else duration_tree(number, begin)
+
+
+def _begin(scene: Scene, begin: int) -> tuple[Ref, ...]:
+    """What tells when a way begins, where that is the start."""
+    first, refs = start(scene)
+    if begin < first:
+        raise NotPlannedError("a time before the clock starts")
+    return refs if begin == first else ()
+
+
+def leg_along(scene: Scene, body: str, number: int, axis: Axis) -> tuple[int, Source]:
+    """The time of a way by a distance and a speed in one direction."""
     since = last_move(scene, body, number)
-    early = time_of(scene, since)
+    refs = _begin(scene, since)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
-    pace = velocity(scene, body, since, axis)
-    return _flight(scene, number, body, (first, last), pace, early)
+    return since, _flight(scene, number, body, (first, last), since, axis, refs)
 
 
 def _flight(
@@ -250,43 +335,42 @@ def _flight(
     number: int,
     body: str,
     ends: tuple[Source, Source],
-    pace: Source,
-    early: Source,
+    since: int,
+    axis: Axis,
+    begin: tuple[Ref, ...],
 ) -> Source:
     first, last = ends
+    pace = velocity(scene, body, since, axis)
     tree = time_quotient(scene, last.value, first.value, pace.value)
-    value = tidy(early.value + (last.value - first.value) / pace.value)
+    value = tidy((last.value - first.value) / pace.value)
     refs = together(
         first.refs,
         last.refs,
         pace.refs,
-        early.refs,
+        begin,
         divisor_refs(scene, tidy(last.value - first.value), pace.value),
     )
-    quantity = time_tree(number)
+    quantity = _since(scene, number, since)
     line = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
         refs,
-        chain(
-            quantity,
-            (swept(total((tree_of(early.value), tree))), None),
-            (tree_of(value), "rearrange"),
-        ),
+        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(quantity, value, (line,))
 
 
-def _time_to_circle(scene: Scene, body: str, number: int) -> Source:
+def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
     """The time to a circular wall, from another point of it or from beside it."""
     since = last_move(scene, body, number)
-    early = time_of(scene, since)
+    refs = _begin(scene, since)
     if chord_from(scene, body, number) is not None:
-        return time_on_a_chord(scene, body, number, since, early)
+        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+    early = time_of(scene, since) if since != start(scene)[0] else Source(sp.Integer(0), refs)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
-    return time_of_touching(scene, number, [Way(body, first, pace, early)])
+    return start(scene)[0], time_of_touching(scene, number, [Way(body, first, pace, early)])
 
 
-def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:
+def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
     """The time to a wall that is not along an axis: the coordinates by the time, on its line."""
     match next(contact_of(scene, number), None):
         case Link(Quantity("dot", (Binary("-", _, through), normal)), "=", _):
@@ -294,16 +378,12 @@ def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:
         case _:
             raise NotPlannedError("the time to a wall whose place is not given")
     since = last_move(scene, body, number)
-    first, pace, early = (
-        spot(scene, body, since),
-        velocity_then(scene, body, since),
-        time_of(scene, since),
-    )
-    t = time_tree(number)
-    flight = difference(t, tree_of(early.value))
+    begin = _begin(scene, since)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    flight = _since(scene, number, since)
     open_ = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
-        together(first.refs, pace.refs, early.refs),
+        together(first.refs, pace.refs, begin),
         chain(place_tree(body, number), (added(first.value, flight, pace.value), None)),
     )
     terms = [
@@ -318,32 +398,31 @@ def _time_to_slanted(scene: Scene, body: str, number: int) -> Source:
         Move("fact"), (f"contact {number}", open_), Relation(((link(swept(total(terms)), ZERO),),))
     )
     closing = tidy(pace.value.dot(axis))
-    value = tidy(early.value + (place - first.value).dot(axis) / closing)
+    value = tidy((place - first.value).dot(axis) / closing)
     line = scene.desk.write(
-        Move("rearrange"), (fact, *nonzero(scene, closing)), chain(t, (tree_of(value), None))
+        Move("rearrange"), (fact, *nonzero(scene, closing)), chain(flight, (tree_of(value), None))
     )
-    return scene.desk.know(t, value, (line,))
+    return since, scene.desk.know(flight, value, (line,))
 
 
-def _time_of_meeting(scene: Scene, number: int, step: Impact) -> Source:
-    """The time at which two spheres meet, from the one direction in which they approach."""
+def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Source]:
+    """The time to where two spheres meet, from the one direction in which they approach."""
     if not any(True for _ in contact_of(scene, number)):
         raise NotPlannedError("where spheres with radii touch")
     aimed = striker(scene, number)
     if aimed is not None:
         write_aim(scene, number)
         pace = scene.velocity(aimed, last_move(scene, aimed, number))
-        return time_along(scene, aimed, number, "i" if pace.x != 0 else "j")
+        return leg_along(scene, aimed, number, "i" if pace.x != 0 else "j")
     if circle_of(scene, number) is not None:
-        return time_of_touching(
-            scene, number, [_way(scene, each, number) for each in scene.bodies(number)]
-        )
+        ways = [_way(scene, each, number) for each in scene.bodies(number)]
+        return start(scene)[0], time_of_touching(scene, number, ways)
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number):
-            return _time_to_resting(scene, number, body, other)
+            return _leg_to_resting(scene, number, body, other)
     if any(offset_at(scene, step.first, number, axis) != 0 for axis in AXES):
         raise NotPlannedError("where two spheres with radii touch that both move")
-    return _time_of_two(scene, number, step.first, step.second)
+    return _leg_of_two(scene, number, step.first, step.second)
 
 
 def _way(scene: Scene, body: str, number: int) -> Way:
@@ -354,50 +433,73 @@ def _way(scene: Scene, body: str, number: int) -> Way:
     return Way(body, first, pace, early)
 
 
-def _time_to_resting(scene: Scene, number: int, body: str, other: str) -> Source:
+def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
     since = last_move(scene, body, number)
+    begin = _begin(scene, since)
     axis = axis_of_approach(scene, number, body, other)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
-    pace, early = velocity(scene, body, since, axis), time_of(scene, since)
-    return _flight(scene, number, body, (first, last), pace, early)
+    return since, _flight(scene, number, body, (first, last), since, axis, begin)
 
 
-def _time_of_two(scene: Scene, number: int, body: str, other: str) -> Source:
-    """The one's coordinate with the time as unknown; the other comes to the same place then."""
+def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
+    """The one's coordinate with the time as unknown; the other comes to the same place then.
+
+    The time is counted from the later of their last events, at which the other one has a place
+    too; where others met in between, from the start.
+    """
     axis = axis_of_approach(scene, number, body, other)
-    t = time_tree(number)
-    since = last_move(scene, other, number)
-    first, pace = coordinate(scene, other, since, axis), velocity(scene, other, since, axis)
-    if pace.value == 0:
-        last = coordinate_moved(scene, other, number, axis)
-        there, constant, used = tree_of(last.value), last.value, last.refs
-    else:
-        early = time_of(scene, since)
-        flight = difference(t, tree_of(early.value))
-        there = swept(total((tree_of(first.value), product(tree_of(pace.value), flight))))
-        constant = first.value - pace.value * early.value
-        used = (
-            scene.desk.write(
-                Move("define", "straight-line", number, (other,)),
-                together(first.refs, pace.refs, early.refs),
-                chain(coordinate_tree(other, number, axis), (there, None)),
-            ),
+    first, _ = start(scene)
+    last = {each: last_move(scene, each, number) for each in (body, other)}
+    begin = max(last.values())
+    if begin != number - 1 and set(last.values()) != {begin}:
+        begin = first
+    begins = _begin(scene, begin)
+    flight = _since(scene, number, begin)
+
+    def there(each: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
+        """A coordinate in the time as unknown, its part without that, the speed, what it needs."""
+        pace = velocity(scene, each, last[each], axis)
+        near = begin if begin >= last[each] else last[each]
+        if near > last[each]:
+            spot(scene, each, near)
+        place = coordinate(scene, each, near, axis)
+        if near == begin:
+            way, constant, refs = flight, place.value, begins
+        else:
+            early = time_of(scene, near)
+            way = difference(flight, tree_of(early.value))
+            constant, refs = place.value - pace.value * early.value, early.refs
+        tree = swept(total((tree_of(place.value), product(tree_of(pace.value), way))))
+        return tree, constant, pace, together(place.refs, pace.refs, refs)
+
+    if velocity(scene, other, last[other], axis).value == 0:
+        end = coordinate_moved(scene, other, number, axis)
+        theirs, their_start, their_pace, used = (
+            tree_of(end.value),
+            end.value,
+            sp.Integer(0),
+            end.refs,
         )
-    since = last_move(scene, body, number)
-    start_, speed = coordinate(scene, body, since, axis), velocity(scene, body, since, axis)
-    early = time_of(scene, since)
-    flight = difference(t, tree_of(early.value))
-    own = swept(total((tree_of(start_.value), product(tree_of(speed.value), flight))))
+    else:
+        theirs, their_start, moving, refs = there(other)
+        their_pace = moving.value
+        line = scene.desk.write(
+            Move("define", "straight-line", number, (other,)),
+            refs,
+            chain(coordinate_tree(other, number, axis), (theirs, None)),
+        )
+        used = (line,)
+    own, own_start, pace, refs = there(body)
     met = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
-        together(start_.refs, speed.refs, early.refs, (f"contact {number}",), used),
-        chain(own, (there, None)),
+        together(refs, (f"contact {number}",), used),
+        chain(own, (theirs, None)),
     )
-    closing = tidy(speed.value - pace.value)
-    value = tidy((constant - start_.value + speed.value * early.value) / closing)
+    closing = tidy(pace.value - their_pace)
+    value = tidy((their_start - own_start) / closing)
     line = scene.desk.write(
         Move("rearrange"),
         (met, *nonzero(scene, closing)),
-        chain(t, (tree_of(value), None)),
+        chain(flight, (tree_of(value), None)),
     )
-    return scene.desk.know(t, value, (line,))
+    return begin, scene.desk.know(flight, value, (line,))

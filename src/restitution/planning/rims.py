@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary
+from restitution.expression.tree import Binary, Expression
 from restitution.planning.circles import circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added
@@ -21,15 +21,17 @@ from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
 
-def time_on_a_chord(scene: Scene, body: str, number: int, since: int, early: Source) -> Source:
+def time_on_a_chord(scene: Scene, body: str, number: int, since: int, flight: Expression) -> Source:
     """The time from one point of a circular wall to the next: the chord over the speed.
+
+    It is written as the value of ``flight``.
 
     The chord is 2r cos φ, where φ is the angle with the radius; cos φ is a component over the
     speed.
     """
     circle = circle_of(scene, number)
     assert circle is not None
-    refs = [f"contact {number}", *early.refs]
+    refs: list[Ref] = [f"contact {number}"]
     radius, more = scene.put(scene.scalar(circle[1]))
     if since:
         frame = scene.frame(since)
@@ -45,24 +47,24 @@ def time_on_a_chord(scene: Scene, body: str, number: int, since: int, early: Sou
         squared = sum(each**2 for each in values)
     else:
         frame = scene.frame(number)
+        refs.append("start")
         towards, _ = scene.put(in_direction(scene, "along", body, 0, frame).value)
         refs += [f"position {body}", *scene.initial(body).refs]
         size, used = scene.put(scene.model.story.size(scene.initial(body).value))
         refs += used
         below, squared = square(tree_of(size)), size**2
     above = product(tree_of(sp.Integer(2)), tree_of(radius), tree_of(towards))
-    value = tidy(early.value + 2 * radius * towards / squared)
-    t = time_tree(number)
+    value = tidy(2 * radius * towards / squared)
     line = scene.desk.write(
         Move("define", "chord", number, (body,)),
         together(refs, more),
         chain(
-            t,
-            (swept(total((tree_of(early.value), Binary("/", above, below)))), None),
+            flight,
+            (swept(Binary("/", above, below)), None),
             (tree_of(value), "rearrange"),
         ),
     )
-    return scene.desk.know(t, value, (line,))
+    return scene.desk.know(flight, value, (line,))
 
 
 @dataclass(frozen=True)
