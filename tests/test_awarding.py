@@ -146,6 +146,21 @@ find time(1)
 2 a | define chord 1 P | contact 1, start, velocity P | time(1) = 2 * 2/8 = 1/2 [rearrange]
 a: 2 time(1) = 1/2
 """,
+    # Times and places: on an axis, at its place, by the other direction.
+    "on-its-way": """
+wall W: along i, through (0, 0)
+sphere P: at (0, 3), velocity 2i - j
+sphere Q: at (4, 5), velocity -j
+P hits W: e = 1/2
+P reaches (8, 1)
+find position(P, 1)
+---
+1 a | define straight-line 1 Q | position Q, velocity Q | along(position(Q, 1), i) = 4
+2 a | define straight-line 1 P | 1, velocity P | along(position(P, 1), j) = 0
+3 a | define straight-line 1 P | position P, velocity P, contact 1 | along(position(P, 1), i) = 6
+4 a | define assemble 1 P | 2, 3 | position(P, 1) = 6i
+a: 4 position(P, 1) = 6i
+""",
     # Who was at rest moves off to a point: that gives the line of centres, and where they touched.
     "pocket": """
 point N: (10, 10)
@@ -203,6 +218,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
     ("angle-by-a-difference", "equal-elastic", 11, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
+    ("place-on-an-axis", "on-its-way", 2, "", "", ""),
+    ("place-by-a-path", "on-its-way", 3, "M1", "M1", "M1"),
     ("time-or-place", "reaches-a-point", 4, "M1", "M1", "M1"),
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),

@@ -78,7 +78,7 @@ def test_inside_by_the_radius_and_then_by_the_chord() -> None:
     assert lines(derivation, "chord") == [
         "along(velocity(P, 1), line_of_centres(2)) = 4u/5",
         "across(velocity(P, 1), line_of_centres(2)) = 6u/5",
-        "time(2) = 2a/u + 2(5a) (4u/5)/((4u/5)^2 + (6u/5)^2) = 76a/(13u) [rearrange]",
+        "time(2) - time(1) = 2(5a) (4u/5)/((4u/5)^2 + (6u/5)^2) = 50a/(13u) [rearrange]",
     ]
     text = printed(problem, derivation)
     assert "t₁ = 2a/u, as t₁ > 0" in text

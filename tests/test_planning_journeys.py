@@ -57,7 +57,10 @@ def test_times_and_places_between_walls() -> None:
         "position(P, 2) = 15i + 4j",
         "position(P, at 2) = 12i + 3j",
     ]
-    assert "time(2) = 1/2 + 4/2 = 5/2 [rearrange]" in said(derivation)
+    lines = said(derivation)
+    assert "time(2) - time(1) = 4/2 = 2 [rearrange]" in lines
+    assert "time(2) = 1/2 + 2 = 5/2 [rearrange]" in lines
+    assert "along(position(P, 2), i) = 3 + 6*2 = 15 [rearrange]" in lines
 
 
 def test_what_is_asked_of_one_direction_needs_no_other() -> None:
@@ -106,7 +109,44 @@ def test_a_path_to_a_point_gives_an_angle_without_a_time_there() -> None:
         """
     )
     assert answers(derivation) == ["alpha = arctan(8/7)"]
-    assert not any("time(2)" in each for each in said(derivation))
+    assert not any("time(" in each for each in said(derivation))
+    assert "along(position(P, 1), i) = 4(u cos(alpha)/(u sin(alpha)))" in " ".join(said(derivation))
+
+
+def test_without_a_word_of_times_places_come_of_the_components() -> None:
+    derivation = working(
+        """
+        wall W1: along i, through (0, 0)
+        wall W2: along j, through (a, 0)
+        sphere P: at (0, a), velocity 3u i - 4u j
+        P hits W1: e = 1/2
+        P hits W2: e = 1/2
+        P reaches (0, h)
+        find h
+        """
+    )
+    assert answers(derivation) == ["h = 3a/2"]
+    lines = said(derivation)
+    assert "along(position(P, 1), i) = a (3u/(4u)) = 3a/4 [rearrange]" in lines
+    assert not any("time(" in each for each in lines)
+
+
+def test_a_chase_is_counted_from_the_last_impact() -> None:
+    derivation = working(
+        """
+        wall W: along j, through (6d, 0)
+        sphere A: mass 2m, at (-2d, 0), velocity 3u i
+        sphere B: mass m, at (0, 0), at rest
+        A hits B: along i, e = 1/2
+        B hits W: e = 2/3
+        A hits B: along i, e = 1/2
+        find position(A), time(3)
+        """
+    )
+    lines = said(derivation)
+    assert "time(2) - time(1) = 6d/(3u) = 2d/u [rearrange]" in lines
+    assert any(each.startswith("time(3) - time(2) =") for each in lines)
+    assert lines[-1].startswith("time(3) = 2d/(3u) + 2d/u + ")
 
 
 def test_where_one_direction_tells_the_time_the_other_gives_the_coefficient() -> None:
@@ -121,7 +161,8 @@ def test_where_one_direction_tells_the_time_the_other_gives_the_coefficient() ->
         """
     )
     assert answers(derivation) == ["e = 1", "time(2) = 3"]
-    assert "time(2) = 1 + (9 - 3)/3 = 3 [rearrange]" in said(derivation)
+    assert "time(2) - time(1) = (9 - 3)/3 = 2 [rearrange]" in said(derivation)
+    assert "time(2) = 1 + 2 = 3 [rearrange]" in said(derivation)
 
 
 def test_two_that_move_meet_at_one_place() -> None:

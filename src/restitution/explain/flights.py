@@ -6,7 +6,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Letter, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -18,7 +18,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     one = naming.movers == 1
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
-    if _is_place(left):
+    if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
     if event is not None and _is_meeting(event, line):
         first, second = event.bodies
@@ -54,6 +54,17 @@ def _is_place(tree: Expression) -> bool:
         case Quantity("along" | "across", (Quantity("position"), _)):
             return True
     return False
+
+
+def _by_the_way(derivation: Derivation, line: Line) -> bool:
+    """Whether a line tells a place without the time: by the components of the velocity."""
+    moved = any(isinstance(each, int) or each.startswith("velocity") for each in line.premises)
+    assert isinstance(line.relation, Relation)
+    quotient = any(
+        isinstance(node, Binary) and node.op == "/"
+        for node in walk(line.relation.options[0][0].right)
+    )
+    return moved and quotient and not _tells_a_time(derivation, line)
 
 
 def _tells_a_time(derivation: Derivation, line: Line) -> bool:

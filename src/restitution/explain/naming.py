@@ -81,6 +81,9 @@ class Naming:
             if line.shown != "silent" and not isinstance(line.relation, Meaning)
             for node in set(self._nodes(trees_of(line.relation)))
         )
+        times = {each for each in self._often if each.kind == "time" and each.stage}
+        #: Whether the times of events have numbers: where there are several.
+        self._numbered_times = self.several or len(times) > 1
         self._inside = {
             node
             for line in self.derivation.lines
@@ -191,7 +194,7 @@ class Naming:
             case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(),)) as v, axis)):
                 return self._scalar_product(kind, v, axis) or operand(self.quantity(tree))
             case Quantity("time", (), int(stage)) if stage in self.events:
-                return self._lettered(tree, "t", str(stage) if self.several else "")
+                return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
                 return self._lettered(tree, "delta")
             case Quantity("dot", _, _):

@@ -153,9 +153,9 @@ RULES: tuple[Rule, ...] = (
     _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
     _rule("difference-of-angles", ("define",), "", ("difference",), ("of-angles", "on-the-way")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("data", ("define",), "", ("straight-line", *_ENERGIES), ("of-facts", "on-the-way")),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
-    _rule("place-that-stays", ("define",), "", ("straight-line",), ("of-data", "on-the-way")),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),
     _rule("centres-two-radii-apart", ("define",), "A", ("beside",)),
@@ -504,9 +504,12 @@ def _zero(work: _Awarding, line: Line) -> bool:
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
-def _of_data(work: _Awarding, line: Line) -> bool:
-    """Where a body is that does not move in that direction: no time goes into it."""
-    return all(isinstance(each, str) and each != "start" for each in line.premises)
+def _place_of_facts(work: _Awarding, line: Line) -> bool:
+    """A coordinate by the way in the other direction, from the data alone."""
+    match _subject(line):
+        case Quantity("along", (Quantity("position"), _)):
+            return _of_facts(work, line) and any("contact" in str(e) for e in line.premises)
+    return False
 
 
 def _again(work: _Awarding, line: Line) -> bool:
@@ -711,7 +714,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "of-angles": _of_angles,
-    "of-data": _of_data,
+    "place-of-facts": _place_of_facts,
     "of-one-term": _of_one_term,
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),

@@ -169,6 +169,16 @@ _COMPONENTS = ("along", "across")
 _POSITIVE = ("speed", "mass")
 
 
+def _runs_forward(tree: Expression) -> bool:
+    """Whether a tree is the time of an event, or that from one event to a later one."""
+    match tree:
+        case Quantity("time", (), int(number)):
+            return number > 0
+        case Binary("-", Quantity("time", (), int(late)), Quantity("time", (), int(early))):
+            return late > early
+    return False
+
+
 def _factors(tree: Expression) -> Iterator[Expression]:
     """The factors of a product or a quotient."""
     match tree:
@@ -265,10 +275,10 @@ class Step:
     def _by_a_time(self, link: Link | None) -> Iterator[str]:
         """The one letter of a time that may be of either sign: no time is before the clock starts.
 
-        All else in the time has to be positive.
+        Nor is an event before one that is told before it. All else in the time has to be positive.
         """
         match link:
-            case Link(Quantity("time", (), int(number)), "=", right) if number > 0:
+            case Link(left, "=", right) if _runs_forward(left):
                 factors = list(_factors(right))
                 open_ = [
                     each.name

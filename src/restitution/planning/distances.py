@@ -15,7 +15,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.instants import piece, place_then, time_since
-from restitution.planning.place_trees import time_tree
+from restitution.planning.place_trees import duration_tree, time_tree
 from restitution.planning.places import spot, time_of
 from restitution.planning.scene import Scene
 from restitution.planning.separations import separation_direction, separation_known
@@ -90,7 +90,9 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
         if role is None or role.kind != "real":
             continue
         for number in range(1, scene.events + 1):
-            time = scene.desk.known(time_tree(number))
+            trees = (time_tree(number), *(duration_tree(number, n) for n in range(1, number)))
+            known = (scene.desk.known(each) for each in trees)
+            time = next((each for each in known if each is not None), None)
             if time is not None and not time.value.is_Add and time.value.has(letter):
                 refs += time.refs
                 break

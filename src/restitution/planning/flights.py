@@ -24,6 +24,18 @@ def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) ->
     return negative(tree) if minus else tree
 
 
+def slope(scene: Scene, way: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expression:
+    """A way in one direction by that in another: each size positive as far as values tell."""
+    minus = False
+    sizes = []
+    for each in (way, pace, over):
+        back = scene.model.sign(scene.model.in_data(each)) < 0
+        minus ^= back
+        sizes.append(tree_of(-each if back else each))
+    tree = product(sizes[0], Binary("/", sizes[1], sizes[2]))
+    return negative(tree) if minus else tree
+
+
 def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
     """What tells that a speed is not zero: nothing, where the way plainly is not."""
     open_ = [x for x in sp.Mul.make_args(sp.factor(way)) if not _is_plainly_not_zero(scene, x)]

@@ -14,7 +14,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
-from restitution.expression.tree import Expression, Quantity
+from restitution.expression.tree import Expression, Negate, Quantity
 from restitution.planning.aims import place_at, striker, write_aim
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import chain, together
@@ -146,7 +146,7 @@ def write_path(scene: Scene, path: Path) -> int:
     since = last_move(scene, body, number)
     if striker(scene, number) == body:
         write_aim(scene, number)
-    for axis, other in (AXES, AXES[::-1]):
+    for axis, other in (AXES, AXES[::-1]) if scene.speaks_of_times else ():
         pace = value_of_velocity(scene, body, since, axis)
         first = value_of_coordinate(scene, body, since, axis)
         last = value_of_coordinate(scene, body, number, axis)
@@ -176,6 +176,9 @@ def write_path(scene: Scene, path: Path) -> int:
         ends = [coordinate(scene, body, each, axis) for each in (since, number)]
         refs += [ref for each in (*ends, pace) for ref in each.refs]
         sides.append(swept_product(scene, ends[1].value, ends[0].value, pace.value))
+    match sides:
+        case [Negate(left), Negate(right)]:
+            sides = [left, right]
     return scene.desk.write(
         Move("define", "straight-line", number, (body,)),
         refs,

@@ -18,7 +18,7 @@ from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.flights import added, divisor_refs, time_quotient
+from restitution.planning.flights import added, divisor_refs, slope, time_quotient
 from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
 from restitution.planning.place_trees import (
     AXES,
@@ -45,6 +45,7 @@ from restitution.planning.whereabouts import (
     standing,
     start,
     tidied,
+    value_of_velocity,
     velocity,
 )
 from restitution.problem import Arrival, Impact
@@ -103,6 +104,9 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         return Source(part_of(place.value, axis), place.refs)
     since = last_move(scene, body, stage)
     if not keeps_still(scene, body, since, axis):
+        known = _by_the_other(scene, body, stage, axis)
+        if known is not None:
+            return known
         leg(scene, stage)
     near = _nearest(scene, body, since, stage, axis)
     first = coordinate(scene, body, near, axis)
@@ -120,6 +124,46 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         Move("define", "straight-line", stage, (body,)),
         refs,
         chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | None:
+    """A coordinate by how far a body goes in the other direction, without the time.
+
+    None where the time stands, or is wanted and can be told.
+    """
+    since = last_move(scene, body, stage)
+    other: Axis = "j" if axis == "i" else "i"
+    if len(scene.spheres(stage)) > 1 or body not in scene.bodies(stage) or stage == since:
+        return None
+    if circle_of(scene, stage) is not None or axis_for(scene, body, stage) != other:
+        return None
+    if since and circle_of(scene, since) is not None:
+        return None
+    stands = (*(duration_tree(stage, each) for each in range(stage)), time_tree(stage))
+    if any(scene.desk.known(each) is not None for each in stands):
+        return None
+    beside = value_of_velocity(scene, body, since, other)
+    if scene.speaks_of_times and not scene.unknown(beside):
+        return None
+    start_, end = (coordinate(scene, body, each, other) for each in (since, stage))
+    first = coordinate(scene, body, since, axis)
+    pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
+    way = tidy(end.value - start_.value)
+    value = tidy(first.value + way * pace.value / over.value)
+    quantity = coordinate_tree(body, stage, axis)
+    number = scene.desk.write(
+        Move("define", "straight-line", stage, (body,)),
+        together(
+            *(each.refs for each in (start_, end, first, pace, over)),
+            divisor_refs(scene, way, over.value),
+        ),
+        chain(
+            quantity,
+            (swept(total((tree_of(first.value), slope(scene, way, pace.value, over.value)))), None),
+            (tree_of(value), "rearrange"),
+        ),
     )
     return scene.desk.know(quantity, value, (number,))
 
@@ -245,6 +289,11 @@ def flight_time(
     scene: Scene, since: int, stage: int
 ) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The time between two events by the ways in between: a tree, its value, what it rests on."""
+    first, begin = start(scene)
+    if since != first:
+        before, own = leg(scene, stage)
+        if before == since:
+            return tree_of(own.value), own.value, own.refs
     late, early = _legs(scene, stage), _legs(scene, since)
     more = [late[each] for each in sorted(late.keys() - early.keys())]
     less = [early[each] for each in sorted(early.keys() - late.keys())]
@@ -252,7 +301,6 @@ def flight_time(
         total(tree_of(each.value) for each in more), total(tree_of(each.value) for each in less)
     )
     value = tidy(sum(each.value for each in more) - sum(each.value for each in less))
-    first, begin = start(scene)
     refs = begin if since == first else ()
     return tree, value, together(refs, *(each.refs for each in (*more, *less)))
 
@@ -261,6 +309,11 @@ def _legs(scene: Scene, number: int) -> dict[int, Source]:
     """The ways on which the time to an event goes by, each by the event at its end."""
     first, _ = start(scene)
     found: dict[int, Source] = {}
+    if number > first:
+        # The ways are written in the order of the story.
+        since = last_move(scene, scene.bodies(number)[0], number)
+        if since > first:
+            _legs(scene, since)
     while number != first:
         begin, own = leg(scene, number)
         found[number] = own

@@ -14,6 +14,7 @@ from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Re
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Expression,
     Letter,
     Name,
@@ -26,7 +27,7 @@ from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.judging import Judge
-from restitution.problem import Arrival, Part, Problem
+from restitution.problem import Arrival, Part, Problem, trees
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation
 from restitution.solve.solution import PartSolution
@@ -90,6 +91,15 @@ class Scene:
     def judge(self) -> Judge:
         """Who reads the lines as the follower does."""
         return Judge(self.problem, self.desk)
+
+    @cached_property
+    def speaks_of_times(self) -> bool:
+        """Whether the question asks or tells when something happens."""
+        return any(
+            isinstance(node, Quantity) and (node.kind == "time" or isinstance(node.stage, AtTime))
+            for tree in trees(self.problem)
+            for node in walk(tree)
+        )
 
     @property
     def events(self) -> int:
