@@ -90,7 +90,10 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
         if role is None or role.kind != "real":
             continue
         for number in range(1, scene.events + 1):
-            trees = (time_tree(number), *(duration_tree(number, n) for n in range(1, number)))
+            trees: tuple[Expression, ...] = (
+                time_tree(number),
+                *(duration_tree(number, n) for n in range(1, number)),
+            )
             known = (scene.desk.known(each) for each in trees)
             time = next((each for each in known if each is not None), None)
             if time is not None and not time.value.is_Add and time.value.has(letter):

@@ -157,11 +157,11 @@ def write_path(scene: Scene, path: Path) -> int:
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
         if standing(scene, time_tree(number)) is None:
             leg_along(scene, body, number, axis)
-        flight, _, refs = flight_time(scene, since, number)
+        flight, _, timed = flight_time(scene, since, number)
         speed = velocity(scene, body, since, other)
         return scene.desk.write(
             Move("define", "straight-line", number, (body,)),
-            together(*(each.refs for each in ends), speed.refs, refs),
+            together(*(each.refs for each in ends), speed.refs, timed),
             chain(
                 swept(difference(tree_of(ends[1].value), tree_of(ends[0].value))),
                 (swept(product(tree_of(speed.value), flight)), None),

@@ -141,8 +141,8 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
         return None
     if since and circle_of(scene, since) is not None:
         return None
-    stands = (*(duration_tree(stage, each) for each in range(stage)), time_tree(stage))
-    if any(scene.desk.known(each) is not None for each in stands):
+    stands: list[Expression] = [duration_tree(stage, each) for each in range(stage)]
+    if any(scene.desk.known(each) is not None for each in (*stands, time_tree(stage))):
         return None
     beside = value_of_velocity(scene, body, since, other)
     if scene.speaks_of_times and not scene.unknown(beside):
