@@ -321,6 +321,17 @@ def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
             yield Link(Quantity("momentum", (), stage), "=", _sum(terms))
 
 
+def _momentum_kept(step: Step, event: Event | None) -> Iterator[Link]:
+    """That the momentum of all spheres is the same before and after two of them meet."""
+    if event is None or event.kind != "impact" or event.wall:
+        return
+    terms = [
+        Binary("*", Quantity("mass", (Name(b),)), Quantity("velocity", (Name(b),), event.number - 1))
+        for b in step.setting.spheres
+    ]
+    yield Link(_sum(terms), "=", Quantity("momentum", (), event.number))
+
+
 def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy that all spheres lose from the beginning to the end of an event."""
     if event is None:
@@ -462,6 +473,7 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "total": _total,
     "total-lost": _total_lost,
     "momentum-of": _momentum_of_all,
+    "momentum-vector": _momentum_kept,
     "energy-lost": _energy_lost,
     "perpendicular": _tied,
     "parallel": _tied,

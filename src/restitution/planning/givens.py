@@ -37,6 +37,7 @@ from restitution.planning.forms import (
     swept,
     tree_of,
 )
+from restitution.planning.given_momenta import write_impulse
 from restitution.planning.impacts import scene_value
 from restitution.planning.lines_between import (
     angle_of_lines,
@@ -109,6 +110,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
             return _component(scene, each)
+        if own.left.kind == "impulse" and own.left.arguments:
+            return write_impulse(scene, each)
         if own.left.kind == "deflection":
             _decided(scene, own.left)
         if not has_quantity(own.right) and not place_trees.serves(own.left):

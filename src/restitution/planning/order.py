@@ -26,6 +26,7 @@ from restitution.planning.deflections import turned_at_a_wall
 from restitution.planning.desk import Mark, NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
+from restitution.planning.given_momenta import take_mass, take_momentum, write_masses
 from restitution.planning.givens import candidate, move_of, write_given
 from restitution.planning.impacts import (
     _given_after,
@@ -351,8 +352,16 @@ class Solver:
                     if known is not None and (event, body) in self.scene.model.components:
                         self._take_components(body, event)
                         return tuple(each for each in left if each.id in known[2])
+                case Quantity("momentum"):
+                    if take_momentum(self.scene, given):
+                        self._take_all_components()
+                        return (own,)
                 case Quantity("impulse", (Name(body),), int(event)):
-                    take_impulse(self.scene, given)
+                    if self.scene.unknown(self.scene.mass(body).value):
+                        if not take_mass(self.scene, given):
+                            continue
+                    else:
+                        take_impulse(self.scene, given)
                     self._take_components(body, event)
                     return (own,)
         return None
@@ -438,6 +447,12 @@ class Solver:
         if written_law(self.scene, "momentum", event) is None:
             for each in self.scene.spheres(event):
                 self._take_components(each, event)
+
+    def _take_all_components(self) -> None:
+        """The components of velocities that are lines are known from now on."""
+        for number, body in self.scene.model.components:
+            if self.scene.desk.known(Quantity("velocity", (Name(body),), number)) is not None:
+                self._take_components(body, number)
 
     def _take_components(self, body: str, event: int) -> None:
         """The component of a velocity that is a line is known from now on."""
@@ -550,7 +565,10 @@ class Solver:
                 continue
             number = self._law_line(law)
             (symbol,) = later
-            value = tidy(_solved(residual(self.scene, number), symbol))
+            own_residual = residual(self.scene, number)
+            if symbol not in own_residual.free_symbols:
+                continue  # it is known by now
+            value = tidy(_solved(own_residual, symbol))
             line = self.scene.desk.write(
                 Move("rearrange"), (number,), chain(Letter(symbol.name), (tree_of(value), None))
             )
@@ -577,10 +595,19 @@ class Solver:
             if len(open_) != 1:
                 continue
             (symbol,) = open_
+            if self._mass_by_vectors(own, symbol):
+                return (own,)
             number = self._line(own)
             if number is not None and self._closes(number, symbol):
                 return (own,)
         return None
+
+    def _mass_by_vectors(self, own: Candidate, symbol: sp.Symbol) -> bool:
+        """Whether momentum closes for a mass, with the velocities as vectors."""
+        law = self._law(own)
+        if law is None or law.kind != "momentum" or symbol in self._letters:
+            return False
+        return write_masses(self.scene, law.number, symbol) is not None
 
     def _line(self, own: Candidate) -> int | None:
         """The line of an equation that closes, with what is known put in."""

@@ -485,6 +485,11 @@ def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line
     above, below = (y, x) if line.axis == "i" else (x, y)
     if scene.model.identically_zero(below.value):
         raise NotPlannedError("a right angle")
+    if scene.model.identically_zero(above.value):
+        # Of 0° and 180°, which have one tangent, the scalar product tells which it is.
+        own, sense = _as_a_line(scene, body, stage), sp.Integer(scene.model.sign(below.value))
+        move = Move("define", "scalar-angle", stage or None, (body,))
+        return Formula(move, cosine, quantity, tree_of(sense), sense, own.whole)
     size = -above.value if scene.model.sign(above.value) < 0 else above.value
     return Formula(
         Move("define", "tan", stage or None, (body,)),

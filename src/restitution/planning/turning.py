@@ -215,6 +215,11 @@ def _angle_of(own: Ratio) -> Expression:
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     own = formula(scene, asked)
+    if own.move.record == "scalar-angle":
+        letter, meaning = letter_of(scene, asked)
+        refs = together((meaning,), own.refs)
+        line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
+        return Ratio(line, letter, "cos", own.value, _RANGES["deflection"].format(letter))
     move = Move("define", "tan", own.move.event, own.move.bodies)
     line, letter = tangent_line(scene, asked, own, move)
     to_i_or_j = isinstance(asked.arguments[1], Unit)
