@@ -38,7 +38,7 @@ from restitution.oracle import (
     compared,
     holds_at,
 )
-from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, Role
+from restitution.oracle.roles import ACUTE, DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Arrival, Find, Impact, Let, Part, Problem, Show, trees
 from restitution.solve.neat import linear_solution
 from restitution.solve.numbers import FIELD, at, number_of, plain_sign
@@ -549,10 +549,12 @@ def model(
     roles: Mapping[str, Role],
     protected: frozenset[str] = frozenset(),
     turned: frozenset[int] = frozenset(),
+    acute: bool = False,
 ) -> Model:
     """Tells a part in components, by the values of one branch.
 
-    In the impacts ``turned`` the direction of the line of centres is an unknown angle.
+    In the impacts ``turned`` the direction of the line of centres is an unknown angle, which is
+    ``acute`` where that is known.
     Raises what the telling of a story raises.
     """
     sample = dict(branch.sample)
@@ -563,7 +565,7 @@ def model(
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
     told = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
     _letter_values(told)
-    frames = _Frames(told, names, turned)
+    frames = _Frames(told, names, turned, ACUTE if acute else DIRECTION)
     told.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
     return told
 
@@ -575,6 +577,7 @@ class _Frames:
     told: Model
     names: Mapping[tuple[int, str], str]
     turned: frozenset[int]
+    angle: Role = DIRECTION
 
     def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
         self.told.story = story  # it is asked while it is being told
@@ -582,7 +585,7 @@ class _Frames:
 
     def resolved(self, story: Story, happening: Happening) -> Happening:
         self.told.story = story
-        return _in_letters(self.told, happening, self.names, self.turned)
+        return _in_letters(self.told, happening, self.names, self.turned, self.angle)
 
 
 def protected_letters(part: Part) -> frozenset[str]:
@@ -644,6 +647,7 @@ def _in_letters(
     happening: Happening,
     names: Mapping[tuple[int, str], str],
     turned: frozenset[int],
+    angle: Role,
 ) -> Happening:
     """An impact with letters for the components after it that it changes."""
     story, put = told.story, told.final
@@ -651,7 +655,7 @@ def _in_letters(
     assert isinstance(step, Impact)
     frame = _frame(told, number, step, happening, put)
     if number in turned and frame.axis is None:
-        frame = _at_an_angle(told, frame)
+        frame = _at_an_angle(told, frame, angle)
     told.frames[number] = frame
     after: dict[str, Vector] = {}
     for body in (step.first, step.second):
@@ -743,12 +747,12 @@ def _frame(
     return Frame(number, wall, n, t, axis, by_values)
 
 
-def _at_an_angle(told: Model, frame: Frame) -> Frame:
+def _at_an_angle(told: Model, frame: Frame, role: Role) -> Frame:
     """The same frame with a letter for the angle between its line, or the wall, and **i**."""
     unknowns = told.unknowns
     name = next(n for n in ("theta", "phi", "psi", "delta", "beta") if n not in unknowns.roles)
-    unknowns.roles = {**unknowns.roles, name: DIRECTION}
-    theta = DIRECTION.symbol(name)
+    unknowns.roles = {**unknowns.roles, name: role}
+    theta = role.symbol(name)
     line = frame.n if frame.wall is None else frame.t
     value = sp.atan(tidy(line.y / line.x))
     if told.sign(line.x) < 0:

@@ -159,8 +159,11 @@ class Leads:
         body = _read_off(line) if line.move.record == "parallel" else None
         if body is not None:
             assert isinstance(line.relation, Relation)
-            angle = line.relation.only[-1].right
+            angle = line.relation.only[0].right
             size = angle.operand if isinstance(angle, Negate) else angle
+            if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
+                yield say("derived.along-centres", body=body)
+                return
             none = Unit("i" if size == Degrees(Fraction(90)) else "j")
             yield say("derived.along-axis", body=body, axis=self._naming.laid(none))
             return

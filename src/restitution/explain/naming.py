@@ -318,6 +318,8 @@ class Naming:
             case Quantity("speed", (Name(body),), _) as tree if not self.several:
                 late = self._plain_when(self._settled(tree))
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
+            case Quantity("angle", arguments) if meaning.angle == "acute":
+                return say("derived.acute", of=tuple(self.side(each) for each in arguments))
         return self.quantity(meaning.quantity)
 
     def _end(self, tree: Expression) -> Sentence | lay.Layout | str:

@@ -241,7 +241,10 @@ class Rows:
             sides = (self._naming.laid(root.left), self._naming.laid(root.right))
             return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
         laid = self._bare(first, asked)
-        others = [self._bare(each, asked) for each in rest]
+        others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
+        if isinstance(first[0].left, Quantity) and all(len(each) == 1 for each in options):
+            # A quantity in words stands once.
+            others = [each.operands[-1] for each in others if isinstance(each, lay.Relation)]
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 

@@ -326,7 +326,9 @@ def _momentum_kept(step: Step, event: Event | None) -> Iterator[Link]:
     if event is None or event.kind != "impact" or event.wall:
         return
     terms = [
-        Binary("*", Quantity("mass", (Name(b),)), Quantity("velocity", (Name(b),), event.number - 1))
+        Binary(
+            "*", Quantity("mass", (Name(b),)), Quantity("velocity", (Name(b),), event.number - 1)
+        )
         for b in step.setting.spheres
     ]
     yield Link(_sum(terms), "=", Quantity("momentum", (), event.number))

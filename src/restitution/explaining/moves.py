@@ -62,12 +62,41 @@ def follows(step: Step, relation: Relation) -> bool:
 
     Raises NotComparableError where that is beyond what is compared.
     """
+    if step.move.record == "either-side":
+        return _on_either_side(step, relation)
     if step.move.id == "put" and (case := _condition(relation)) is not None:
         return _under_condition(step, *case)
     whole = _WHOLE.get(step.move.id)
     if whole is not None:
         return whole(step, relation)
     return _by_links(step, relation)
+
+
+def _on_either_side(step: Step, relation: Relation) -> bool:
+    """What a line says of a direction or a vector, or else the same mirrored along **i**."""
+    base = _base(step)
+    if step.move.event not in step.setting.either or len(step.cited) != 1 or base is None:
+        return False
+    if len(base.options) != 1 or [len(each) for each in relation.options] != [1, 1]:
+        return False
+    own = whole_of(base.only)
+    (first,), (second,) = relation.options
+    if own is None or own != first or (second.left, second.sign) != (own.left, own.sign):
+        return False
+    meaning = step.setting.meanings.get(getattr(own.left, "name", ""))
+    match own.left if meaning is None else meaning.quantity:
+        case Quantity("direction", (Name(),), int()):
+            one, other = (_in_radians(step, each.right) for each in (first, second))
+            return bool(one + other == 0)
+        case Quantity("velocity" | "line_of_centres") | Quantity("impulse", (Name(),)):
+            a, b = (step.world.value(each.right) for each in (first, second))
+            return (
+                isinstance(a, Plane)
+                and isinstance(b, Plane)
+                and (a.x - b.x).vanishes
+                and (a.y + b.y).vanishes
+            )
+    return False
 
 
 def _condition(relation: Relation) -> tuple[Link, Link] | None:

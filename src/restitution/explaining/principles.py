@@ -400,6 +400,8 @@ DEFINITIONS = (
         gives=("momentum",),
         marks=("M",),
     ),
+    # What is mirrored, where a line of centres may be on either side of **i**.
+    Record("either-side", "definition", where="spheres", gives=("direction",), marks=("M",)),
     # The places are those of which a line speaks.
     Record("distance", "definition", gives=("distance",), marks=("M",)),
     Record(

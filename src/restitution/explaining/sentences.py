@@ -434,6 +434,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.time": (
         "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
     ),
+    "either-side.title": "The line of centres may be on either side of 𝐢",
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (
@@ -669,6 +670,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.energy-lost": "kinetic energy lost",
     "derived.energy-lost-all": "total kinetic energy lost",
     "derived.angle": "angle between {of:and}",
+    "derived.acute": "acute angle between {of:and}",
     "derived.direction": "angle from {unit} to {velocity}",
     "derived.deflection": "angle of deflection of {of:and}",
     "derived.impulse": "impulse on {of:and}",
@@ -779,6 +781,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: a sign lost of a component that is reversed, and the product of a "
         "component along with one across."
     ),
+    "derived.along-centres": "{body} moves along the line of centres:",
     "derived.along-axis": "{body} has no component of velocity in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (

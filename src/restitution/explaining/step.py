@@ -39,7 +39,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
-from restitution.oracle.roles import DIRECTION, POSITIVE, REAL, TO_180, Role
+from restitution.oracle.roles import ACUTE, DIRECTION, POSITIVE, REAL, TO_180, Role
 
 TO_90 = Role("angle", sp.Integer(0), sp.pi / 2, (True, True))
 
@@ -74,12 +74,15 @@ class Setting:
     meanings: Mapping[str, Meaning] = field(default_factory=dict)
     names: Mapping[str, str] = field(default_factory=dict)
     values: Mapping[str, Expression] = field(default_factory=dict)
+    either: frozenset[int] = frozenset()
+    """The impacts at which a line of centres may be on either side of **i**: they are mirrored."""
 
     def role(self, name: str) -> Role:
         """What a letter may be: one of the statement, or an angle that a working introduces."""
         role = self.roles.get(name)
         if role is None and name in self.meanings:
-            role = self.of_angle(self.meanings[name].quantity)
+            own = self.meanings[name]
+            role = ACUTE if own.angle == "acute" else self.of_angle(own.quantity)
         return role or REAL
 
     def of_angle(self, quantity: Expression) -> Role | None:
@@ -141,7 +144,7 @@ class Setting:
     @cached_property
     def _hash(self) -> int:
         mappings = (self.roles, self.meanings, self.names, self.values)
-        return hash((self.events, *(tuple(sorted(each.items())) for each in mappings)))
+        return hash((self.events, self.either, *(tuple(sorted(each.items())) for each in mappings)))
 
     @cached_property
     def angles(self) -> frozenset[str]:
@@ -255,7 +258,13 @@ class Step:
                 yield link
 
     def _nonnegative(self) -> Iterator[str]:
-        """The letters that are cited as not negative, and the angles up to 90° that are cited."""
+        """The letters that are cited as not negative, and the angles up to 90° that are cited.
+
+        A mass or a speed for which a line has a letter is none that is negative either.
+        """
+        for name, meaning in self.setting.meanings.items():
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _POSITIVE:
+                yield name
         for each in self.known:
             for name in each.letters:
                 role = self.setting.role(name)
@@ -293,9 +302,12 @@ class Step:
             if meaning.vector:
                 yield from self._axis_of(meaning.quantity)
                 yield meaning.quantity, Letter(meaning.letter)
+            elif meaning.angle == "acute":
+                yield from self._on_one_side(meaning.quantity, Letter(meaning.letter))
         for link in self.links:
             if link.sign == "=":
                 yield from self._axis_of(link.left)
+                yield from self._on_one_side(link.left, link.right)
         for link in self.links:
             if link.sign not in ("=", "parallel to"):
                 continue
@@ -314,6 +326,20 @@ class Step:
                 axis = Quantity("line_of_centres", (), stage)
                 if event is not None and axis not in self.opaque:
                     yield axis, Negate(quantity) if body == event.bodies[0] else quantity
+
+    def _on_one_side(
+        self, angle: Expression, value: Expression
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """A line of centres by the angle that it makes with **i**, on the side of **j**.
+
+        Where it may as well be on the other side, all is the same there but for what is mirrored.
+        """
+        match angle:
+            case Quantity(
+                "angle", (Quantity("line_of_centres", (), int(number)) as axis, Unit("i"))
+            ):
+                if number in self.setting.either and axis not in self.opaque:
+                    yield axis, value
 
     def _turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
         for meaning in self.lets:

@@ -40,6 +40,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "straight-line": ("flight.title", "flight.title"),
     "chord": ("chord.title", None),
     "moves-off": (None, "moves-off.title"),
+    "either-side": (None, "either-side.title"),
     "beside": (None, "beside.title"),
 }
 

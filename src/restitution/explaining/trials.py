@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import lru_cache
 
@@ -23,7 +23,10 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Pair,
+    Polar,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -178,7 +181,67 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
         and isinstance(line.relation.only[0].left, Letter)
         and line.relation.only[0].left.name in derivation.meanings
     }
-    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values)
+    either = on_either_side(derivation)
+    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values, either)
+
+
+def on_either_side(derivation: Derivation) -> frozenset[int]:
+    """The impacts at which a line of centres may be on either side of **i**.
+
+    It is not given, both spheres start along **i** or are at rest, and nothing that is given tells
+    one side from the other.
+    """
+    facts = {each.id: each for each in derivation.facts}
+    match derivation.events:
+        case (event,) if event.kind == "impact" and not event.wall:
+            pass
+        case _:
+            return frozenset()
+    told = {each.partition(" ")[0] for each in facts}
+    if told & {"axis", "position", "let"}:
+        return frozenset()
+    for body in event.bodies:
+        fact = facts.get(f"velocity {body}")
+        if fact is None or not _is_along_i(fact.relation.only[0].right):
+            return frozenset()
+    given = [each.relation for each in derivation.facts if each.kind in ("given", "earlier")]
+    if any(_tells_a_side(tree) for relation in given for tree in trees_of(relation)):
+        return frozenset()
+    return frozenset({event.number})
+
+
+def _is_along_i(tree: Expression) -> bool:
+    """Whether a vector of the data has no component in the direction of **j**."""
+    match tree:
+        case Pair(_, Number(value)):
+            return not value
+        case Pair():
+            return False
+    return not any(
+        isinstance(each, Polar | Pair | Unit) and each != Unit("i") for each in walk(tree)
+    )
+
+
+def _tells_a_side(tree: Expression) -> bool:
+    """Whether a side of a given relation would be another one in a mirror along **i**."""
+    match tree:
+        case Quantity("velocity"):
+            return True
+        case Quantity("angle" | "along" | "dot", arguments):
+            own = [each for each in arguments if not _is_velocity(each)]
+            return any(each == Unit("j") or _tells_a_side(each) for each in own)
+        case Quantity("direction" | "across" | "position" | "momentum"):
+            return True
+        case Quantity("impulse", arguments) if arguments:
+            return True
+        case Unit("j") | Pair() | Polar():
+            return True
+    own = (getattr(tree, each.name) for each in fields(tree))
+    return any(_tells_a_side(each) for each in own if isinstance(each, Expression))
+
+
+def _is_velocity(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
 def known_of_letters(ref: str, setting: Setting) -> Known | None:

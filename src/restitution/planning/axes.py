@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.either_side import frame_on_one_side
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.impacts import whole_direction
@@ -42,6 +43,8 @@ def found_frame(scene: Scene, number: int) -> Frame:
         return frame_of(scene.model, scene.facts, number)
     if f"axis {number}" in scene.facts:
         return _beside_the_path(scene, number)
+    if (sided := frame_on_one_side(scene, number)) is not None:
+        return sided
     if own.angle is not None or not all(each.is_number for each in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     for way in _WAYS:

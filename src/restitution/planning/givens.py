@@ -233,7 +233,7 @@ def _of_open_sense(scene: Scene, own: Formula) -> bool:
             return False  # a wall: who hits it goes away from it
     if not open_:
         return False
-    known = Oracle(roles(scene.problem))
+    known = Oracle({**roles(scene.problem), **scene.model.unknowns.roles})
     value = sp.sympify(own.value, strict=True)
     return not any(known.proves(compared(value, sign, sp.Integer(0))) for sign in (">=", "<="))
 

@@ -16,6 +16,7 @@ from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError
 from restitution.planning.gathering import gathered, numbered_anew
@@ -132,6 +133,9 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     protected = protected_letters(part.part)
     models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
     drafts = []
+    one_side = on_one_side(solution, part, models, desk)
+    if one_side is not None:
+        models = [one_side]
     for told in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
@@ -169,6 +173,7 @@ def _write_items(scene: Scene, partial: bool) -> None:
         try:
             if result.error is None:
                 write()
+                write_other_side(scene, result, name)
             else:
                 write_refusal(scene, solver, result, write, name)
             lines = scene.desk.lines

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,6 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
@@ -95,10 +96,12 @@ def is_angle(scene: Scene, tree: Expression) -> bool:
 
 def angle_line(scene: Scene, asked: Quantity) -> int:
     """The line that says what an angle is, exactly; it is written once."""
-    known = scene.desk.known(asked)
+    known = scene.desk.known(asked) or _by_its_letter(scene, asked)
     if known is not None:
         return next(ref for ref in known.refs if isinstance(ref, int))
-    line = _along_an_axis(scene, asked) if asked.kind == "direction" else None
+    line = None
+    if asked.kind == "direction":
+        line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
     own = _ratio(scene, asked) if line is None else None
     if line is not None:
         pass
@@ -118,6 +121,14 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         )
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
+
+
+def _by_its_letter(scene: Scene, asked: Quantity) -> Source | None:
+    """An angle for which the working has a letter that is known."""
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            return scene.desk.known(Letter(each.relation.letter))
+    return None
 
 
 def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
@@ -254,6 +265,30 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     known = velocity_source(scene, body, stage) if x.refs == y.refs else x
     side = together(known.whole, nonzero(scene, x.value))
     return Ratio(line, letter, "tan", value, extent, side, right)
+
+
+def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a direction along a line of centres that is told by its angle."""
+    body, stage = body_and_stage(scene, asked)
+    told = scene.model.frames.get(stage)
+    if told is None or told.wall is not None or told.axis is not None:
+        return None
+    frame = scene.frame(stage)
+    angle = angle_of_centres(scene, stage)
+    along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+    if angle is None or across.value != 0:
+        return None
+    if scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
+        return None
+    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
+    steps: list[tuple[Expression, MoveId | None]] = [(angle, None)]
+    if known is not None:
+        steps.append((tree_of(known.value, angle=True, as_it_is=True), "put"))
+    relation = chain(asked, *steps)
+    move = Move("define", "parallel", stage, (body,))
+    pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
+    premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
 
 
 def _along_an_axis(scene: Scene, asked: Quantity) -> int | None:
