@@ -319,7 +319,7 @@ class Naming:
                 late = self._plain_when(self._settled(tree))
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
             case Quantity("angle", arguments) if meaning.angle == "acute":
-                return say("derived.acute", of=tuple(self.side(each) for each in arguments))
+                return say("derived.acute-angle", of=tuple(self.side(each) for each in arguments))
         return self.quantity(meaning.quantity)
 
     def _end(self, tree: Expression) -> Sentence | lay.Layout | str:

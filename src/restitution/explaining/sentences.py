@@ -670,7 +670,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.energy-lost": "kinetic energy lost",
     "derived.energy-lost-all": "total kinetic energy lost",
     "derived.angle": "angle between {of:and}",
-    "derived.acute": "acute angle between {of:and}",
+    "derived.acute-angle": "acute angle between {of:and}",
     "derived.direction": "angle from {unit} to {velocity}",
     "derived.deflection": "angle of deflection of {of:and}",
     "derived.impulse": "impulse on {of:and}",
