@@ -98,7 +98,8 @@ class Rules:
             if n not in powers or len(powers[n]) != 1:
                 continue
             (power,) = powers[n]
-            others = [k for k in keys.values() if k != key]
+            roots = ("root",) if plane else ()
+            others = [k for k in keys.values() if k != key and k[0] not in roots]
             if single and (not others or key[0] == "sin"):
                 return n, power
             if not single and plane and key[0] in ("x", "y") and power == 1:

@@ -51,8 +51,10 @@ def on_one_side(
     own = next((each for each in models if each.sign(each.frames[number].n.y) > 0), None)
     if own is None or own.sign(own.frames[number].n.x) <= 0:
         return None
-    if _is_given(own, desk, number) is not None:
-        return own
+    given = _is_given(desk, number)
+    if given is not None:
+        numbers_only = all(each.is_number for each in own.frames[number].n)
+        return own if numbers_only else None
     protected = protected_letters(part.part)
     return model(
         solution.problem,
@@ -69,7 +71,7 @@ def _angle(number: int) -> Quantity:
     return Quantity("angle", (Quantity("line_of_centres", (), number), Unit("i")))
 
 
-def _is_given(told: Model, desk: Desk, number: int) -> str | None:
+def _is_given(desk: Desk, number: int) -> str | None:
     """The fact that gives the angle to **i**."""
     for fact in desk.facts:
         if fact.kind == "given" and desk.holds(fact.id) and len(fact.relation.options) == 1:
@@ -84,7 +86,7 @@ def angle_of_centres(scene: Scene, number: int) -> Expression | None:
     own = scene.model.frames[number]
     if own.angle is not None:
         return Letter(own.angle.name)
-    given = _is_given(scene.model, scene.desk, number)
+    given = _is_given(scene.desk, number)
     fact = scene.facts.get(f"axis {number}" if given is None else given)
     if fact is None:
         return None
@@ -96,7 +98,7 @@ def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
     """The frame of such a line of centres, by the angle that it makes with **i**."""
     own = scene.model.frames[number]
     centres = Quantity("line_of_centres", (), number)
-    given = _is_given(scene.model, scene.desk, number)
+    given = _is_given(scene.desk, number)
     if own.angle is None and given is None:
         return None
     if own.angle is None:
@@ -108,7 +110,11 @@ def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
 
 def write_other_side(scene: Scene, result: ItemResult, name: str) -> None:
     """What was found of a direction or a vector, or the same on the other side of **i**."""
-    if result.kind != "value" or len(result.distinct) != 2 or len(scene.others) > 1:
+    if (
+        result.kind not in ("value", "vector", "direction")
+        or len(result.distinct) != 2
+        or len(scene.others) > 1
+    ):
         return
     end = scene.desk.ends[-1]
     if end.item != name or len(end.answer.options) != 1:

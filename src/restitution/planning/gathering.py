@@ -20,7 +20,39 @@ _OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"
 
 def gathered(derivation: Derivation) -> Derivation:
     """The same working in the order of the story, with what belongs together in one place."""
-    return _Gathering(derivation).whole()
+    return _Gathering(_where_needed(derivation)).whole()
+
+
+def _where_needed(derivation: Derivation) -> Derivation:
+    """The same working, in which another ratio of an angle stands where it is first used."""
+    parts = derivation.asked
+    items = {each: n for n, each in enumerate(parts)}
+    used: dict[int, str] = {}
+    lines: list[Line] = []
+    within = {number for case in derivation.cases for number in case.lines}
+    for line in reversed(derivation.lines):
+        item = used.get(line.number, line.item)
+        ends = any(each.line == line.number for each in derivation.items)
+        moves = (
+            line.move.id == "triangle"
+            and not ends
+            and line.number not in within
+            and {item, line.item} <= items.keys()
+            and parts[item or ""] == parts[line.item or ""]
+            and items[item or ""] > items[line.item or ""]
+        )
+        own = replace(line, item=item) if moves else line
+        lines.insert(0, own)
+        for ref in own.premises:
+            if isinstance(ref, int) and own.item in items:
+                first = used.get(ref)
+                if first is None or items.get(first, 0) > items[own.item or ""]:
+                    used[ref] = own.item or ""
+    if lines == list(derivation.lines):
+        return derivation
+    last = len(items)
+    lines.sort(key=lambda each: items.get(each.item or "", last))
+    return numbered_anew(derivation, lines)
 
 
 class _Gathering:

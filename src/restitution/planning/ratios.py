@@ -27,6 +27,7 @@ from restitution.planning.premises import background
 from restitution.planning.roots import by_roots, known_as, numerator
 from restitution.planning.scene import Scene
 from restitution.problem import Find, Value
+from restitution.solve.letters import roles
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
@@ -383,9 +384,22 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     return _identity(scene, line, "sum-of-angles", relation)
 
 
+def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
+    """An acute angle as the inverse of the ratio that a line gives."""
+    link = scene.desk.last_link(line)
+    match link.left:
+        case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
+            ratio_ = scene.scalar(link.right)
+            if not ratio_.free_symbols:
+                return (sp.acos if kind == "cos" else sp.asin)(ratio_)
+    return scene.final(symbol)
+
+
 def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
     """The angle by its ratio."""
     value = scene.final(symbol)
+    if symbol.name not in roles(scene.problem) and value.atoms(sp.atan):
+        value = _as_written(scene, line, symbol)  # no answer has another form
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
     if not known.startswith("acute") and not scene.judge.follows(move, (line, known), relation):

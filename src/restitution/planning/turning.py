@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -245,6 +245,9 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     if scene.model.identically_zero(x.value):
         return _along_j(scene, asked, x, y)
     own = formula(scene, asked)
+    told = scene.model.frames.get(stage)
+    if told is not None and told.angle is not None:
+        own = _needed(scene, asked, own)
     line, letter = tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
     value = own.value
@@ -265,6 +268,14 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     known = velocity_source(scene, body, stage) if x.refs == y.refs else x
     side = together(known.whole, nonzero(scene, x.value))
     return Ratio(line, letter, "tan", value, extent, side, right)
+
+
+def _needed(scene: Scene, asked: Quantity, own: Formula) -> Formula:
+    """A tangent without the premises that it can do without."""
+    letter, meaning = letter_of(scene, asked)
+    relation = chain(Apply("tan", Letter(letter)), (own.right, None))
+    refs = scene.judge.needed(own.move, together(own.refs, (meaning,)), relation)
+    return own if refs is None else replace(own, refs=refs)
 
 
 def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
