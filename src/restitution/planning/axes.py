@@ -185,13 +185,14 @@ def write_wall(scene: Scene, wall: str) -> int:
     frame = scene.frame(number)
     direction = Quantity("direction", (Name(wall),))
     (body,) = scene.spheres(number)
-    normal, _ = whole_direction(frame.n)
+    known = scene.desk.known(Quantity("line_of_centres", (), number))
+    normal = whole_direction(frame.n)[0] if known is None else known.value
     line = scene.desk.write(
         Move("law", "wall-direction", number, (body,)),
         frame.refs,
         Relation(((Link(direction, "perpendicular to", vector(*map(tree_of, normal))),),)),
     )
-    along, _ = whole_direction(frame.t)
+    along = whole_direction(frame.t)[0] if known is None else normal.turned_left()
     if scene.model.sign(along.x) < 0:
         along = -along
     return scene.desk.write(

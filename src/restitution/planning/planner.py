@@ -21,6 +21,7 @@ from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError
 from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.items import write_item
+from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.refusals import note_of, note_unwritten, write_refusal
@@ -140,7 +141,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
-        _write_items(scene, partial)
+        _write_items(scene, partial, one_side=one_side is not None)
         drafts.append(draft)
     if len(drafts) == 1:
         return drafts[0]
@@ -154,7 +155,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     return desk
 
 
-def _write_items(scene: Scene, partial: bool) -> None:
+def _write_items(scene: Scene, partial: bool, *, one_side: bool) -> None:
     solver = Solver(scene)
     problem, part = scene.problem, scene.solution
     label = part.part.label
@@ -172,8 +173,10 @@ def _write_items(scene: Scene, partial: bool) -> None:
         standing, start = solver.mark(), len(scene.desk.lines)
         try:
             if result.error is None:
+                write_open_lines(scene)
                 write()
-                write_other_side(scene, result, name)
+                if one_side:
+                    write_other_side(scene, result, name)
             else:
                 write_refusal(scene, solver, result, write, name)
             lines = scene.desk.lines

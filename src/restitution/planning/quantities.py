@@ -88,11 +88,16 @@ def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
     return _of_line(scene, quantity, *journeys.write(scene, quantity))
 
 
-def _after_a_blow(scene: Scene, body: str, stage: int) -> Source | None:
-    """A velocity after a blow, which is known as a vector; None after another event."""
-    if not stage or stage in scene.model.frames:
-        return None
+def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity that is known as a vector: after a blow, or as no components tell it."""
     velocity = Quantity("velocity", (Name(body),), stage)
+    if not stage:
+        return None
+    if stage in scene.model.frames:
+        if not scene.frame(stage).is_slanted:
+            return None
+        line = scene.desk.known(velocity)
+        return None if line is None or _by_components(scene, line) else line
     known = blown(scene, body, stage)
     value, refs = scene.put(known.value)
     if (
@@ -105,6 +110,20 @@ def _after_a_blow(scene: Scene, body: str, stage: int) -> Source | None:
     relation = chain(velocity, (tree_of(Vector(*map(tidy, value))), None))
     line = scene.desk.write(Move("put"), (*known.refs, *refs), relation)
     return scene.desk.know(velocity, value, (line,))
+
+
+def _by_components(scene: Scene, source: Source) -> bool:
+    """Whether the line of a velocity puts it together of its components along a slanting line."""
+    below: list[Ref] = [*source.refs]
+    while below:
+        ref = below.pop()
+        if isinstance(ref, int):
+            own = scene.desk.line(ref)
+            if own.move.record == "assemble" and len(own.premises) > 2:
+                return True
+            if own.move.id in ("rearrange", "put"):
+                below += own.premises[:1]
+    return False
 
 
 def _of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
@@ -205,7 +224,7 @@ def squares(
     """
     if not stage:
         return _initial_square(scene, body)
-    struck = _after_a_blow(scene, body, stage)
+    struck = _as_known_vector(scene, body, stage)
     if struck is not None:
         value, more = scene.put(struck.value)
         tree = total(square(tree_of(each)) for each in value if each != 0)
