@@ -128,8 +128,25 @@ class Leads:
                 return None
         if name is None:
             return None
+        if self._by_products(line):
+            return say("restitution.products")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _by_products(self, line: Line) -> bool:
+        """Whether a law of restitution is written by scalar products with a cited vector."""
+        if line.move.record not in ("restitution", "restitution-wall"):
+            return False
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        lines = [own for ref in numbers if (own := self._derivation.line(ref))]
+        links = [
+            each.relation.only[0]
+            for each in lines
+            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        ]
+        vectors = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+        axes = any(isinstance(e.left, Quantity) and e.sign == "parallel to" for e in links)
+        return vectors and axes
 
     def of(self, line: Line, above: Sentence | None) -> Iterator[Sentence]:
         """What is said before the rows of a line, under a title ``above``."""

@@ -435,6 +435,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
     ),
     "either-side.title": "The line of centres may be on either side of 𝐢",
+    "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 
@@ -236,8 +237,8 @@ def _tells_a_side(tree: Expression) -> bool:
             return True
         case Unit("j") | Pair() | Polar():
             return True
-    own = (getattr(tree, each.name) for each in fields(tree))
-    return any(_tells_a_side(each) for each in own if isinstance(each, Expression))
+    parts: list[Any] = [getattr(tree, each.name) for each in fields(tree)]
+    return any(_tells_a_side(each) for each in parts if isinstance(each, Expression))
 
 
 def _is_velocity(tree: Expression) -> bool:

@@ -267,6 +267,6 @@ def _size(scene: Scene, value: Vector, frame: Frame) -> tuple[Expression, tuple[
     size = tidy(sp.sqrt(tidy(sp.expand(put.dot(put)))))
     if any(scene.unknown(each) for each in put) or not size.is_number:
         raise NotPlannedError("an impulse in letters")
-    if size.is_Rational or size.as_coeff_Mul()[0] != 1:
+    if size.is_Rational and 0 in put:
         return tree_of(size), refs
     return Apply("sqrt", total(square(tree_of(each)) for each in put if each != 0)), refs

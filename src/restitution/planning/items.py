@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.derivation import Fact, Move
+from restitution.explaining.derivation import Fact, Meaning, Move
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -82,6 +82,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             known = scene.desk.known(asked)
             assert known is not None
             _letter(scene, asked, next(iter(known.value.free_symbols)), name)
+        case Quantity("speed") if (line_ := _by_its_letter(scene, asked)) is not None:
+            subject = scene.desk.last_link(line_).left
+            scene.desk.end(name, line_, chain(subject, (_right(scene, line_), None)))
         case Quantity() if (written := _written(scene, asked)) is not None:
             scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
         case Quantity():
@@ -207,6 +210,16 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
     line = known.refs[0]
     settled = scene.put(known.value)[0] == known.value
     return line if settled and scene.desk.last_link(line).left == asked else None
+
+
+def _by_its_letter(scene: Scene, asked: Quantity) -> int | None:
+    """The line of the letter that the working has for a quantity, with nothing open in it."""
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            known = scene.desk.known(Letter(each.relation.letter))
+            if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
+                return known.refs[0]
+    return None
 
 
 def _axis(scene: Scene, number: int, name: str) -> None:

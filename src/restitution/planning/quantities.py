@@ -96,8 +96,8 @@ def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     if stage in scene.model.frames:
         if not scene.frame(stage).is_slanted:
             return None
-        line = scene.desk.known(velocity)
-        return None if line is None or _by_components(scene, line) else line
+        told = scene.desk.known(velocity)
+        return None if told is None or _by_components(scene, told) else told
     known = blown(scene, body, stage)
     value, refs = scene.put(known.value)
     if (
