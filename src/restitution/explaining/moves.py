@@ -74,13 +74,22 @@ def follows(step: Step, relation: Relation) -> bool:
 
 def _on_either_side(step: Step, relation: Relation) -> bool:
     """What a line says of a direction or a vector, or else the same mirrored along **i**."""
-    base = _base(step)
-    if step.move.event not in step.setting.either or len(step.cited) != 1 or base is None:
+    number = step.move.event
+    if number not in step.setting.either or [len(each) for each in relation.options] != [1, 1]:
         return False
-    if len(base.options) != 1 or [len(each) for each in relation.options] != [1, 1]:
-        return False
-    own = whole_of(base.only)
     (first,), (second,) = relation.options
+    axis = Quantity("line_of_centres", (), number)
+    if first.left == axis and first.sign == "parallel to":
+        told = Link(axis, "parallel to", step.world.directions.get(axis, axis))
+        chosen = step.under(opaque=step.opaque | {axis})
+        if told.right == axis or not _is_along(step, chosen, first, told.right):
+            return False
+        own: Link | None = first
+    else:
+        base = _base(step)
+        if len(step.cited) != 1 or base is None or len(base.options) != 1:
+            return False
+        own = whole_of(base.only)
     if own is None or own != first or (second.left, second.sign) != (own.left, own.sign):
         return False
     meaning = step.setting.meanings.get(getattr(own.left, "name", ""))
@@ -97,6 +106,17 @@ def _on_either_side(step: Step, relation: Relation) -> bool:
                 and (a.y + b.y).vanishes
             )
     return False
+
+
+def _is_along(step: Step, chosen: Step, line: Link, angle: Expression) -> bool:
+    """Whether a line gives the direction at an angle, with what is cited put in, by a vector."""
+    own = chosen.world.pointing(line.right)
+    there = step.rules().put_into(step.world.unit(angle))
+    if not (isinstance(own, Plane) and isinstance(there, Plane)):
+        return False
+    if not step.world.reduced(own.x * there.y - own.y * there.x).vanishes:
+        return False
+    return not there.x.vanishes and not own.x.vanishes and step.signs.of(own.x / there.x) == 1
 
 
 def _condition(relation: Relation) -> tuple[Link, Link] | None:

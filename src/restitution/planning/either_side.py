@@ -10,9 +10,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import sympy as sp
-
 from restitution.components import Model, model, protected_letters
+from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Relation
 from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import (
@@ -24,10 +23,11 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
 )
-from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.desk import Desk, NotPlannedError, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
-from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
+from restitution.planning.impacts import whole_direction
+from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -36,34 +36,30 @@ if TYPE_CHECKING:
 
 def on_one_side(
     solution: Solution, part: PartSolution, models: Sequence[Model], desk: Desk
-) -> Model | None:
-    """The solution of two mirrored ones in which the line of centres is on the side of **j**.
+) -> tuple[Model, ...]:
+    """Of solutions that are mirrored two by two, those with the line of centres beside **j**.
 
-    None where there are no two such solutions.
+    None where they are not.
     """
-    if len(models) != 2:
-        return None
     facts = tuple(each for each in desk.facts if desk.holds(each.id))
     numbers = on_either_side(Derivation(facts, (), (), desk.events))
-    if len(numbers) != 1:
-        return None
+    if len(models) < 2 or len(numbers) != 1:
+        return ()
     (number,) = numbers
-    own = next((each for each in models if each.sign(each.frames[number].n.y) > 0), None)
-    if own is None or own.sign(own.frames[number].n.x) <= 0:
-        return None
+    own = [each for each in models if each.sign(each.frames[number].n.y) > 0]
+    if 2 * len(own) != len(models):
+        return ()
+    if any(each.sign(each.frames[number].n.x) <= 0 for each in own):
+        return ()
     given = _is_given(desk, number)
     if given is not None:
-        numbers_only = all(each.is_number for each in own.frames[number].n)
-        return own if numbers_only else None
+        in_numbers = all(x.is_number for each in own for x in each.frames[number].n)
+        return tuple(own) if in_numbers else ()
     protected = protected_letters(part.part)
-    return model(
-        solution.problem,
-        part.part,
-        own.branch,
-        part.roles,
-        protected,
-        frozenset({number}),
-        acute=True,
+    turned = frozenset({number})
+    return tuple(
+        model(solution.problem, part.part, e.branch, part.roles, protected, turned, acute=True)
+        for e in own
     )
 
 
@@ -108,49 +104,78 @@ def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
     return Frame(number, None, centres, None, own.n, own.n.turned_left(), (line,), 1)
 
 
-def write_other_side(scene: Scene, result: ItemResult, name: str) -> None:
-    """What was found of a direction or a vector, or the same on the other side of **i**."""
-    if (
-        result.kind not in ("value", "vector", "direction")
-        or len(result.distinct) != 2
-        or len(scene.others) > 1
-    ):
-        return
+def write_other_side(scene: Scene, result: ItemResult, name: str, solutions: int) -> None:
+    """What was found of a direction or a vector, or the same on the other side of **i**.
+
+    ``solutions`` is how many there are on one side. Raises NotPlannedError for other values that
+    differ from one side to the other.
+    """
     end = scene.desk.ends[-1]
-    if end.item != name or len(end.answer.options) != 1:
+    if result.kind not in ("value", "vector", "direction") or end.item != name:
         return
-    link = scene.desk.last_link(end.line)
     number = next(iter(scene.model.frames))
-    if not _is_mirrored(result.distinct):
-        raise NotPlannedError("answers of which one is not the other, mirrored")
-    relation = Relation(((link,), (replace(link, right=_mirrored(scene, link)),)))
-    line = scene.desk.write(Move("define", "either-side", number), (end.line,), relation)
-    scene.desk.ends[-1] = replace(end, line=line, answer=relation)
+    alone = len(scene.desk.relation(end.line).options) == 1
+    link = scene.desk.last_link(end.line) if alone else None
+    if link is not None and _has_a_side(scene, link):
+        other = _mirrored(scene, link)
+        if other == link.right:
+            return
+        relation = Relation(((link,), (replace(link, right=other),)))
+        line = scene.desk.write(Move("define", "either-side", number), (end.line,), relation)
+        scene.desk.ends[-1] = replace(end, line=line, answer=relation)
+    elif len(result.distinct) > solutions and len(end.answer.options) == 1:
+        raise NotPlannedError("a value that is another one on the other side")
 
 
-def _is_mirrored(answers: Sequence[Answer]) -> bool:
-    """Whether there are two values, of which one is the other mirrored."""
-    first, second = (each.value for each in answers)
-    if isinstance(first, Vector) and isinstance(second, Vector):
-        return bool(sp.expand(first.x - second.x) == 0 and sp.expand(first.y + second.y) == 0)
-    return not isinstance(first, Vector | tuple)
+def write_sides(scene: Scene, number: int) -> int | None:
+    """The two directions that a line of centres may have; None where they are not told so."""
+    own = scene.model.frames[number]
+    if own.angle is None:
+        return None
+    centres = Quantity("line_of_centres", (), number)
+    frame = scene.frame(number)
+    (n, refs) = scene.put(own.n)
+    whole, _ = whole_direction(Vector(*map(tidy, n)))
+    links = [
+        Link(centres, "parallel to", tree_of(each)) for each in (whole, Vector(whole.x, -whole.y))
+    ]
+    relation = Relation(((links[0],), (links[1],)))
+    move = Move("define", "either-side", number)
+    return scene.desk.write(move, together(frame.told, refs), relation)
+
+
+def _has_a_side(scene: Scene, link: Link) -> bool:
+    """Whether a line is about a direction or a vector, which a mirror turns."""
+    match _meant(scene, link.left):
+        case Quantity("direction", (Name(),)) | Quantity("velocity" | "line_of_centres"):
+            return True
+        case Quantity("impulse", arguments):
+            return bool(arguments)
+    return False
+
+
+def _meant(scene: Scene, subject: Expression) -> Expression:
+    """What a letter of the working stands for."""
+    if isinstance(subject, Letter):
+        for each in scene.desk.lines:
+            if isinstance(each.relation, Meaning) and each.relation.letter == subject.name:
+                return each.relation.quantity
+    return subject
 
 
 def _mirrored(scene: Scene, link: Link) -> Expression:
     """The right side of a link, mirrored along **i**."""
-    subject = link.left
-    meanings = {
-        each.relation.letter: each.relation.quantity
-        for each in scene.desk.lines
-        if isinstance(each.relation, Meaning)
-    }
-    if isinstance(subject, Letter):
-        subject = meanings.get(subject.name, subject)
-    match subject:
+    match _meant(scene, link.left):
         case Quantity("direction", (Name(),)):
             return link.right.operand if isinstance(link.right, Negate) else Negate(link.right)
     value = scene.vector(link.right)
     return tree_of(Vector(value.x, -value.y))
 
 
-__all__ = ["angle_of_centres", "frame_on_one_side", "on_one_side", "write_other_side"]
+__all__ = [
+    "angle_of_centres",
+    "frame_on_one_side",
+    "on_one_side",
+    "write_other_side",
+    "write_sides",
+]

@@ -21,6 +21,7 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.angles import write_other_ratio
 from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import tree_of
 from restitution.planning.momenta import write_by_momentum
@@ -224,6 +225,9 @@ def _by_its_letter(scene: Scene, asked: Quantity) -> int | None:
 
 def _axis(scene: Scene, number: int, name: str) -> None:
     """A line of centres that is asked: the line that finds it."""
+    if (sides := write_sides(scene, number)) is not None:
+        scene.desk.end(name, sides, scene.desk.relation(sides))
+        return
     lines = [each for each in scene.frame(number).refs if isinstance(each, int)]
     line = lines[0] if lines else write_axis(scene, number)
     scene.desk.end(name, line, scene.desk.relation(line))

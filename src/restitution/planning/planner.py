@@ -135,13 +135,12 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
     drafts = []
     one_side = on_one_side(solution, part, models, desk)
-    if one_side is not None:
-        models = [one_side]
+    models = list(one_side) or models
     for told in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
-        _write_items(scene, partial, one_side=one_side is not None)
+        _write_items(scene, partial, one_side=len(one_side))
         drafts.append(draft)
     if len(drafts) == 1:
         return drafts[0]
@@ -155,7 +154,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     return desk
 
 
-def _write_items(scene: Scene, partial: bool, *, one_side: bool) -> None:
+def _write_items(scene: Scene, partial: bool, *, one_side: int) -> None:
     solver = Solver(scene)
     problem, part = scene.problem, scene.solution
     label = part.part.label
@@ -176,7 +175,7 @@ def _write_items(scene: Scene, partial: bool, *, one_side: bool) -> None:
                 write_open_lines(scene)
                 write()
                 if one_side:
-                    write_other_side(scene, result, name)
+                    write_other_side(scene, result, name, one_side)
             else:
                 write_refusal(scene, solver, result, write, name)
             lines = scene.desk.lines

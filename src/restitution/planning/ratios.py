@@ -386,6 +386,8 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
 
 def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     """An acute angle as the inverse of the ratio that a line gives."""
+    if len(scene.desk.relation(line).options) > 1:
+        return scene.final(symbol)
     link = scene.desk.last_link(line)
     match link.left:
         case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
