@@ -104,7 +104,8 @@ def test_an_equation_has_a_number_exactly_if_a_later_line_names_it(path: Path) -
     above: list[str] = []
     cited: set[str] = set()
     for step in steps_of(explained(path)):
-        named = set().union(*map(numbers_in, step.sentences))
+        spoken = (*step.sentences, *(each for row in step.rows for each in row.reasons))
+        named = set().union(*map(numbers_in, spoken))
         assert named <= set(above), "a number is named below its equation"
         cited |= named
         above += [row.number for row in step.rows if row.number]
@@ -252,7 +253,7 @@ def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, mediu
         ("centres-from-the-impulse", ["M = 2 kg", "e = ⅔ "]),
         (
             "centres-slanted",
-            ["= (7/5)𝐢 + ⅕𝐣 = (1.40𝐢 + 0.2𝐣) m s⁻¹", "= 7 − 1 = 6 N s", "v = 1 m s⁻¹"],
+            ["= (7/5)𝐢 + ⅕𝐣 = (1.4𝐢 + 0.2𝐣) m s⁻¹", "= 7 − 1 = 6 N s", "v = 1 m s⁻¹"],
         ),
         ("times-between-walls", ["t₂ = 7/2 s", "= (21/2, 3) m "]),
         (

@@ -89,11 +89,11 @@ class _Writer:
         self.naming = Naming(derivation, self.problem, self.used)
         self.measures = Measures(self.problem, derivation.meanings)
         self.sources = Sources(derivation)
-        self.reasons = Reasons(derivation, self.naming, self.problem)
+        self.reasons = Reasons(derivation, self.naming, self.problem, self.sources)
         self.ends = Ends(derivation, self.problem, self.naming)
         self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)
-        self.leads = Leads(derivation, self.naming, self.sources)
+        self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
@@ -136,9 +136,11 @@ class _Writer:
             if lets:
                 told = tuple(self.introductions.of(lets))
                 # What they are letters of may have to be introduced itself.
-                yield Step("setting", sentences=(*self.naming.introduced(), *told))
+                sentences = (*self.naming.introduced(), *told)
                 lets = []
-                self.rows.afresh()
+                if sentences:
+                    yield Step("setting", sentences=sentences)
+                    self.rows.afresh()
             if line.shown == "inline":
                 waiting.append(line)
                 continue

@@ -36,7 +36,8 @@ class Introductions:
 
     def of(self, lets: Sequence[Meaning]) -> Iterator[Sentence]:
         """What letters stand for: quantities by name, and the others as equations."""
-        for kind, group in groupby(lets, self._kind):
+        new = [each for each in lets if each.letter not in self._naming.introduced_early]
+        for kind, group in groupby(new, self._kind):
             meanings = list(group)
             if kind is None:
                 yield say(

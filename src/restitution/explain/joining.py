@@ -34,6 +34,11 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
 def _as_one(row: Row, other: Row) -> Row | None:
     """Two rows as one, where the second says what the first says, or goes on from it."""
     length = len(row.operands)
+    if _says_the_end(row, other):
+        number = row.number or other.number
+        points, asides = (*row.points, *other.points), (*row.asides, *other.asides)
+        answer = row.answer or other.answer
+        return replace(row, points=points, asides=asides, number=number, answer=answer)
     again = (
         length > 1
         and other.operands[0] in (None, row.operands[0])
@@ -46,6 +51,15 @@ def _as_one(row: Row, other: Row) -> Row | None:
     operands = (row.operands[0], *other.operands[1:])
     number = row.number or other.number
     return replace(other, operands=operands, points=(*row.points, *other.points), number=number)
+
+
+def _says_the_end(row: Row, other: Row) -> bool:
+    """Whether a row says no more than that the left side of one above it is its last."""
+    match other.operands:
+        case (left, right) if left in (None, row.operands[0]):
+            same = _bare(right) == _bare(row.operands[-1]) and {*row.signs, *other.signs} == {"="}
+            return same and not (row.reasons or other.reasons or (row.number and other.number))
+    return False
 
 
 def _bare(layout: lay.Layout | None) -> lay.Layout | None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from restitution.explain.factors import factor_cancelled
 from restitution.explain.flights import chord_title, flight_title
 from restitution.explain.naming import Naming
+from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import tie_of
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
@@ -52,8 +54,11 @@ _RESOLVED = {
 class Leads:
     """The words before the rows of one derivation, written from the top."""
 
-    def __init__(self, derivation: Derivation, naming: Naming, sources: Sources) -> None:
+    def __init__(
+        self, derivation: Derivation, naming: Naming, sources: Sources, reasons: Reasons
+    ) -> None:
         self._derivation = derivation
+        self._reasons = reasons
         self._naming = naming
         self._sources = sources
         self._given: set[str] = set()
@@ -84,6 +89,13 @@ class Leads:
                     return (say("given.and", fact=told), resolved)
                 if not has_quantity(right):
                     return ()  # a velocity that is given is a datum
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
+                abs(_degrees(angle)) == 90
+            ):
+                velocity = self._naming.laid(Quantity("velocity", (body,), stage))
+                axis = self._naming.laid(Unit("i"))
+                return (say("given.direction", fact=told, velocity=velocity, axis=axis),)
         if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
             told, Sentence
         ):
@@ -187,6 +199,11 @@ class Leads:
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             yield say("so")
             return
+        factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
+        known = self._reasons.known(line) if factor is not None else ()
+        if factor is not None and known:
+            yield say("derived.cancel", factor=self._naming.laid(factor), reasons=known)
+            return
         needed = self._of_the_story(line)
         if needed is not None:
             yield needed
@@ -249,9 +266,7 @@ class Leads:
                 facts = tuple(self._fact(each) for each in source.facts)
                 self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
-                letters = tuple(
-                    self._naming.laid(each) for each in source.letters if each not in spoken
-                )
+                letters = tuple(self._named(each) for each in source.letters if each not in spoken)
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 if len(facts) == 1 and told:
                     yield say("given.fact", fact=facts[0])
@@ -272,6 +287,12 @@ class Leads:
             case _:
                 if equations:
                     yield say("derived.add", equations=equations)
+
+    def _named(self, tree: Expression) -> Sentence | lay.Layout:
+        """What is put in: a letter, or words with an article."""
+        laid = self._naming.laid(tree)
+        words = isinstance(laid, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=laid) if words else laid
 
     def _numbers(self, source: Source) -> tuple[Sentence, ...]:
         """The numbers of the equations from which a line comes, in their order."""
@@ -300,6 +321,16 @@ class Leads:
 def _across(axis: Expression) -> Unit | None:
     """The other one of **i** and **j**."""
     return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
+
+
+def _degrees(tree: Expression) -> Fraction:
+    """An angle that is a number of degrees; 0 for any other."""
+    match tree:
+        case Negate(operand):
+            return -_degrees(operand)
+        case Degrees(value):
+            return value
+    return Fraction(0)
 
 
 def _is_offset(fact: Fact) -> bool:

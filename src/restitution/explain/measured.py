@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import fields, replace
 from fractions import Fraction
 from typing import Any
 
@@ -187,8 +188,21 @@ def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, 
     else:
         return ()
     sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
-    decimals = tuple((each, "=" if exact else "≈") for each in sides[1:])
+    decimals = tuple((_without_zeros(each), "=") if exact else (each, "≈") for each in sides[1:])
     return ((sides[0], "="), *decimals) if place else decimals
+
+
+def _without_zeros(layout: Any) -> Any:
+    """An exact decimal as it is: 0.65 and no 0.650, which would be rounded."""
+    if isinstance(layout, tuple):
+        return tuple(_without_zeros(each) for each in layout)
+    if isinstance(layout, lay.Number):
+        digits = layout.digits
+        return lay.Number(digits.rstrip("0").rstrip(".")) if "." in digits else layout
+    if isinstance(layout, lay.Layout):
+        changed = {e.name: _without_zeros(getattr(layout, e.name)) for e in fields(layout)}
+        return replace(layout, **changed)
+    return layout
 
 
 def _is_decimal(value: sp.Expr) -> bool:

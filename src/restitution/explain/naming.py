@@ -45,6 +45,9 @@ from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 
+# Letters for angles between two directions.
+_ANGLES = ("beta", "theta", "phi", "psi", "gamma")
+
 
 @dataclass
 class Naming:
@@ -93,6 +96,13 @@ class Naming:
             if isinstance(each, Apply)
             for node in walk(each.argument)
             if isinstance(node, Quantity)
+        }
+
+        self.introduced_early: set[str] = set()
+        self._letters = {
+            each.quantity: name
+            for name, each in self.meanings.items()
+            if isinstance(each.quantity, Quantity) and each.quantity in self._inside
         }
 
     @staticmethod
@@ -166,7 +176,7 @@ class Naming:
         """A quantity has a letter from now on, and is called by it."""
         if not isinstance(tree, Quantity):
             return
-        if tree.kind in ("angle", "deflection", "time"):
+        if tree.kind in ("angle", "deflection", "direction", "time"):
             self._own[tree] = lay.letter(letter)
         meaning = self.meanings.get(letter)
         if (
@@ -195,11 +205,26 @@ class Naming:
                 return self._scalar_product(kind, v, axis) or operand(self.quantity(tree))
             case Quantity("time", (), int(stage)) if stage in self.events:
                 return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
+            case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
+                return self._early(tree)
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
                 return self._lettered(tree, "delta")
+            case Quantity("angle", _, _) if tree in self._inside:
+                free = (each for each in _ANGLES if each not in self._used)
+                return self._lettered(tree, next(free, _ANGLES[0]))
             case Quantity("dot", _, _):
                 return None
         return operand(self.quantity(tree))
+
+    def _early(self, tree: Quantity) -> lay.Layout:
+        """The letter that a later line has for an angle of which a sine or the like stands here."""
+        letter = self._letters[tree]
+        laid = lay.letter(letter)
+        meaning = say("derived.meaning", letter=laid, quantity=self.quantity(tree))
+        self._own[tree] = laid
+        self.introduced_early.add(letter)
+        self._pending.append(say("derived.let", meanings=(meaning,)))
+        return laid
 
     def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
         """A letter for a quantity without a short name; words where the letter is taken."""

@@ -9,7 +9,9 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.explain.factors import factor_cancelled
 from restitution.explain.naming import Naming
+from restitution.explain.sources import Sources, bound_broken
 from restitution.explaining.algebra import NotComparableError, Quotient
 from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
 from restitution.explaining.notation import read_relation, read_tree
@@ -44,8 +46,11 @@ _UP, _DOWN = ("<", "<="), (">", ">=")
 class Reasons:
     """The reasons of the lines of one derivation."""
 
-    def __init__(self, derivation: Derivation, naming: Naming, problem: Problem) -> None:
+    def __init__(
+        self, derivation: Derivation, naming: Naming, problem: Problem, sources: Sources
+    ) -> None:
         self._derivation = derivation
+        self._sources = sources
         self._roles = roles(problem)
         self._naming = naming
 
@@ -55,6 +60,11 @@ class Reasons:
             return (say("derived.pythagoras"),)
         if line.move.id not in _REASONED and not self._ordered(line):
             return ()
+        if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
+            return ()  # the words before the line say it
+        would = self._would(line)
+        if would is not None:
+            return (say("derived.as", reasons=(would,)),)
         reasons = (
             *self._monotone(line),
             *self._square(line),
@@ -66,6 +76,20 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _would(self, line: Line) -> Sentence | None:
+        """What the root that is rejected would make of another letter, by which laws."""
+        broken = bound_broken(self._derivation, line) if line.move.id == "reject" else None
+        if broken is None:
+            return None
+        dropped, bound = broken
+        value, result = (self._laid(Relation((each,))) for each in (dropped, (bound,)))
+        source = self._sources.of(line)
+        numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
+        equations = tuple(say("derived.number", number=str(each)) for each in numbers)
+        if not equations:
+            return None
+        return say("derived.would", value=value, result=result, equations=equations)
 
     @staticmethod
     def _by_pythagoras(line: Line) -> bool:
@@ -80,6 +104,10 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         signs = {each.sign for links in line.relation.options for each in links}
         return line.move.id == "put" and bool(signs & {*_UP, *_DOWN})
+
+    def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        """What is known of letters on which a line rests."""
+        return self._known(line)
 
     def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         said: list[Sentence | lay.Layout] = []

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
+from typing import Any, Literal
 
 from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.notation import read_relation
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -17,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     children,
+    letters,
     walk,
 )
 
@@ -29,14 +31,15 @@ class Source:
     """What is said of where a line comes from.
 
     ``numbered`` are the lines named by their numbers, ``letters`` what is put in, ``facts`` the ids
-    of given facts that are. ``last`` tells that the line just above is what is put in, or that
-    into which it is.
+    of given facts that are, ``reasons`` the lines by which a root is rejected. ``last`` tells that
+    the line just above is what is put in, or that into which it is.
     """
 
     kind: Literal["compare", "combine", "add", "divide", "square-add", "put", "formula", "times"]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
+    reasons: tuple[int, ...] = ()
     eliminated: str = ""
     last: bool = False
 
@@ -61,6 +64,34 @@ def _is_vector(tree: Expression) -> bool:
         case Quantity() | Apply():
             return False
     return any(map(_is_vector, children(tree)))
+
+
+def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], Link] | None:
+    """The one root that a line rejects, and what it would make of another letter: e > 1.
+
+    None where several roots are rejected, or by what is known of the letter itself.
+    """
+    first = line.premises[0] if line.premises else None
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    dropped = [each for each in above.relation.options if each not in line.relation.options]
+    kinds = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
+    bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
+    bounds = [
+        links[0]
+        for ref in line.premises
+        if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
+        for links in read_relation(ref, bodies).options
+    ]
+    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in kinds:
+        return None
+    bound = bounds[0]
+    if letters(bound.left) & letters(dropped[0][0].left) or bound.left == dropped[0][0].left:
+        return None
+    sign: Any = kinds[bound.sign]
+    return dropped[0], Link(bound.left, sign, bound.right)
 
 
 class Sources:
@@ -89,7 +120,8 @@ class Sources:
         self._ended = {end.line for end in derivation.items}
         self._cases = {n: each.line for each in derivation.cases for n in each.lines}
         self._of = {line.number: self._source(line) for line in shown}
-        named = {ref for source in self._of.values() if source for ref in source.numbered}
+        sources = [each for each in self._of.values() if each]
+        named = {ref for each in sources for ref in (*each.numbered, *each.reasons)}
         order = [each.number for each in shown if each.number in named]
         self.numbers: Mapping[int, int] = {number: n for n, number in enumerate(order, 1)}
 
@@ -134,7 +166,9 @@ class Sources:
         if move == "roots" and cited == [above] and self._is_quadratic(cited[0]):
             return Source("formula")
         if move == "reject":
-            cited = cited[:1]
+            cited, reasons = cited[:1], self._excluding(line)
+            numbered = tuple(cited) if cited != [above] else ()
+            return Source("add", numbered, reasons=reasons) if numbered or reasons else None
         if move == "inverse":
             # In which quadrant the angle lies, the signs of the components tell without a word.
             cited = [each for each in cited if self._is_ratio_of(line, each)] or cited
@@ -143,6 +177,13 @@ class Sources:
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None
+
+    def _excluding(self, line: Line) -> tuple[int, ...]:
+        """The laws by which a root would break the bound of another letter."""
+        if bound_broken(self._derivation, line) is None:
+            return ()
+        laws = [each for each in self._equations(line.premises[1:]) if each in self._lines]
+        return tuple(each for each in laws if self._lines[each].move.id == "law")
 
     def _is_ratio_of(self, angle: Line, number: int) -> bool:
         """Whether a line says what the sine, the cosine or the tangent of an angle is."""

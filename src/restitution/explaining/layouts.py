@@ -133,7 +133,9 @@ class Forms:
             case Binary("/", Binary("+" | "-"), Apply("sqrt")):
                 return node  # a scalar product by the length of a vector, a vector by its own
             case Binary("/", left, right) if _root_below(right):
-                return self._rational(left, right) or node
+                own = self._rational(left, right) or node
+                # Of two components with roots the quotient stands, and then what it is worth.
+                return node if _roots(left) & _roots(right) and not _roots(own) else own
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
                 return Binary("*", first, Binary("/", a, b))
         return self._known(node)
@@ -232,6 +234,11 @@ def _root_below(tree: Expression) -> bool:
         case Binary("*", left, right):
             return _root_below(left) or _root_below(right)
     return False
+
+
+def _roots(tree: Expression) -> set[Expression]:
+    """What stands under the roots in a tree."""
+    return {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == "sqrt"}
 
 
 def _whole(tree: Expression) -> bool:

@@ -406,6 +406,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
     "given.tangents": "It is given that {fact}, so the tangents are equal:",
+    "given.direction": (
+        "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
+    ),
     "given.component": (
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
@@ -718,6 +721,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.as": "as {reasons:and}",
+    "derived.would": "{value} would give {result} by {equations:and}",
+    "derived.the": "the {quantity}",
+    "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
     "derived.for": "when {place}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
