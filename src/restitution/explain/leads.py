@@ -202,7 +202,13 @@ class Leads:
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()
         if factor is not None and known:
-            yield say("derived.cancel", factor=self._naming.laid(factor), reasons=known)
+            laid = self._naming.laid(factor)
+            first, *others = (None,) if source is None else self._numbers(source) or (None,)
+            if others and first is not None:
+                slots = {"first": first, "equations": tuple(others)}
+                yield say("derived.cancel-by", factor=laid, reasons=known, **slots)
+            else:
+                yield say("derived.cancel", factor=laid, reasons=known)
             return
         needed = self._of_the_story(line)
         if needed is not None:

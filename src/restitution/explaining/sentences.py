@@ -724,6 +724,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.would": "{value} would give {result} by {equations:and}",
     "derived.the": "the {quantity}",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
+    "derived.cancel-by": (
+        "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"
+    ),
     "derived.for": "when {place}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
