@@ -203,10 +203,15 @@ class Leads:
         known = self._reasons.known(line) if factor is not None else ()
         if factor is not None and known:
             laid = self._naming.laid(factor)
-            first, *others = (None,) if source is None else self._numbers(source) or (None,)
-            if others and first is not None:
-                slots = {"first": first, "equations": tuple(others)}
-                yield say("derived.cancel-by", factor=laid, reasons=known, **slots)
+            equations = () if source is None else self._numbers(source)
+            if len(equations) > 1:
+                yield say(
+                    "derived.cancel-by",
+                    factor=laid,
+                    reasons=known,
+                    first=equations[0],
+                    equations=equations[1:],
+                )
             else:
                 yield say("derived.cancel", factor=laid, reasons=known)
             return

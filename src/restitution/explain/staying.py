@@ -98,7 +98,7 @@ class Staying:
             return False
         return any(
             fact is not None
-            and fact.id.startswith("velocity ")
+            and fact.id.partition(" ")[0] == "velocity"
             and fact.relation.only[0].right == Number(Fraction(0))
             for fact in facts
         )
