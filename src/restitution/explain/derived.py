@@ -21,6 +21,7 @@ from restitution.explain.introductions import Introductions
 from restitution.explain.joining import joined
 from restitution.explain.leads import TITLED, Leads
 from restitution.explain.measured import Measures, is_plain, with_unit
+from restitution.explain.meetings import meetings
 from restitution.explain.naming import Naming
 from restitution.explain.noted import Notes
 from restitution.explain.reasons import Reasons
@@ -94,6 +95,7 @@ class _Writer:
         self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)
         self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
+        self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
@@ -160,6 +162,10 @@ class _Writer:
                     continue  # of bodies on one line there is nothing to say
                 step = self._unchanged(together)
             else:
+                if line.number in self.meetings:
+                    self.afresh()
+                    meeting = (self.meetings[line.number],)
+                    yield Step("note", sentences=meeting, item=self.ends.place(line))
                 step = self._step(line, waiting)
                 waiting = []
             introduced = self.naming.introduced()

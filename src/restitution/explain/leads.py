@@ -7,10 +7,11 @@ from fractions import Fraction
 
 from restitution.explain.factors import factor_cancelled
 from restitution.explain.flights import chord_title, flight_title
+from restitution.explain.meetings import condition_of
 from restitution.explain.naming import Naming
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
-from restitution.explaining.definitions import tie_of
+from restitution.explaining.definitions import past_a_right_angle, tie_of
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
@@ -77,7 +78,12 @@ class Leads:
         ]
         if line.move.record in ("perpendicular", "parallel"):
             # What else is given is a value that is put in.
-            facts = [each for each in facts if tie_of(each.relation.only[0]) is not None]
+            facts = [
+                each
+                for each in facts
+                for own in (each.relation.only[0],)
+                if tie_of(own) is not None or past_a_right_angle(own) is not None
+            ]
         if len(facts) != 1:
             return ()
         self._given |= {each.id for each in facts}
@@ -103,6 +109,10 @@ class Leads:
         assert isinstance(line.relation, Relation)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=told),)
+        past = past_a_right_angle(facts[0].relation.only[0])
+        if line.move.record == "perpendicular" and past is not None:
+            product = "negative" if past[2][0] == "<" else "positive"
+            return (say(f"given.{product}-product", fact=told),)
         nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
@@ -280,7 +290,7 @@ class Leads:
                 letters = tuple(self._named(each) for each in source.letters if each not in spoken)
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 if len(facts) == 1 and told:
-                    yield say("given.fact", fact=facts[0])
+                    yield self._meeting(source.facts[0]) or say("given.fact", fact=facts[0])
                 elif facts and letters and not source.last and not equations:
                     yield say("derived.since-put", facts=facts, letters=letters)
                 elif facts and equations:
@@ -322,6 +332,12 @@ class Leads:
             for node in walk(tree)
             if isinstance(node, Quantity)
         )
+
+    def _meeting(self, name: str) -> Sentence | None:
+        """When bodies meet, where that is what a given fact tells."""
+        fact = self._derivation.fact(name)
+        relation = None if fact is None else self._naming.meeting(fact)
+        return None if relation is None else condition_of(relation, self._naming, inequality=True)
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)

@@ -124,19 +124,26 @@ class Naming:
         """A whole relation in one line."""
         return of_relation(relation, self.vectors, self.name, self.forms)
 
-    def fact(self, fact: Fact) -> Sentence | lay.Layout:
-        """A given fact, in words where it is told in words."""
+    def meeting(self, fact: Fact) -> Meets | None:
+        """The meeting of which a given fact tells; None where it tells of something else."""
         for _, step in self.problem.steps():
             if isinstance(step, Given) and step.place == fact.place:
                 match step.relations:
-                    case (Meets(Name(one), Name(other), again, happens),):
-                        more = say("again") if again else ""
-                        if self.bodies.get(other) == "wall":
-                            name = "claim.hits" if happens else "claim.does-not-hit"
-                            return say(name, body=one, wall=other, again=more)
-                        if happens:
-                            return say("claim.collide", one=one, other=other, again=more)
-                        return say("claim.not-collide", one=one, other=other, again=more)
+                    case (Meets() as relation,):
+                        return relation
+        return None
+
+    def fact(self, fact: Fact) -> Sentence | lay.Layout:
+        """A given fact, in words where it is told in words."""
+        match self.meeting(fact):
+            case Meets(Name(one), Name(other), again, happens):
+                more = say("again") if again else ""
+                if self.bodies.get(other) == "wall":
+                    name = "claim.hits" if happens else "claim.does-not-hit"
+                    return say(name, body=one, wall=other, again=more)
+                if happens:
+                    return say("claim.collide", one=one, other=other, again=more)
+                return say("claim.not-collide", one=one, other=other, again=more)
         link = fact.relation.options[0][0]
         if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
             return self.relation(fact.relation)
@@ -156,6 +163,14 @@ class Naming:
                     share = self.laid(size)
                     return say("derived.share", quantity=left, share=share, value=self.side(whole))
             return say("derived.is", quantity=left, value=right)
+        if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
+            bound: Sentence | lay.Layout | str = right
+            match link.right:
+                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                    bound = say("derived.called", quantity=right)
+                case Binary("*", size, Quantity() as whole) if _is_share(size):
+                    bound = say("derived.part", share=self.laid(size), value=self.side(whole))
+            return say(_BOUNDS[link.sign], quantity=left, value=bound)
         return self.relation(fact.relation)
 
     @property
@@ -591,6 +606,15 @@ def _is_rest(tree: Expression) -> bool:
         case Pair(Number(x), Number(y)):
             return not x and not y
     return False
+
+
+# How a quantity is bounded, in words.
+_BOUNDS: Mapping[str, str] = {
+    ">": "derived.more",
+    ">=": "derived.at-least",
+    "<": "derived.less",
+    "<=": "derived.at-most",
+}
 
 
 def _is_share(tree: Expression) -> bool:

@@ -70,6 +70,7 @@ class Reasons:
             *self._square(line),
             *self._wave(line),
             *self._known(line),
+            *self._silent(line),
         )
         if line.move.id == "inverse":
             reasons = ()  # the acute angle is what the arc functions give
@@ -161,6 +162,29 @@ class Reasons:
     def _laid(self, relation: Relation) -> lay.Layout:
         return self._naming.relation(relation)
 
+    def _silent(self, line: Line) -> Iterator[lay.Layout]:
+        """That a letter is positive, where a range begins with 0 that nothing else bounds."""
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "compare" or len(line.relation.options) != 1:
+            return
+        match line.relation.only:
+            case (Link(left, "<", Letter(name) as letter), Link()) if left == ZERO:
+                role = self._roles.get(name)
+                if role is None or role.kind != "positive":
+                    return
+                for ref in line.premises:
+                    if _bounds_below(self._told(ref), letter):
+                        return
+                yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _told(self, ref: Ref) -> Relation | None:
+        """What a premise says."""
+        if isinstance(ref, int):
+            own = self._derivation.line(ref)
+            return own.relation if own is not None and isinstance(own.relation, Relation) else None
+        fact = self._derivation.fact(ref)
+        return None if fact is None else fact.relation
+
     def _positive(self, line: Line) -> Iterator[Sentence]:
         """The silent reason: the letter stands for something positive."""
         assert isinstance(line.relation, Relation)
@@ -237,7 +261,7 @@ class Reasons:
         """That a square is not negative, where a bound is what is left without it."""
         assert isinstance(line.relation, Relation)
         links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1 or links[0].sign != ">=":
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in (">=", "<="):
             return
         above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
         for own in above:
@@ -246,8 +270,8 @@ class Reasons:
             if own.relation.options[0][0].left != links[0].left:
                 continue
             for link in own.relation.options[0]:
-                for square in _squares(link.right):
-                    if self._is_left(link.right, square, links[0].right):
+                for term, square in _squares(link.right, links[0].sign):
+                    if self._is_left(link.right, term, links[0].right):
                         laid = self._laid(Relation(((Link(square, ">=", ZERO),),)))
                         yield say("derived.fact", fact=laid)
                         return
@@ -371,15 +395,36 @@ def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expres
         return False
 
 
-def _squares(tree: Expression) -> Iterator[Expression]:
-    """The squares that are terms of sums."""
+def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expression]]:
+    """The terms of sums that are squares, or multiples of them, each with its square.
+
+    For an upper bound those that are taken away.
+    """
     for each in walk(tree):
         match each:
-            case Binary("+", left, right):
-                for term in (left, right):
-                    match term:
-                        case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
-                            yield term
+            case Binary("+", left, right) if sign == ">=":
+                terms: tuple[Expression, ...] = (left, right)
+            case Binary("-", _, right) if sign == "<=":
+                terms = (right,)
+            case _:
+                continue
+        for term in terms:
+            match term:
+                case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
+                    yield term, term
+                case Binary(
+                    "*", Number(), Binary("^", _, Number(Fraction(numerator=2, denominator=1)))
+                ):
+                    yield term, term.right
+
+
+def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
+    """Whether a relation says that a letter is more than something."""
+    return relation is not None and any(
+        (link.left == letter and link.sign in _DOWN) or (link.right == letter and link.sign in _UP)
+        for links in relation.options
+        for link in links
+    )
 
 
 def _is_short(tree: Expression) -> bool:

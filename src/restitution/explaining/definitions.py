@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from restitution.explaining.algebra import Plane
-from restitution.explaining.derivation import Event, Link
+from restitution.explaining.derivation import Event, Link, Sign
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
@@ -377,6 +378,10 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
         tie = tie_of(link)
         if tie is not None and tie[2] == relation:
             yield from ties(step, event, *tie)
+        past = past_a_right_angle(link)
+        if past is not None and step.move.record == "perpendicular":
+            for each in ties(step, event, *past[:2], relation):
+                yield replace(each, sign=past[2])
 
 
 def _named_angles(step: Step) -> Iterator[Link]:
@@ -410,6 +415,18 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
                 )
                 return before, after, "perpendicular to"
     return None
+
+
+def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:
+    """Of an angle that is more than 90°, or less: its directions, and the sign of their product."""
+    turned = _TURNED.get(link.sign)
+    tie = None if turned is None else tie_of(replace(link, sign="="))
+    if turned is None or tie is None or tie[2] != "perpendicular to":
+        return None
+    return tie[0], tie[1], turned
+
+
+_TURNED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 def ties(

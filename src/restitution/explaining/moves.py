@@ -337,7 +337,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         if step.move.record == "straight-line":
             _note_pace(step, link, rules)
         if part is None:
-            return _matches(step, line, _expected(step, link, rules))
+            return _matches(step, line, _expected(step, link, rules), link.sign)
         step.world.printed = True
         left, right, above = (
             rules.put_into(step.world.value(each)) for each in (link.left, link.right, part)

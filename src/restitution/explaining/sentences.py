@@ -475,6 +475,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     "condition.positive": "{quantity} has to be positive:",
     "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
     "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
+    "meeting.towards": "{body} hits {wall}{again} if it moves towards {wall}.",
+    "meeting.away": "{body} does not hit {wall}{again} if it does not move towards {wall}.",
+    "meeting.collide": (
+        "{one} and {other} collide again if {first} gains on {second} along the line of centres."
+    ),
+    "meeting.apart": (
+        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
+        "line of centres."
+    ),
     "condition.both": "{body} hits {wall} if both of these hold:",
     "condition.either": "{body} does not hit {wall} if either of these holds:",
     "condition.coordinate": (
@@ -715,6 +724,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.complement": "by the complement of the angle",
     "derived.called": "the {quantity}",
     "derived.is": "the {quantity} is {value}",
+    "derived.more": "the {quantity} is more than {value}",
+    "derived.at-least": "the {quantity} is at least {value}",
+    "derived.less": "the {quantity} is less than {value}",
+    "derived.at-most": "the {quantity} is at most {value}",
+    "derived.part": "{share} of the {value}",
     "derived.same": "the {quantity} is the {value}",
     "derived.share": "the {quantity} is {share} of the {value}",
     "derived.since": "Since {facts:and}:",

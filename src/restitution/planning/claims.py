@@ -208,6 +208,11 @@ class Claims:
             own = Relation((tuple(links),))
             line = self.monotone(tangent, own) or self.compared([tangent], own)
             return None if line is None else self.angle_of(line, tangent, extent, relation, base)
+        line = self.monotone(tangent, Relation((tuple(links),)))
+        if line is not None:
+            found = self.compared([line, *self._texts(base), *extent], relation)
+            if found is not None:
+                return found
         ends: list[Ref] = []
         for link, asked in zip(links, relation.only, strict=False):
             line = self.compared([tangent], Relation(((link,),)))
@@ -230,7 +235,7 @@ class Claims:
         support: Sequence[Ref] = (),
     ) -> int | None:
         """An angle compared by bounds of its tangent, of which another line tells the sign."""
-        rest = [each for each in base if isinstance(each, str)]
+        rest = self._texts(base)
         ranges = list(extent)
         found = self.compared([line, *rest, *ranges], relation)
         if found is not None:
@@ -243,6 +248,11 @@ class Claims:
         if positive is None:
             return None
         return self.compared([line, positive, *rest, *ranges], relation)
+
+    @staticmethod
+    def _texts(refs: Sequence[Ref]) -> list[Ref]:
+        """The facts among premises."""
+        return [each for each in refs if isinstance(each, str)]
 
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)
@@ -361,8 +371,6 @@ class Claims:
 
     def monotone(self, line: int, relation: Relation) -> int | None:
         """The ends of what only grows, or only falls, with the one letter that has a range."""
-        if len(relation.only) != 2:
-            return None
         for name in sorted(letters(self.scene.desk.last_link(line).right)):
             role = roles(self.scene.problem).get(name)
             if role is None or role.kind == "positive":
@@ -389,22 +397,30 @@ class Claims:
         for symbol in sorted(gone, key=self.ties.rank):
             for sign, x, bound in self.ties.derived(line, symbol):
                 mark = self.worths.mark()
-                short = Link(tree_of(x), sign, ZERO)
-                solved = solve_linear(self.scene, sign, x, wanted)
-                if x.atoms(sp.sin, sp.cos, sp.tan):
-                    short = self.ties.bounded(line, symbol, bound) or short
-                    solved = short
-                if solved is not None and is_monic(self.scene, x):
-                    short = solved
+                solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(
+                    self.scene, sign, x
+                )
+                short = self.ties.put_in(line, symbol, bound)
+                if short is None:
+                    short = Link(tree_of(x), sign, ZERO)
+                    alone = isinstance(self.scene.desk.last_link(line).left, Letter)
+                    if alone or x.atoms(sp.sin, sp.cos, sp.tan):
+                        short = self.ties.bounded(line, symbol, bound) or short
+                        solved = short
+                    if solved is not None and is_monic(self.scene, x):
+                        short = solved
                 ends = self.judge.known([symbol.name])
                 first = [ref for ref in ends if any(e in str(ref) for e in _near(bound))]
-                pool = [line, *first, *self.worths.known_in(x), *ends]
+                known = self.worths.known_in(x)
+                pool = [line, *first, *ends, *known]
                 number_ = self.judge.write((Move("sign"),), pool, Relation(((short,),)))
                 if number_ is None:
                     self.worths.back(mark)
                     continue
-                if short != solved:
-                    number_ = self.conditions.finished(number_, sign, x, wanted)
+                if solved is not None and short != solved:
+                    moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+                    after = self.judge.write(moves, [number_, *known], Relation(((solved,),)))
+                    number_ = number_ if after is None else after
                 if same(scene.desk.relation(number_), relation):
                     return number_
                 found = self.compared([*base, number_], relation)

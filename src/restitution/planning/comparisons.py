@@ -13,11 +13,14 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
+    is_zero,
 )
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, Source
 from restitution.planning.forms import tree_of
+from restitution.planning.inequalities import FLIPPED
 from restitution.planning.quantities import frame_after
 from restitution.solve.letters import roles
 
@@ -41,10 +44,14 @@ class Comparison:
             sides.append(tree)
             values.append(value)
             lines += refs
-        relation = Relation(((Link(sides[0], link.sign, sides[1]),),))
-        line = self.claims.compared(list(dict.fromkeys(lines)), relation)
-        if line is not None:
-            return line, relation
+        own = Link(sides[0], link.sign, sides[1])
+        if isinstance(own.left, Negate) and is_zero(own.right):
+            own = Link(own.left.operand, FLIPPED[own.sign], own.right)
+        relation = Relation(((own,),))
+        if self._is_plain(values):
+            line = self.claims.compared(list(dict.fromkeys(lines)), relation)
+            if line is not None:
+                return line, relation
         numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
         if len(numbers) == 2:
             turn = 1 if link.sign[0] == ">" else -1
@@ -53,13 +60,26 @@ class Comparison:
             line = self._difference(Relation(((told,),)), numbers)
             if line is not None:
                 number_ = self.claims.compared([line], relation)
+                if number_ is None:
+                    more = self.claims.conditions.lines()
+                    number_ = self.claims.compared([line, *more], relation)
                 if number_ is not None:
                     return number_, relation
+        line = self.claims.compared(list(dict.fromkeys(lines)), relation)
+        if line is not None:
+            return line, relation
         if len(numbers) == 1:
             number_ = self._by_product(numbers[0], values, lines, relation)
             if number_ is not None:
                 return number_, relation
         raise NotPlannedError("who is the faster")
+
+    @staticmethod
+    def _is_plain(values: Sequence[sp.Expr]) -> bool:
+        """Whether which is the greater is seen at once: one is zero, or they are like terms."""
+        if any(each == 0 for each in values):
+            return True
+        return bool(sp.cancel(values[0] / values[1]).is_number)
 
     def _by_product(
         self, line: int, values: Sequence[sp.Expr], lines: Sequence[Ref], relation: Relation

@@ -8,7 +8,6 @@ import sympy as sp
 
 from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
-    Binary,
     Degrees,
     Expression,
     Name,
@@ -17,15 +16,16 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
-from restitution.planning.deflections import cosine_of_deflection
+from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
 from restitution.planning.quantities import body_and_stage, frame_after
-from restitution.planning.squares import square_and_solve, write_speeds
+from restitution.planning.squares import solve_quadratic, square_and_solve, write_speeds
 from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
+from restitution.problem import Given, Meets
 
 _BOUNDED = ("<", "<=", ">", ">=")
 
@@ -93,8 +93,8 @@ class Conditions:
             pool = [fact.id, *self.worths.known_in(x)]
             return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
         match self.worths.opened(link.left), link.right:
-            case Quantity("deflection", _, int()) as angle, Degrees(value) if value == 90:
-                return self._obtuse(fact, link, angle, wanted)
+            case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
+                return self._past_a_right_angle(fact, link, angle, wanted)
         gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
         if own is None:
@@ -127,37 +127,38 @@ class Conditions:
         relation = Relation(((Link(trees[0], link.sign, trees[1]),),))
         return self.judge.write((Move("put"),), pool, relation)
 
-    def _obtuse(
+    def _past_a_right_angle(
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
     ) -> int | None:
-        """A deflection of more than 90°, or of less, by the sign of its cosine."""
-        (body,) = angle.arguments
-        assert isinstance(angle.stage, int)
-        for stage in (angle.stage - 1, angle.stage):
-            self.worths.determine(Quantity("velocity", (body,), stage))
-        own = cosine_of_deflection(self.scene, angle)
-        line = self.judge.write(
-            (own.move,), own.refs, Relation(((Link(own.left, "=", swept(own.right)),),)), own.refs
-        )
-        stripped = without_signs(self.scene, sp.expand(own.value), FLIPPED[link.sign])
-        if line is None or stripped is None:
+        """An angle of more than 90°, or of less, by the sign of the scalar product."""
+        pair = _velocities_of(angle)
+        if pair is None:
+            return None
+        for body, stage in pair:
+            self.worths.determine(Quantity("velocity", (Name(body),), stage))
+        event = max(frame_after(self.scene, *each).number for each in pair)
+        tree, value, refs = scalar_product(self.scene, pair, event)
+        turned = FLIPPED[link.sign]
+        stripped = without_signs(self.scene, sp.expand(value), turned)
+        if stripped is None:
             return None
         sign, x = stripped
-        name, let = self.worths.letter_for(angle)
-        pool: list[Ref] = [fact.id, line, f"0° <= {name} <= 180°", let]
-        assert isinstance(own.right, Binary)
-        known = self.worths.known_in(sp.expand(own.value))
-        first = Relation(((Link(swept(own.right.left), FLIPPED[link.sign], ZERO),),))
-        number = self.judge.write((Move("compare"),), [*pool, *known], first)
+        move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
+        known = self.worths.known_in(sp.expand(value))
+        first = Relation(((Link(swept(tree), turned, ZERO),),))
+        pool = [fact.id, *refs, *self.scene.frame(event).refs, *known]
+        number = self.judge.write((move,), pool, first, (fact.id, *refs))
         if number is None:
             return None
         solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
-        after = self.judge.write(
-            (Move("rearrange"), Move("cancel"), Move("compare")),
-            [number, *known],
-            Relation(((solved or Link(tree_of(x), sign, ZERO),),)),
-        )
-        return number if after is None else after
+        moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+        short = None if x.has(sp.sin) and x.has(sp.cos) else Link(tree_of(x), sign, ZERO)
+        for each in (short, solved):
+            if each is None:
+                continue
+            after = self.judge.write(moves, [number, *known], Relation(((each,),)))
+            number = number if after is None else after
+        return number
 
     def gap(self, link: Link) -> sp.Expr:
         """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""
@@ -231,7 +232,7 @@ class Conditions:
     ) -> int | None:
         """A condition with values put in: at once where it is short, else in two lines."""
         put = (Move("put"),)
-        if not is_zero(link.right):
+        if not is_zero(link.right) or self._is_meeting(fact):
             values = [
                 sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
                 for side in (link.left, link.right)
@@ -267,16 +268,42 @@ class Conditions:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
 
+    def _is_meeting(self, ref: Ref) -> bool:
+        """Whether a given fact is that two bodies meet, or do not: it is told in words."""
+        fact = self.scene.facts.get(str(ref))
+        return fact is not None and any(
+            isinstance(step, Given)
+            and step.place == fact.place
+            and any(isinstance(each, Meets) for each in step.relations)
+            for _, step in self.scene.problem.steps()
+        )
+
     def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
         """A condition solved for its letter by one more line, where it is linear in it."""
         solved = solve_linear(self.scene, sign, x, wanted)
         if solved is None:
-            return line
+            return solve_quadratic(self.worths, line, sign, x, self.worths.known_in(x))
         relation = Relation(((solved,),))
         if relation == self.scene.desk.relation(line):
             return line
         after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
         return line if after is None else after
+
+
+def _velocities_of(angle: Quantity) -> tuple[tuple[str, int], tuple[str, int]] | None:
+    """The two velocities between which an angle is: of each the body and the event."""
+    match angle:
+        case Quantity("deflection", (Name(body),), int(stage)):
+            return (body, stage - 1), (body, stage)
+        case Quantity(
+            "angle",
+            (
+                Quantity("velocity", (Name(one),), int(first)),
+                Quantity("velocity", (Name(other),), int(second)),
+            ),
+        ):
+            return (one, first), (other, second)
+    return None
 
 
 def has_quantity_in(relation: Relation) -> bool:

@@ -191,6 +191,20 @@ def _product(a: Source, b: Source) -> Expression:
     return trees[0] if is_zero(trees[0]) else product(*trees)
 
 
+def scalar_product(
+    scene: Scene, pair: Sequence[tuple[str, int]], event: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The scalar product of two velocities, each of a body after an event, by components.
+
+    As a tree, as a value that is not worked out, and what it rests on.
+    """
+    frame = scene.frame(event)
+    (a, b), (c, d) = (_pair(scene, body, stage, frame) for body, stage in pair)
+    tree = total(_product(x, y) for x, y in ((a, c), (b, d)))
+    refs = together(*(each.whole for each in (a, b, c, d)), frame.names_axis("along"))
+    return tree, a.value * c.value + b.value * d.value, refs
+
+
 def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:
     """``cos(deflection) = (a c + b d)/(√(a² + b²) √(c² + d²))``; the value is what stands above."""
     (name,) = quantity.arguments
@@ -200,12 +214,12 @@ def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:
     frame = scene.frame(event)
     early = _pair(scene, name.name, event - 1, frame)
     late = _pair(scene, name.name, event, frame)
-    above = total(_product(x, y) for x, y in zip(early, late, strict=True))
+    both = ((name.name, event - 1), (name.name, event))
+    above, value, refs = scalar_product(scene, both, event)
     sizes = (
         Apply("sqrt", total(square(tree_of(each.value)) for each in pair if each.value != 0))
         for pair in (early, late)
     )
-    refs = together(*(each.whole for each in (*early, *late)), frame.names_axis("along"))
-    value = tidy(sum(x.value * y.value for x, y in zip(early, late, strict=True)))
+    value = tidy(value)
     move = Move("define", "scalar-angle", event, (name.name,))
     return Formula(move, cosine, quantity, Binary("/", above, product(*sizes)), value, refs)

@@ -74,6 +74,9 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
         if power.is_Integer and power % 2 == 0 and each in sp.Mul.make_args(below):
             continue
         own = certain(scene, each)
+        if own is None and each in sp.Mul.make_args(below):
+            # What stands below a line is not zero: so the ends of letters do not matter.
+            own = proved_sign(scene.model.inside, each)
         if own is None:
             if each in sp.Mul.make_args(below):
                 return None

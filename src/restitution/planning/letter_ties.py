@@ -234,6 +234,22 @@ class Ties:
         odd = [each for each in sp.Mul.make_args(below) if not each.as_base_exp()[1].is_even]
         return certain(self.scene, above / sp.Mul(*odd))
 
+    def put_in(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
+        """An equation of which one side is a letter, or a ratio of it, with its bound in place.
+
+        None for a bound of zero: that is told by the sign of the other side.
+        """
+        link = self.scene.desk.last_link(line)
+        role = roles(self.scene.problem)[gone.name]
+        for side, other in ((link.left, link.right), (link.right, link.left)):
+            form = linear_in(sp.expand(self.worths.value(side)), gone, role.kind == "angle")
+            if form is None or form[2] != 1 or form[3] != 0 or gone.name in letters(other):
+                continue
+            ends = [bound for own, bound in bounds(role, form[1], gone) if own == sign]
+            if ends and ends[0] != 0 and letters(other):
+                return Link(other, sign, tree_of(ends[0]))
+        return None
+
     def bounded(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
         """An equation of which one side only holds a letter, with its bound put in there."""
         link = self.scene.desk.last_link(line)
@@ -243,19 +259,21 @@ class Ties:
             if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
                 continue
             role = roles(self.scene.problem)[gone.name]
-            if role.kind != "angle":
+            above, below = sp.fraction(sp.together(x))
+            form = None
+            if gone not in below.free_symbols:
+                form = linear_in(sp.expand(above), gone, role.kind == "angle")
+            if form is not None:
+                generator, slope = form[1], certain(self.scene, form[2] / below)
+            elif role.kind != "angle":
                 generator, slope = gone, self._slope(x, gone)
             else:
-                form = linear_in(sp.expand(sp.fraction(sp.together(x))[0]), gone, True)
-                if form is None or gone in sp.fraction(sp.together(x))[1].free_symbols:
-                    return None
-                generator = form[1]
-                slope = certain(self.scene, form[2] / sp.fraction(sp.together(x))[1])
+                return None
             ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
             if slope is None or not ends:
                 return None
             t = sp.Dummy("t")
-            at_end = sp.together(x.subs(generator, t)).subs(t, ends[0])
+            at_end = sp.together(x).subs(generator, t).subs(t, ends[0])
             if at_end.has(sp.zoo, sp.oo, sp.nan) or gone in at_end.free_symbols:
                 return None
             value = tidy(sp.factor(at_end))

@@ -99,6 +99,12 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
             relation = Relation((links,))
+            if len(links) == 1 and _is_of_components(links[0]):
+                mark = claims.worths.mark()
+                try:
+                    return Comparison(claims).write(links[0])
+                except NotPlannedError:
+                    claims.worths.back(mark)
             return claims.write(relation), relation
         case Meets():
             links = links_of(scene.problem, item.relation, now)
@@ -112,6 +118,14 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
         case Aligned():
             return _aligned(claims, item.relation, now)
     raise NotPlannedError("a show of several equations")
+
+
+def _is_of_components(link: Link) -> bool:
+    """Whether two components along one line are compared."""
+    match link.left, link.right:
+        case Quantity("along", (_, one)), Quantity("along", (_, other)):
+            return one == other
+    return False
 
 
 def _is_angle_in_numbers(link: Link) -> bool:

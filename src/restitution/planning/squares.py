@@ -13,6 +13,7 @@ from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.inequalities import FLIPPED, solve_linear
 from restitution.planning.quantities import formula
 from restitution.planning.worths import Worths
+from restitution.solve.letters import roles
 
 _SOLVING = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"), Move("compare"))
 
@@ -92,16 +93,69 @@ def solve_squares(
     solved = solve_linear(scene, sign, x)
     pool = [line, *known]
     whole = _without_denominators(worths, own)
-    if whole is not None and solved is not None:
+    if whole is not None:
         left, right = whole
-        steps = [Link(tree_of(left), own.sign, tree_of(right)), *_second_degree(own, left - right)]
+        steps = [Link(tree_of(left), own.sign, tree_of(right))]
+        if solved is not None:
+            steps += _second_degree(own, left - right)
         for each in steps:
             number = judge.write(_SOLVING[:2], pool, Relation(((each,),)))
             if number is None:
                 break
             pool = [number, *known]
     told = solved or Link(tree_of(x), sign, ZERO)
-    return judge.write(_SOLVING, pool, Relation(((told,),)))
+    last = judge.write(_SOLVING, pool, Relation(((told,),)))
+    if last is None or solved is not None:
+        return last
+    return solve_quadratic(worths, last, sign, x, known)
+
+
+def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Sequence[Ref]) -> int:
+    """``x sign 0`` of the second degree in its one letter, solved: in factors, or as a square.
+
+    The line itself where it is none.
+    """
+    if len(x.free_symbols) != 1:
+        return line
+    (symbol,) = x.free_symbols
+    try:
+        poly = sp.Poly(sp.expand(x), symbol)
+    except sp.PolynomialError:
+        return line
+    if poly.degree() != 2 or poly.nth(1) == 0 or not all(c.is_Rational for c in poly.coeffs()):
+        return line
+    a, b, c = (poly.nth(n) for n in (2, 1, 0))
+    gap = (b**2 - 4 * a * c) / (4 * a**2)
+    if gap <= 0:
+        return line
+    own = sign if a > 0 else FLIPPED[sign]
+    if len(sp.Poly(poly / sp.Integer(1), symbol).factor_list()[1]) > 1:
+        told = Link(tree_of(sp.factor(poly.as_expr() / sp.sign(a)), as_it_is=True), own, ZERO)
+    else:
+        told = Link(square(tree_of(symbol + b / (2 * a))), own, tree_of(gap))
+    solved = worths.judge.write(_SOLVING[:2], [line], Relation(((told,),)))
+    if solved is None:
+        return line
+    low, high = (tidy(-b / (2 * a) + each * sp.sqrt(gap)) for each in (-1, 1))
+    letter = tree_of(symbol)
+    inside: Sign = "<" if len(own) == 1 else "<="
+    between = (Link(tree_of(low), inside, letter), Link(letter, inside, tree_of(high)))
+    beyond = Link(letter, own, tree_of(high))
+    for links in (between,) if own[0] == "<" else ((beyond,),):
+        chosen = [links, links[1:]] if own[0] == "<" else [links]
+        for each in chosen:
+            mark = worths.mark()
+            after = worths.judge.write((Move("compare"),), [solved, *known], Relation((each,)))
+            if after is not None and (len(each) == 1 or _may_be_low(worths, symbol, low)):
+                return after
+            worths.back(mark)
+    return solved
+
+
+def _may_be_low(worths: Worths, symbol: sp.Symbol, low: sp.Expr) -> bool:
+    """Whether a letter may be as small as that."""
+    role = roles(worths.scene.problem).get(symbol.name)
+    return role is None or role.low is None or bool(low > role.low)
 
 
 def _second_degree(own: Link, gap: sp.Expr) -> list[Link]:

@@ -1,0 +1,61 @@
+"""When bodies meet again, in words: who has to gain on whom, or which way one has to move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explain.ends import Ends
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Binary
+from restitution.problem import Meets, Show
+
+
+def condition_of(relation: Meets, naming: Naming, *, inequality: bool) -> Sentence | None:
+    """When bodies meet; None of two spheres that have not met before.
+
+    With ``inequality`` what it says of components comes next.
+    """
+    one, other = relation.first.name, relation.second.name
+    if naming.bodies.get(other) == "wall":
+        way = "towards" if relation.happens else "away"
+        again = say("again") if relation.again else ""
+        topic = "condition" if inequality else "meeting"
+        return say(f"{topic}.{way}", body=one, wall=other, again=again)
+    met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]
+    if not met:
+        return None
+    first, second = met[-1].bodies
+    if inequality:
+        name = "collide-again.if" if relation.happens else "collide-again.unless"
+    else:
+        name = "meeting.collide" if relation.happens else "meeting.apart"
+    return say(name, one=one, other=other, first=first, second=second)
+
+
+def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tuple[int, Sentence]]:
+    """The lines in which what is to be shown of a meeting begins, and when it happens."""
+    for end in derivation.items:
+        asked = ends.item(end.item)
+        line = derivation.line(end.line)
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        sentence = condition_of(asked.relation, naming, inequality=False)
+        if sentence is not None:
+            yield _first(derivation, line), sentence
+
+
+def _first(derivation: Derivation, line: Line) -> int:
+    """The line of a difference on which a comparison rests; without one the comparison."""
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        if own is None or own.item != line.item:
+            continue
+        match own.relation:
+            case Relation(((Link(Binary("-"), "=", _), *_),)):
+                return own.number
+    return line.number
+
+
+__all__ = ["condition_of", "meetings"]
