@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     rational,
     walk,
 )
+from restitution.planning.forms import tree_of
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solve.letters import roles
@@ -69,6 +70,7 @@ class Reasons:
             *self._monotone(line),
             *self._square(line),
             *self._wave(line),
+            *self._share(line),
             *self._known(line),
             *self._silent(line),
         )
@@ -248,13 +250,21 @@ class Reasons:
             except (RestitutionError, TypeError, ValueError, AttributeError):
                 return False
 
-        places = [e for each in ends for e in (each.left, each.right) if not letters(e)]
-        return any(
-            agrees(end, side)
-            for each in bound.only
+        places = [
+            (side, len(each.sign) == 2)
+            for each in ends
             for side in (each.left, each.right)
-            if not has_quantity(side) and name not in letters(side)
-            for end in places
+            if not letters(side)
+        ]
+        return all(
+            any(
+                agrees(end, side)
+                for side in (each.left, each.right)
+                if not has_quantity(side) and name not in letters(side)
+                for end, closed in places
+                if closed == (len(each.sign) == 2)
+            )
+            for each in bound.only
         )
 
     def _square(self, line: Line) -> Iterator[Sentence]:
@@ -304,6 +314,42 @@ class Reasons:
                 if told is not None and _bounds(whole, node, told[0], links[0].right):
                     yield say("derived.fact", fact=self._laid(Relation(((told[1],),))))
                     return
+
+    def _share(self, line: Line) -> Iterator[Sentence]:
+        """That what a value is of its bound is at most 1, where nothing else is cited for that."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
+            return
+        values: dict[Expression, Expression] = {}
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if (
+                own is None
+                or not isinstance(own.relation, Relation)
+                or len(own.relation.options) > 1
+            ):
+                return  # a reason is cited
+            values[own.relation.only[0].left] = own.relation.only[-1].right
+        sides = [
+            rebuilt(side, lambda each: values.get(each, each))
+            for side in (links[0].left, links[0].right)
+        ]
+        if not values or any(map(has_quantity, sides)):
+            return
+        try:
+            value, most = (sp.sympify(evaluate(each, sp.Symbol), strict=True) for each in sides)
+        except (RestitutionError, TypeError, ValueError):
+            return
+        share = sp.factor(value / most)
+        if not share.free_symbols or sp.fraction(share)[1].free_symbols:
+            return
+        if any(not each.exp.is_Integer for each in share.atoms(sp.Pow)):
+            return
+        factor = sp.Abs(share.as_coeff_Mul()[0])
+        told = Link(tree_of(share / factor), links[0].sign, tree_of(1 / factor))
+        if _is_short(told.left):
+            yield say("derived.fact", fact=self._laid(Relation(((told,),))))
 
     @staticmethod
     def _way(tree: Expression, name: str, ends: list[Link]) -> int:

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, tree_of
+from restitution.planning.gaps import is_plain, write_difference
 from restitution.planning.inequalities import (
     FLIPPED,
     is_monic,
@@ -32,7 +33,7 @@ from restitution.planning.inequalities import (
     subject_of,
     turned,
 )
-from restitution.planning.letter_ties import Ties
+from restitution.planning.letter_ties import Ties, is_letter_or_square
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
 from restitution.planning.worths import Worths
@@ -98,13 +99,17 @@ class Claims:
                 line = self.monotone(each, relation)
                 if line is not None:
                     return line
-            line = self.compared(base, relation)
-            if line is not None:
-                return line
+            if len(lines) != 1 or is_plain(self.scene, lines[0], relation):
+                line = self.compared(base, relation)
+                if line is not None:
+                    return line
             line = self._by_tangents(base, lines, relation)
             if line is not None:
                 return line
             line = self._by_stages(lines, relation)
+            if line is not None:
+                return line
+            line = self.compared(base, relation)
             if line is not None:
                 return line
             line = self._by_squares(quantities, relation)
@@ -119,6 +124,15 @@ class Claims:
             self.ties.clear()
             self.conditions.clear()
         raise NotPlannedError("an inequality")
+
+    def write_parts(self, asked: Expression, relation: Relation) -> int:
+        """Writes the lines of a range in several parts: the conditions, and the range."""
+        conditions: list[Ref] = [*self.conditions.lines(asked)]
+        known = self.judge.known(letters(asked))
+        line = self.judge.write((Move("compare"),), [*conditions, *known], relation)
+        if line is None:
+            raise NotPlannedError("a range in several parts")
+        return line
 
     def join_the_rest(self, number: int, relation: Relation) -> int:
         """Joins to a range the conditions that are given and that others imply."""
@@ -269,7 +283,11 @@ class Claims:
         written: list[int] = []
         for link in relation.only:
             own = Relation(((link,),))
-            line = self.compared(lines, own)
+            line = self.monotone(lines[0], own)
+            if line is None and is_plain(self.scene, lines[0], own):
+                line = self.compared(lines, own)
+            if line is None:
+                line = write_difference(self, lines[0], own)
             if line is None:
                 line = self._staged(lines[0], own)
             if line is None:
@@ -375,7 +393,8 @@ class Claims:
             role = roles(self.scene.problem).get(name)
             if role is None or role.kind == "positive":
                 continue
-            pool = [line, *self.judge.known([name])]
+            others = letters(self.scene.desk.last_link(line).right) - {name}
+            pool = [line, *self.judge.known([name]), *self.judge.known(others)]
             number_ = self.judge.write((Move("monotone"),), pool, relation)
             if number_ is not None:
                 return number_
@@ -403,7 +422,7 @@ class Claims:
                 short = self.ties.put_in(line, symbol, bound)
                 if short is None:
                     short = Link(tree_of(x), sign, ZERO)
-                    alone = isinstance(self.scene.desk.last_link(line).left, Letter)
+                    alone = is_letter_or_square(self.scene.desk.last_link(line).left)
                     if alone or x.atoms(sp.sin, sp.cos, sp.tan):
                         short = self.ties.bounded(line, symbol, bound) or short
                         solved = short
@@ -496,7 +515,13 @@ class Claims:
             )
             if isinstance(own, Relation):
                 names |= {n for e in own.only for side in (e.left, e.right) for n in letters(side)}
-        names |= {n for e in relation.only for side in (e.left, e.right) for n in letters(side)}
+        names |= {
+            n
+            for links in relation.options
+            for e in links
+            for side in (e.left, e.right)
+            for n in letters(side)
+        }
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
         rooted = self._rooted(refs, relation, pool)
         if rooted is not None:

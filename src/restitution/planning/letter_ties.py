@@ -11,9 +11,12 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
+    Expression,
     Letter,
     Name,
+    Number,
     Quantity,
     letters,
     walk,
@@ -165,6 +168,9 @@ class Ties:
     def _neat(self, line: int) -> int:
         """The equation without common factors, where it stands as one that is zero."""
         scene = self.scene
+        own = scene.desk.last_link(line)
+        if is_letter_or_square(own.left) and not letters(own.left) & letters(own.right):
+            return line
         whole = sp.factor(sp.together(residual(scene, line)))
         above = sp.fraction(whole)[0]
         kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not certain(self.scene, x)))
@@ -289,6 +295,14 @@ def _as_right_angle(each: GivenEquation) -> GivenEquation:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
                 return replace(each, link=Link(later, "perpendicular to", early))
     return each
+
+
+def is_letter_or_square(tree: Expression) -> bool:
+    """Whether a side is a letter, or the square of one."""
+    match tree:
+        case Letter() | Binary("^", Letter(), Number()):
+            return True
+    return False
 
 
 def _has_root(relation: Relation) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -21,28 +20,38 @@ def write_range(
     scene: Scene,
     solver: Solver,
     asked: Expression,
-    links: Sequence[Link],
+    relation: Relation,
     name: str,
     shown: bool = False,
 ) -> None:
-    """Writes the lines of a range, of which the last says both ends."""
-    relation = Relation((tuple(links),))
+    """Writes the lines of a range, of which the last says all its ends."""
     with Claims(scene, solver) as claims:
-        line = claims.write(relation)
-        line = claims.join_the_rest(line, relation)
+        if len(relation.options) > 1:
+            line = claims.write_parts(asked, relation)
+        else:
+            line = claims.join_the_rest(claims.write(relation), relation)
     scene.desk.end(name, line, relation, shown=shown)
 
 
-def relation_of(asked: Expression, result: ItemResult) -> tuple[Link, ...]:
-    """The range as links: ``a < x <= b``. Raises NotPlannedError for what is no interval."""
-    if len(result.distinct) != 1 or result.distinct[0].condition:
+def relation_of(asked: Expression, result: ItemResult) -> Relation:
+    """The range as a relation: ``a < x <= b``, perhaps with alternatives.
+
+    Raises NotPlannedError for what is no interval, and no union of them.
+    """
+    if len(result.distinct) != 1:
         raise NotPlannedError("a range in cases")
     answer = result.distinct[0]
     own = answer.value
-    if not isinstance(own, sp.Interval):
-        raise NotPlannedError("a range in several parts")
+    parts = own.args if isinstance(own, sp.Union) else (own,)
+    if not all(isinstance(each, sp.Interval) for each in parts):
+        raise NotPlannedError("a range of single values")
+    ordered = sorted(parts, key=lambda each: each.start)
+    return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
+
+
+def _links_of(asked: Expression, own: sp.Interval, angle: bool) -> tuple[Link, ...]:
     links: list[Link] = []
-    low, high = (_end(each, answer.angle) for each in (own.start, own.end))
+    low, high = (_end(each, angle) for each in (own.start, own.end))
     if low is not None and high is not None:
         left: Sign = "<" if own.left_open else "<="
         right: Sign = "<" if own.right_open else "<="

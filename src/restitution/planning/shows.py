@@ -74,7 +74,7 @@ def _of_subject(scene: Scene, solver: Solver, item: Show, now: int, name: str) -
     links = links_of(scene.problem, item.relation, now)
     match item.subject:
         case Range():
-            write_range(scene, solver, asked, links, name, shown=True)
+            write_range(scene, solver, asked, Relation((links,)), name, shown=True)
         case Extremum():
             (link,) = links
             value = sp.sympify(scene.scalar(link.right), strict=True)

@@ -1,0 +1,142 @@
+"""A bound by what is left to it: the difference in factors, of which each has a certain sign."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from restitution.components import proved_sign
+from restitution.explaining.derivation import Link, Move, Relation, Sign
+from restitution.expression.tree import Binary, Expression, Quantity
+from restitution.planning.forms import square, tree_of
+from restitution.planning.impacts import scene_value
+from restitution.planning.inequalities import FLIPPED
+from restitution.planning.scene import Scene
+from restitution.solve.letters import roles
+
+if TYPE_CHECKING:
+    from restitution.planning.claims import Claims
+
+_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+
+
+def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
+    """Whether a bound of what a line says is seen at once.
+
+    It is where one is the other times factors with one letter each: each has its own bound.
+    """
+    whole = scene.desk.last_link(line)
+    value = scene_value(scene, whole.right)
+    for link in relation.only:
+        bound = _bound(link, whole.left)
+        if bound is None:
+            return True
+        own = scene_value(scene, bound[1])
+        if value == 0 or own == 0:
+            continue
+        ratio = sp.factor(sp.together(value / own))
+        if any(len(each.free_symbols) > 1 for each in sp.Mul.make_args(ratio)):
+            return False
+        if any(_has_root(each) for each in sp.Mul.make_args(ratio)):
+            return False
+    return True
+
+
+def _has_root(x: sp.Expr) -> bool:
+    return any(p.free_symbols and not p.exp.is_Integer for p in x.atoms(sp.Pow))
+
+
+def _bound(link: Link, subject: Expression) -> tuple[Sign, Expression] | None:
+    """How an inequality bounds a subject, and by what."""
+    if link.left == subject:
+        return link.sign, link.right
+    if link.right == subject:
+        return FLIPPED[link.sign], link.left
+    return None
+
+
+def write_difference(claims: Claims, line: int, relation: Relation) -> int | None:
+    """A bound by the difference to it, which is a product of factors of certain signs.
+
+    Of a speed that is a root, by the difference of squares. None where there is no such product.
+    """
+    scene, worths = claims.scene, claims.worths
+    whole = scene.desk.last_link(line)
+    bound = _bound(relation.only[0], whole.left)
+    if bound is None:
+        return None
+    sign, other = bound
+    value, most = (scene_value(scene, each) for each in (whole.right, other))
+    mark = worths.mark()
+    sides: list[Expression] = [other, whole.left]
+    start: int | None = line
+    if _has_root(value) or _has_root(most):
+        if not isinstance(whole.left, Quantity) or whole.left.kind != "speed":
+            return None
+        start = worths.squared(whole.left)
+        sides = [_squared(scene, other), square(whole.left)]
+        value, most = value**2, most**2
+    gap = most - value
+    if sign[0] == ">":
+        sides.reverse()
+        gap = -gap
+    known = worths.known_in(gap)
+    for form in sorted(_forms(gap), key=_mixed):
+        if start is None or not _is_signed(scene, form):
+            continue
+        told = Relation(((Link(Binary("-", *sides), "=", tree_of(form, as_it_is=True)),),))
+        difference = claims.judge.write(_TO_FORM, [start, *known], told)
+        if difference is None:
+            continue
+        last = claims.compared([difference], relation)
+        if last is not None:
+            return last
+    worths.back(mark)
+    return None
+
+
+def _squared(scene: Scene, tree: Expression) -> Expression:
+    return tree_of(sp.powdenest(sp.expand_power_base(scene_value(scene, tree) ** 2)))
+
+
+def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
+    """A difference in factors, as it is, and with sines or cosines alone."""
+    whole = sp.together(gap)
+    angles = sorted({f.args[0] for f in whole.atoms(sp.sin, sp.cos)}, key=str)
+    forms = [whole]
+    for each in angles:
+        forms += [
+            sp.expand(form).subs(kind(each) ** 2, 1 - other(each) ** 2)
+            for form in list(forms)
+            for kind, other in ((sp.sin, sp.cos), (sp.cos, sp.sin))
+        ]
+    for form in forms:
+        own = sp.factor(form)
+        for each in angles:
+            own = own.replace(
+                lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(each) ** 2)) == 0,  # noqa: B023
+                lambda x: sp.cos(each) ** 2,  # noqa: B023
+            )
+        yield own
+
+
+def _mixed(x: sp.Expr) -> tuple[int, int]:
+    """How many letters stand together in a factor, and how long the whole is."""
+    return max(len(each.free_symbols) for each in sp.Mul.make_args(x)), sp.count_ops(x)
+
+
+def _is_signed(scene: Scene, x: sp.Expr) -> bool:
+    """Whether each factor has a certain sign, or may be zero at an end of a letter."""
+    above, below = sp.fraction(x)
+    known = roles(scene.problem)
+    for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
+        if len({s.name for s in each.free_symbols} & set(known)) < len(each.free_symbols):
+            return False
+        base, power = each.as_base_exp()
+        if power.is_Integer and power % 2 == 0:
+            continue
+        if proved_sign(scene.model.inside, base) is None:
+            return False
+    return True
