@@ -112,7 +112,7 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
     }
     facts = {each.id for each in derivation.facts if not _is_ratio(each.relation)}
     given = {each.id for each in derivation.facts if each.kind == "given"}
-    read = _Reader(settled_derivation(derivation), oracle, frozenset())
+    read: _Reader | None = None
     lines = []
     for line in derivation.lines:
         known = [
@@ -124,9 +124,11 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             known += [ref for ref in line.premises if ref in given]
         if line.move.id in ("inverse", "triangle"):
             # The range of an angle is needed wherever it is told by a ratio.
+            read = read or _reader(derivation, oracle)
             own = names_in(line.relation)
             known = [each for each in known if not read.speaks_of(each, own)]
         if known and isinstance(line.relation, Relation):
+            read = read or _reader(derivation, oracle)
             line = replace(line, premises=read.needed(line.number, known))
         lines.append(line)
     return replace(derivation, lines=tuple(lines))
@@ -137,12 +139,13 @@ def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
 
     Lines that follow, and those that do not even with that, are left as they are.
     """
-    read = _Reader(settled_derivation(derivation), oracle, frozenset())
+    read: _Reader | None = None
     lines = []
     for line in derivation.lines:
         names = _below_roots(line)
         ranges = [each for name in sorted(names) for each in _ranges(name, oracle)]
         if ranges and isinstance(line.relation, Relation):
+            read = read or _reader(derivation, oracle)
             line = replace(line, premises=read.completed(line.number, ranges))
         lines.append(line)
     return replace(derivation, lines=tuple(lines))
@@ -150,16 +153,23 @@ def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 def with_identities(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which a line that takes sin² + cos² = 1 to follow says so."""
-    whole = settled_derivation(derivation)
-    read = _Reader(whole, oracle, frozenset())
+    read: _Reader | None = None
     lines = []
-    for line, settled_ in zip(derivation.lines, whole.lines, strict=True):
+    for line in derivation.lines:
         other = _by_identity(line)
-        if other is not None and not read.accepts(settled_):
-            named = _by_identity(settled_)
-            line = other if named is not None and read.accepts(named) else line
+        if other is not None:
+            read = read or _reader(derivation, oracle)
+            settled_ = read.lines[line.number]
+            if not read.accepts(settled_):
+                named = _by_identity(settled_)
+                line = other if named is not None and read.accepts(named) else line
         lines.append(line)
     return replace(derivation, lines=tuple(lines))
+
+
+def _reader(derivation: Derivation, oracle: Oracle) -> _Reader:
+    """Who reads the lines of a working, made only where one has to be read."""
+    return _Reader(settled_derivation(derivation), oracle, frozenset())
 
 
 def _by_identity(line: Line) -> Line | None:

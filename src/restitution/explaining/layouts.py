@@ -14,6 +14,7 @@ from typing import Any
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
+    LEAVES,
     PARTS,
     Apply,
     AtTime,
@@ -83,6 +84,8 @@ def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> An
     new = change(tree)
     if new is not None:
         return new
+    if type(tree) in LEAVES:
+        return tree
     put = {}
     for name in PARTS[type(tree)]:
         value = getattr(tree, name)

@@ -8,7 +8,17 @@ from functools import lru_cache
 from typing import Any
 
 from restitution.explaining.derivation import Event, Link, Meaning, Relation
-from restitution.expression.tree import PARTS, AtTime, Expression, Letter, Name, Quantity, walk
+from restitution.expression.tree import (
+    LEAVES,
+    PARTS,
+    AtTime,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    walk,
+)
 
 # Of these, a stage after an event in which a body took no part is the stage before it.
 _LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
@@ -16,6 +26,13 @@ _LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
 
 def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
     """A tree with each node changed, innermost first."""
+    if type(tree) in LEAVES:
+        return change(tree)
+    if type(tree) is Binary:
+        left, right = rebuilt(tree.left, change), rebuilt(tree.right, change)
+        if left is not tree.left or right is not tree.right:
+            tree = Binary(tree.op, left, right, place=tree.place)
+        return change(tree)
     put: dict[str, Any] = {}
     for name in PARTS[type(tree)]:
         value = getattr(tree, name)

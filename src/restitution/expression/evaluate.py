@@ -332,7 +332,7 @@ class Evaluator:
         if op in "+-":
             sign = 1 if op == "+" else -1
             if all(vectors):
-                return Vector(left.x + sign * right.x, left.y + sign * right.y)
+                return left + right if sign > 0 else left - right
             if any(vectors):
                 scalar = right if vectors[0] else left
                 if not isinstance(scalar, Angle) and self.field.is_zero(scalar):
@@ -340,7 +340,7 @@ class Evaluator:
                 raise _error(tree, "a vector and a number cannot be added")
             if isinstance(left, Angle) or isinstance(right, Angle):
                 return self._sum_of_angles(left, right, sign)
-            return left + sign * right
+            return left + right if sign > 0 else left - right
         if op == "*":
             if all(vectors):
                 raise _error(tree, "two vectors cannot be multiplied: dot(…, …) is their product")

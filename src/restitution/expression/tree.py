@@ -11,7 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from functools import lru_cache
-from typing import Literal, get_args
+from typing import Any, Literal, TypeVar, get_args
+
+_Kind = TypeVar("_Kind")
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,55 +29,84 @@ def line_and_column(place: Place | None) -> tuple[int | None, int | None]:
     return (None, None) if place is None else (place.line, place.column)
 
 
+class Node:
+    """A node of a tree. It keeps its hash, since trees are looked up by their value so often."""
+
+    __slots__ = ("_hash",)
+
+
+def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
+    """A kind of node of which the hash is worked out once."""
+    worked_out: Any = kind.__hash__
+
+    def kept(node: Any) -> int:
+        try:
+            return node._hash  # type: ignore[no-any-return]
+        except AttributeError:
+            value: int = worked_out(node)
+            object.__setattr__(node, "_hash", value)
+            return value
+
+    setattr(kind, "__hash__", kept)  # noqa: B010 - a type has no place for it that mypy knows
+    return kind
+
+
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Number:
+class Number(Node):
     """An exact number as typed: ``3``, ``0.6``, ``60%``; never negative."""
 
     value: Fraction
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Degrees:
+class Degrees(Node):
     """A number of degrees: ``60°``."""
 
     value: Fraction
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Pi:
+class Pi(Node):
     """The number π."""
 
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Letter:
+class Letter(Node):
     """A letter, by its canonical name: ``u``, ``alpha``, ``e_1``, ``v_A``."""
 
     name: str
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Unit:
+class Unit(Node):
     """A unit vector, **i** or **j**."""
 
     axis: Literal["i", "j"]
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Name:
+class Name(Node):
     """The name of a sphere, a wall or a point of the statement."""
 
     name: str
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Pair:
+class Pair(Node):
     """Components or coordinates: ``(3, -4)``."""
 
     x: Expression
@@ -83,8 +114,9 @@ class Pair:
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Polar:
+class Polar(Node):
     """A vector by size and direction: ``5 at 60°``.
 
     The angle is measured anticlockwise from ``origin`` (**i** if None), or, where ``wall`` is
@@ -98,16 +130,18 @@ class Polar:
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Negate:
+class Negate(Node):
     """``-x``."""
 
     operand: Expression
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Binary:
+class Binary(Node):
     """``left op right``; multiplication left out is ``*`` all the same."""
 
     op: Literal["+", "-", "*", "/", "^"]
@@ -116,8 +150,9 @@ class Binary:
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Apply:
+class Apply(Node):
     """A function of one argument: ``sqrt sin cos tan cot sec cosec arcsin arccos arctan abs``."""
 
     function: str
@@ -125,8 +160,9 @@ class Apply:
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Measured:
+class Measured(Node):
     """A value with its unit, as typed: ``5 m/s``.
 
     It lives only while a text is read: a Problem is in SI, and holds none. ``stretch`` is the
@@ -149,8 +185,9 @@ class AtTime:
 Stage = int | Literal["before"] | AtTime | None
 
 
+@_keeps_hash
 @dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(Node):
     """A quantity of the motion: ``speed(P, 2)`` is ``Quantity("speed", (Name("P"),), 2)``.
 
     ``stage`` None means *now*: after the events told where the quantity stands.
@@ -218,6 +255,13 @@ def rational(value: Fraction) -> Expression:
 
 def children(node: Expression) -> tuple[Expression, ...]:
     """The expressions directly inside a node, in the order written."""
+    match node:
+        case Binary(_, left, right):
+            return left, right
+        case Apply(_, inside) | Negate(inside):
+            return (inside,)
+    if type(node) in LEAVES:
+        return ()
     found: list[Expression] = []
     for name in PARTS[type(node)]:
         value = getattr(node, name)
@@ -235,6 +279,7 @@ PARTS: dict[type, tuple[str, ...]] = {
     kind: tuple(each.name for each in fields(kind) if each.name != "place")
     for kind in (*get_args(Expression), Measured)
 }
+LEAVES: frozenset[type] = frozenset({Number, Degrees, Pi, Letter, Unit, Name})
 
 
 def walk(node: Expression) -> Iterator[Expression]:
@@ -243,7 +288,11 @@ def walk(node: Expression) -> Iterator[Expression]:
     while pending:
         current = pending.pop()
         yield current
-        pending.extend(reversed(children(current)))
+        kind = type(current)
+        if kind is Binary:
+            pending += (current.right, current.left)  # type: ignore[union-attr]
+        elif kind not in LEAVES:
+            pending.extend(reversed(children(current)))
 
 
 @lru_cache(maxsize=4096)

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import ONE, difference, in_tangents, product, swept, tree_of
 from restitution.planning.impacts import scene_value
+from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
@@ -45,7 +46,7 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
     if not (isinstance(first, sp.Symbol) and isinstance(second, sp.Symbol)):
         return None
     left, right = (scene_value(scene, side) for side in sides)
-    gap = sp.expand(left - right)
+    gap = expanded(left - right)
     a, b = (sp.diff(gap, own) for own in (first, second))
     if abs(a) != 1 or abs(b) != 1:
         return None

@@ -168,6 +168,8 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
     size: float = max(abs(left), abs(right))
     match link.sign:
         case "=":
+            if abs(gap) <= _ROUNDING * size:
+                return True
             whole = (_magnitude(each, value) for each in (link.left, link.right))
             return abs(gap) <= _ROUNDING * max(size, *whole)
         case "≈":

@@ -29,6 +29,7 @@ from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import ZERO, square, swept, total, tree_of
 from restitution.planning.impacts import residual, scene_value
+from restitution.planning.polynomials import expanded, factored, numerator
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
     divided_angle,
@@ -38,7 +39,7 @@ from restitution.planning.ratios import (
     sum_of_angles,
     without_sums,
 )
-from restitution.planning.roots import by_roots, known_as, numerator
+from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
@@ -250,7 +251,7 @@ def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
     value = scene.value(tree)
     if not isinstance(value, Vector):
         return square(tree)
-    parts = [tidy(sp.expand(each)) for each in value]
+    parts = [tidy(expanded(each)) for each in value]
     return total(square(tree_of(each)) for each in parts if each != 0)
 
 
@@ -302,10 +303,10 @@ def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 
     A factor that is linear in the unknown has a root, which is written down and rejected.
     """
-    factors = sp.Mul.make_args(sp.factor(x))
+    factors = sp.Mul.make_args(factored(x))
     kept = [each for each in factors if not proved_sign(scene.model.ground, each)]
     kept += [each for each in factors if each not in kept and _single(each, symbol)]
-    return sp.expand(sp.Mul(*kept))
+    return expanded(sp.Mul(*kept))
 
 
 def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:

@@ -22,8 +22,10 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
+from restitution.planning.polynomials import cancelled, expanded, one_fraction
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
+from restitution.work import remembered
 
 _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
 # More steps than this are not made in one line.
@@ -42,7 +44,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     generators = _of_all(sides, symbols)
     if generators is None:
         return line
-    polynomials = _without_common(scene, sides, generators)
+    polynomials = _without_common(tuple(sides), generators)
     if polynomials is None:
         return line
     steps = max(_steps(link, each.name) for each in symbols) + _has_common(sides, polynomials)
@@ -107,15 +109,16 @@ def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, .
 Polynomials = tuple[sp.Poly, sp.Poly]
 
 
+@remembered(1024)
 def _without_common(
-    scene: Scene, sides: Sequence[sp.Expr], generators: tuple[sp.Expr, ...]
+    sides: tuple[sp.Expr, ...], generators: tuple[sp.Expr, ...]
 ) -> Polynomials | None:
     """Both sides as polynomials without denominators, and without letters common to all terms."""
-    whole = [sp.fraction(sp.together(each)) for each in sides]
+    whole = [sp.fraction(one_fraction(each)) for each in sides]
     below = sp.lcm(*(each[1] for each in whole))
     if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
         return None
-    above = [sp.expand(sp.cancel(n * below / d)) for n, d in whole]
+    above = [expanded(cancelled(n * below / d)) for n, d in whole]
     if not all(each.is_polynomial(*generators) for each in above):
         return None  # with roots of numbers a common denominator may not be seen
     polynomials = [sp.Poly(each, *generators) for each in above]
@@ -128,7 +131,7 @@ def _without_common(
     common = _common(coefficients)
     left, right = (
         sp.Poly.from_dict(
-            {m: sp.expand(sp.cancel(c / common)) for m, c in each.terms()}
+            {m: expanded(cancelled(c / common)) for m, c in each.terms()}
             or {(0,) * len(generators): 0},
             *generators,
         )
@@ -140,7 +143,7 @@ def _without_common(
 def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
     """What divides all of some coefficients: positive letters, a root, and fractions of one."""
     common = sp.Integer(1)
-    terms = [term for each in coefficients for term in sp.Add.make_args(sp.expand(each))]
+    terms = [term for each in coefficients for term in sp.Add.make_args(expanded(each))]
     powers = [term.as_powers_dict() for term in terms]
     for base in powers[0]:
         if base.is_Symbol and base.is_positive:

@@ -21,6 +21,7 @@ from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, Source
 from restitution.planning.forms import tree_of
 from restitution.planning.inequalities import FLIPPED
+from restitution.planning.polynomials import cancelled, factored
 from restitution.planning.quantities import frame_after
 from restitution.solve.letters import roles
 
@@ -55,7 +56,7 @@ class Comparison:
         numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
         if len(numbers) == 2:
             turn = 1 if link.sign[0] == ">" else -1
-            value = tidy(sp.factor(values[::turn][0] - values[::turn][1]))
+            value = tidy(factored(values[::turn][0] - values[::turn][1]))
             told = Link(Binary("-", *sides[::turn]), "=", tree_of(value))
             line = self._difference(Relation(((told,),)), numbers)
             if line is not None:
@@ -79,7 +80,7 @@ class Comparison:
         """Whether which is the greater is seen at once: one is zero, or they are like terms."""
         if any(each == 0 for each in values):
             return True
-        return bool(sp.cancel(values[0] / values[1]).is_number)
+        return bool(cancelled(values[0] / values[1]).is_number)
 
     def _by_product(
         self, line: int, values: Sequence[sp.Expr], lines: Sequence[Ref], relation: Relation

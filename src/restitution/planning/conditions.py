@@ -21,6 +21,7 @@ from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
+from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import body_and_stage, frame_after
 from restitution.planning.squares import solve_quadratic, square_and_solve, write_speeds
 from restitution.planning.wall_ends import write_between
@@ -86,7 +87,7 @@ class Conditions:
             return write_between(self.worths, fact, wanted)
         (link,) = fact.relation.only
         if fact.id.startswith("most "):
-            x = sp.expand(self.scene.scalar(link.left) - self.scene.scalar(link.right))
+            x = expanded(self.scene.scalar(link.left) - self.scene.scalar(link.right))
             solved = solve_linear(self.scene, link.sign, x, wanted)
             if solved is None:
                 return None
@@ -139,12 +140,12 @@ class Conditions:
         event = max(frame_after(self.scene, *each).number for each in pair)
         tree, value, refs = scalar_product(self.scene, pair, event)
         turned = FLIPPED[link.sign]
-        stripped = without_signs(self.scene, sp.expand(value), turned)
+        stripped = without_signs(self.scene, expanded(value), turned)
         if stripped is None:
             return None
         sign, x = stripped
         move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
-        known = self.worths.known_in(sp.expand(value))
+        known = self.worths.known_in(expanded(value))
         first = Relation(((Link(swept(tree), turned, ZERO),),))
         pool = [fact.id, *refs, *self.scene.frame(event).refs, *known]
         number = self.judge.write((move,), pool, first, (fact.id, *refs))
@@ -173,8 +174,8 @@ class Conditions:
             p.exp == sp.Rational(1, 2) and p.base.free_symbols
             for p in left.atoms(sp.Pow) | right.atoms(sp.Pow)
         ):
-            return sp.expand(left**2 - right**2)
-        return sp.expand(left - right)
+            return expanded(left**2 - right**2)
+        return expanded(left - right)
 
     def sources(self, link: Link) -> tuple[Ref, ...]:
         """The lines of the components and the quantities in an inequality."""

@@ -159,8 +159,10 @@ class Desk:
                 continue
             if _is_same(each.relation, relation):
                 return each.number
-            if (each.move, set(each.premises)) == (move, set(refs)) and _goes_further(
-                each.relation, relation
+            if (
+                each.move == move
+                and _goes_further(each.relation, relation)
+                and set(each.premises) == set(refs)
             ):
                 return each.number
         number = len(self.lines) + 1
@@ -199,8 +201,8 @@ class Desk:
 
     def holds(self, ref: Ref) -> bool:
         """Whether what a line rests on is in force in the part that is written."""
-        own = {self.part} if self.part is not None else set()
-        return self._of(ref) <= own
+        own = self._of(ref)
+        return not own or own == {self.part}
 
     # --- values ---------------------------------------------------------------------------------
 

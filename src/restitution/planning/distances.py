@@ -17,6 +17,7 @@ from restitution.planning.impacts import in_direction
 from restitution.planning.instants import piece, place_then, time_since
 from restitution.planning.place_trees import duration_tree, time_tree
 from restitution.planning.places import spot, time_of
+from restitution.planning.polynomials import expanded, factored
 from restitution.planning.scene import Scene
 from restitution.planning.separations import separation_direction, separation_known
 from restitution.planning.whereabouts import are_apart, standing, tidied
@@ -61,7 +62,7 @@ def _write_distance(
         value = gap if scene.model.sign(gap) >= 0 else -gap
     else:
         tree = Apply("sqrt", total(square(each) for each, _ in gaps))
-        value = sp.sqrt(tidy(sp.expand(sum(gap**2 for _, gap in gaps))))
+        value = sp.sqrt(tidy(expanded(sum(gap**2 for _, gap in gaps))))
     if times is not None:
         tree = product(times[0], tree)
         value = value * times[1]
@@ -84,7 +85,7 @@ def sized(scene: Scene, value: sp.Expr) -> sp.Expr:
 def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
     """What tells the signs of the letters of a distance: ranges, and times that are positive."""
     refs = [*ranges(scene, gap), *_orders(scene, gap)]
-    factors = sp.Mul.make_args(sp.factor(gap))
+    factors = sp.Mul.make_args(factored(gap))
     for letter in gap.free_symbols.intersection(factors):
         role = scene.model.unknowns.roles.get(letter.name)
         if role is None or role.kind != "real":
@@ -104,13 +105,13 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
 
 def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
     """The facts that tell of a difference in a value which of the two is the greater."""
-    factors = [each for each in sp.Mul.make_args(sp.factor(gap)) if each.is_Add]
+    factors = [each for each in sp.Mul.make_args(factored(gap)) if each.is_Add]
     for fact in scene.desk.facts:
         if fact.kind != "range" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
             continue
         for own in fact.relation.only:
-            difference_ = sp.expand(scene.scalar(own.left) - scene.scalar(own.right))
-            if any(sp.expand(each**2 - difference_**2) == 0 for each in factors):
+            difference_ = expanded(scene.scalar(own.left) - scene.scalar(own.right))
+            if any(expanded(each**2 - difference_**2) == 0 for each in factors):
                 yield fact.id
 
 

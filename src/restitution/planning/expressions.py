@@ -24,6 +24,7 @@ from restitution.planning import distances, journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import square, swept, total, tree_of
 from restitution.planning.place_trees import is_duration
+from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula, velocity_source, write_formula
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line
@@ -88,8 +89,8 @@ def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
     else:
         refs = (write_expression(scene, asked.argument)[0],)
     put, _ = scene.put(inside)
-    parts = [tidy(sp.expand(each)) for each in put]
-    final = tree_of(tidy(sp.sqrt(sp.expand(sum(each**2 for each in parts)))))
+    parts = [tidy(expanded(each)) for each in put]
+    final = tree_of(tidy(sp.sqrt(expanded(sum(each**2 for each in parts)))))
     moving = [each for each in parts if each != 0]
     if len(moving) < 2:
         relation = chain(asked, (final, None))
@@ -174,5 +175,5 @@ def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]
     put = exchanged(asked, values)
     value = scene.value(put)
     if isinstance(value, Vector):
-        return Vector(*(tidy(sp.expand(each)) for each in value))
+        return Vector(*(tidy(expanded(each)) for each in value))
     return tidy(scene.scalar(put))

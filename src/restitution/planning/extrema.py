@@ -15,6 +15,7 @@ from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.scene import Scene
 from restitution.solve.letters import roles
 from restitution.solve.solution import Answer, ItemResult
@@ -186,19 +187,19 @@ class _Extremum:
             return
         if self.place is not None:
             yield self.place
-        gap = sp.fraction(sp.together(self._value(line) - self.value))[0]
+        gap = sp.fraction(one_fraction(self._value(line) - self.value))[0]
         letter = Letter(self.symbol.name)
         if not self.angle:
-            x, subject, generator = sp.expand(gap), letter, self.symbol
+            x, subject, generator = expanded(gap), letter, self.symbol
         else:
             t = sp.Dummy("t", positive=True)
-            x = sp.fraction(sp.together(sp.expand(_by_tangent(gap, self.symbol, t) ** 1)))[0]
+            x = sp.fraction(one_fraction(expanded(_by_tangent(gap, self.symbol, t) ** 1)))[0]
             subject, generator = Apply("tan", letter), t  # type: ignore[assignment]
         if any(p.exp == sp.Rational(1, 2) and generator in p.free_symbols for p in x.atoms(sp.Pow)):
             gap = self._value(line) ** 2 - self.value**2
             if self.angle:
                 gap = _by_tangent(gap, self.symbol, generator)
-            x = sp.expand(sp.fraction(sp.together(gap))[0])
+            x = expanded(sp.fraction(one_fraction(gap))[0])
         try:
             roots = sp.roots(sp.Poly(x, generator))
         except sp.PolynomialError:
@@ -243,14 +244,14 @@ class _Extremum:
         t = sp.Dummy("t", positive=True)
         x = self._value(line)
         x = _by_tangent(x, self.symbol, t) if self.angle else x.subs(self.symbol, t)
-        above, below = sp.fraction(sp.factor(sp.together(x)))
+        above, below = sp.fraction(factored(one_fraction(x)))
         try:
-            top, poly = (sp.Poly(sp.expand(each), t) for each in (above, below))
+            top, poly = (sp.Poly(expanded(each), t) for each in (above, below))
         except sp.PolynomialError:
             return None
         if self.least or top.monoms() != [(1,)] or poly.degree() != 2:
             return None
-        a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
+        a, d, b = (tidy(factored(poly.nth(n))) for n in (0, 1, 2))
         c = tidy(top.nth(1))
         common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
         a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
@@ -312,11 +313,11 @@ class _Extremum:
         if self.angle:
             return None
         for each in (x, x**2):
-            above, below = sp.fraction(sp.factor(sp.together(each)))
+            above, below = sp.fraction(factored(one_fraction(each)))
             if self.symbol in below.free_symbols:
                 continue
             try:
-                poly = sp.Poly(sp.expand(above), self.symbol)
+                poly = sp.Poly(expanded(above), self.symbol)
             except sp.PolynomialError:
                 continue
             if poly.degree() != 2 or poly.nth(1) == 0:
@@ -325,7 +326,7 @@ class _Extremum:
             a, b, c = (primitive.nth(n) for n in (2, 1, 0))
             squared = product(tree_of(tidy(a)), square(tree_of(tidy(self.symbol + b / (2 * a)))))
             own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
-            outer = tidy(sp.cancel(each / primitive.as_expr()))
+            outer = tidy(cancelled(each / primitive.as_expr()))
             if each != x:
                 own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
             known = self._known(*self._names(x))
@@ -356,4 +357,4 @@ def _by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
         sp.cos(angle): 1 / sp.sqrt(1 + t**2),
         sp.tan(angle): t,
     }
-    return sp.together(x.xreplace(dict(put)))
+    return one_fraction(x.xreplace(dict(put)))

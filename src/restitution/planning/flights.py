@@ -8,6 +8,7 @@ from restitution.explaining.derivation import Ref
 from restitution.expression.tree import Binary, Expression
 from restitution.planning.desk import together
 from restitution.planning.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.polynomials import factored
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -38,7 +39,7 @@ def slope(scene: Scene, way: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expressio
 
 def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
     """What tells that a speed is not zero: nothing, where the way plainly is not."""
-    open_ = [x for x in sp.Mul.make_args(sp.factor(way)) if not _is_plainly_not_zero(scene, x)]
+    open_ = [x for x in sp.Mul.make_args(factored(way)) if not _is_plainly_not_zero(scene, x)]
     if not open_:
         return ()
     return together(nonzero(scene, pace), *(sign_known(scene, each) for each in open_))

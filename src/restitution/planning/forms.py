@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Unit,
     is_zero,
 )
+from restitution.planning.polynomials import cancelled
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.work import remembered
@@ -88,7 +89,7 @@ def in_tangents(value: sp.Expr) -> sp.Expr:
     """A quotient with sine over cosine as the tangent."""
     for ratio in value.atoms(sp.sin):
         (argument,) = ratio.args
-        put = sp.cancel(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
+        put = cancelled(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
         if not put.has(sp.cos(argument)):
             value = put.subs(sp.Symbol("_t"), sp.tan(argument))
     return value

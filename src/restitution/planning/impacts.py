@@ -527,18 +527,11 @@ def _now(scene: Scene, body: str, frame: Frame) -> Source:
 def residual(scene: Scene, number: int) -> sp.Expr:
     """A line as an expression that is zero."""
     own = scene.desk.last_link(number)
-    return scene_value(scene, own.left) - scene_value(scene, own.right)
+    return scene.gap(own.left, own.right)
 
 
 def scene_value(
     scene: Scene, tree: Expression, others: Mapping[str, sp.Symbol] | None = None
 ) -> sp.Expr:
     """The value of a tree of a line, with the letters of components, and others, as letters."""
-    letters = {each.name: each for each in scene.model.final}
-    letters |= {each.symbol.name: each.symbol for each in scene.model.components.values()}
-    letters |= others or {}
-    evaluator = type(scene.model.story.evaluator(scene.events))(
-        scene.model.story.field,
-        lambda name: letters[name] if name in letters else scene.model.unknowns.letter(name),
-    )
-    return sp.sympify(evaluator.scalar(tree), strict=True)
+    return scene.worth(tree, others)

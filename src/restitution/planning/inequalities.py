@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.forms import square, tree_of
+from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.scene import Scene
 from restitution.solve.letters import roles
 
@@ -61,12 +62,12 @@ def isolated(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> tuple[Expression, s
     if form is None:
         return None
     tree, _, a, b = form
-    return tree, tidy(sp.factor(-b / a))
+    return tree, tidy(factored(-b / a))
 
 
 def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr] | None:
     """``gap sign 0`` without the factors whose signs are certain; None if nothing is left."""
-    above, below = sp.fraction(sp.factor(sp.together(gap)))
+    above, below = sp.fraction(factored(one_fraction(gap)))
     kept: list[sp.Expr] = []
     turned = False
     for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
@@ -88,7 +89,7 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
     if len(kept) > 1:
         return (FLIPPED[sign] if turned else sign), sp.Mul(*kept)
     # The sense of the inequality is kept, and the terms take the sign.
-    return sign, sp.expand(-kept[0] if turned else kept[0])
+    return sign, expanded(-kept[0] if turned else kept[0])
 
 
 def solve_linear(
@@ -113,7 +114,7 @@ def solve_linear(
         if slope is None:
             continue
         own = sign if slope > 0 else FLIPPED[sign]
-        return Link(tree, own, tree_of(tidy(sp.factor(-b / a))))
+        return Link(tree, own, tree_of(tidy(factored(-b / a))))
     return None
 
 
@@ -134,7 +135,7 @@ def linear_in(
 
     A letter, its square, or a ratio of an angle or the square of one.
     """
-    x = sp.expand(x)
+    x = expanded(x)
     letter = Letter(symbol.name)
     if not angle:
         if symbol in {s for f in x.atoms(sp.Function) for s in f.free_symbols}:
@@ -147,7 +148,7 @@ def linear_in(
     t = sp.Dummy("t")
     if kinds == {sp.tan} or kinds == {sp.sin} or kinds == {sp.cos}:
         (kind,) = kinds
-        put = sp.expand(x.subs(kind(symbol), t))
+        put = expanded(x.subs(kind(symbol), t))
         return _linear_poly(put, t, kind(symbol), Apply(kind.__name__, letter))
     if kinds != {sp.sin, sp.cos}:
         return None
@@ -160,7 +161,7 @@ def linear_in(
         return None
     # Each term takes powers of sin² + cos², until all are of one degree.
     put = sum(c * t**a * (1 + t**2) ** ((most - a - b) // 2) for (a, b), c in mixed.terms())
-    return _linear_poly(sp.expand(put), t, sp.tan(symbol), Apply("tan", letter))
+    return _linear_poly(expanded(put), t, sp.tan(symbol), Apply("tan", letter))
 
 
 def _linear_poly(

@@ -34,6 +34,7 @@ from restitution.planning.inequalities import (
     linear_in,
     without_signs,
 )
+from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.scene import GivenEquation
 from restitution.planning.worths import Worths
 from restitution.solve.letters import roles
@@ -171,7 +172,7 @@ class Ties:
         own = scene.desk.last_link(line)
         if is_letter_or_square(own.left) and not letters(own.left) & letters(own.right):
             return line
-        whole = sp.factor(sp.together(residual(scene, line)))
+        whole = factored(one_fraction(residual(scene, line)))
         above = sp.fraction(whole)[0]
         kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not certain(self.scene, x)))
         symbols = [s for s in kept.free_symbols if s.name in roles(scene.problem)]
@@ -199,11 +200,11 @@ class Ties:
         link = self.scene.desk.last_link(line)
         if link.left == Letter(letter):
             return line
-        x = sp.fraction(sp.together(self.worths.value(link.left) - self.worths.value(link.right)))[
+        x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
             0
         ]
         symbol = roles(self.scene.problem)[letter].symbol(letter)
-        form = isolated(self.scene, sp.expand(x), symbol)
+        form = isolated(self.scene, expanded(x), symbol)
         if form is None or form[0] != Letter(letter):
             return None
         relation = Relation(((Link(form[0], "=", tree_of(form[1])),),))
@@ -213,22 +214,22 @@ class Ties:
     def _gap(self, link: Link) -> sp.Expr:
         """Left minus right of an equation, without its denominators."""
         left, right = (self.worths.value(side) for side in (link.left, link.right))
-        return sp.fraction(sp.together(left - right))[0]
+        return sp.fraction(one_fraction(left - right))[0]
 
     def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr, Sign]]:
         """What the range of one letter says of the others in an equation: ``P sign 0``."""
         link = self.scene.desk.last_link(line)
-        x = sp.fraction(sp.together(self.worths.value(link.left) - self.worths.value(link.right)))[
+        x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
             0
         ]
         role = roles(self.scene.problem)[gone.name]
-        form = linear_in(sp.expand(x), gone, role.kind == "angle")
+        form = linear_in(expanded(x), gone, role.kind == "angle")
         if form is None:
             return []
         _, generator, a, b = form
         found: list[tuple[Sign, sp.Expr, Sign]] = []
         for sign, bound in bounds(role, generator, gone):
-            gap = sp.factor(sp.together(-b / a - bound))
+            gap = factored(one_fraction(-b / a - bound))
             own = without_signs(self.scene, gap, sign)
             if own is not None and own[1].free_symbols:
                 found.append((*own, sign))
@@ -236,7 +237,7 @@ class Ties:
 
     def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
         """Whether an expression grows with a letter, or falls; None where that is open."""
-        above, below = sp.fraction(sp.factor(sp.together(sp.diff(x, symbol))))
+        above, below = sp.fraction(factored(one_fraction(sp.diff(x, symbol))))
         odd = [each for each in sp.Mul.make_args(below) if not each.as_base_exp()[1].is_even]
         return certain(self.scene, above / sp.Mul(*odd))
 
@@ -248,7 +249,7 @@ class Ties:
         link = self.scene.desk.last_link(line)
         role = roles(self.scene.problem)[gone.name]
         for side, other in ((link.left, link.right), (link.right, link.left)):
-            form = linear_in(sp.expand(self.worths.value(side)), gone, role.kind == "angle")
+            form = linear_in(expanded(self.worths.value(side)), gone, role.kind == "angle")
             if form is None or form[2] != 1 or form[3] != 0 or gone.name in letters(other):
                 continue
             ends = [bound for own, bound in bounds(role, form[1], gone) if own == sign]
@@ -265,10 +266,10 @@ class Ties:
             if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
                 continue
             role = roles(self.scene.problem)[gone.name]
-            above, below = sp.fraction(sp.together(x))
+            above, below = sp.fraction(one_fraction(x))
             form = None
             if gone not in below.free_symbols:
-                form = linear_in(sp.expand(above), gone, role.kind == "angle")
+                form = linear_in(expanded(above), gone, role.kind == "angle")
             if form is not None:
                 generator, slope = form[1], certain(self.scene, form[2] / below)
             elif role.kind != "angle":
@@ -279,10 +280,10 @@ class Ties:
             if slope is None or not ends:
                 return None
             t = sp.Dummy("t")
-            at_end = sp.together(x).subs(generator, t).subs(t, ends[0])
+            at_end = one_fraction(x).subs(generator, t).subs(t, ends[0])
             if at_end.has(sp.zoo, sp.oo, sp.nan) or gone in at_end.free_symbols:
                 return None
-            value = tidy(sp.factor(at_end))
+            value = tidy(factored(at_end))
             return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
         return None
 

@@ -24,6 +24,7 @@ from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import product, square, swept, total, tree_of
 from restitution.planning.impacts import whole_direction
+from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import (
     Formula,
     body_and_stage,
@@ -117,8 +118,8 @@ def cosine_of(
         if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
             continue  # a unit vector
         sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
-    dot = sp.expand(sum(p * q for p, q in zip(a, b, strict=True)))
-    size = sp.sqrt(sp.expand(sum(p**2 for p in a))) * sp.sqrt(sp.expand(sum(q**2 for q in b)))
+    dot = expanded(sum(p * q for p, q in zip(a, b, strict=True)))
+    size = sp.sqrt(expanded(sum(p**2 for p in a))) * sp.sqrt(expanded(sum(q**2 for q in b)))
     return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
 
 

@@ -38,11 +38,13 @@ from restitution.planning.impacts import (
     restitution,
 )
 from restitution.planning.pairs import close_two
+from restitution.planning.polynomials import expanded, factor_powers, one_fraction
 from restitution.planning.roots import written_law
-from restitution.planning.routes import Candidate, Routes, points
+from restitution.planning.routes import Candidate, Point, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.unknown_blows import take_blow
 from restitution.planning.vectors import common_velocity, velocity_given
+from restitution.work import remembered
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
 
@@ -84,6 +86,7 @@ class Solver:
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, Waiting] = {}
         self.goals: Sequence[sp.Expr] = ()
+        self._taken_at: tuple[tuple[int, int], tuple[Point, ...]] | None = None
         # Why a line could not be solved for its unknown.
         self.reasons: list[NotPlannedError] = []
 
@@ -252,11 +255,18 @@ class Solver:
         ) | frozenset(s for x in put for s in scene.unknown(x))
         # What is only to be expressed is as good as known.
         unknowns -= self.waiting.keys()
-        routes = Routes(candidates, points(scene.model), unknowns).cheapest(put)
+        routes = Routes(candidates, self._points(), unknowns).cheapest(put)
         if not routes:
             raise NotPlannedError(f"nothing determines {goals}")
         chosen = min(scene.desk.route, len(routes)) - 1
         return [routes[chosen], *routes[:chosen], *routes[chosen + 1 :]]
+
+    def _points(self) -> tuple[Point, ...]:
+        """The points at which gradients are taken; a hidden unknown may be new among them."""
+        known = len(self.scene.model.final), len(self.scene.model.sample)
+        if self._taken_at is None or self._taken_at[0] != known:
+            self._taken_at = known, points(self.scene.model)
+        return self._taken_at[1]
 
     def _move(self, own: Candidate) -> Move:
         """The principle, or the definition, that an equation of a route is."""
@@ -308,8 +318,8 @@ class Solver:
         if len(open_) < 2 or len(own.residuals) != 1 or open_ & self._letters.keys():
             return open_
         put, _ = self.scene.put(own.residuals[0])
-        above = sp.fraction(sp.together(put))[0]
-        factors = [base for base, _ in sp.factor_list(above)[1]]
+        above = sp.fraction(one_fraction(put))[0]
+        factors = [base for base, _ in factor_powers(above)]
         zero = [
             each for each in factors if self.scene.model.sign(self.scene.model.in_data(each)) == 0
         ]
@@ -542,7 +552,7 @@ class Solver:
         scene = self.scene
         _frame, lines, symbols = self.waiting.pop(symbol)
         residuals = [residual(scene, each) for each in lines]
-        value = tidy(_two_by_two(residuals, symbols)[symbol])
+        value = tidy(_two_by_two(tuple(residuals), tuple(symbols))[symbol])
         (other,) = (each for each in symbols if each != symbol)
         known = scene.desk.known(Letter(other.name))
         relation = chain(Letter(symbol.name), (tree_of(value), None))
@@ -680,17 +690,18 @@ class Solver:
         return _LAWS[law.kind](scene, scene.frame(law.number))
 
 
+@remembered(512)
 def _two_by_two(
-    residuals: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
+    residuals: tuple[sp.Expr, ...], symbols: tuple[sp.Symbol, ...]
 ) -> dict[sp.Symbol, sp.Expr]:
     """Two linear equations in two unknowns, by determinants."""
     rows = [[sp.diff(each, s) for s in symbols] for each in residuals]
-    rest = [sp.expand(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]
+    rest = [expanded(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]
     (a, b), (c, d) = rows
-    whole = sp.expand(a * d - b * c)
+    whole = expanded(a * d - b * c)
     return {
-        symbols[0]: sp.together(sp.expand(rest[0] * d - b * rest[1]) / whole),
-        symbols[1]: sp.together(sp.expand(a * rest[1] - rest[0] * c) / whole),
+        symbols[0]: one_fraction(expanded(rest[0] * d - b * rest[1]) / whole),
+        symbols[1]: one_fraction(expanded(a * rest[1] - rest[0] * c) / whole),
     }
 
 

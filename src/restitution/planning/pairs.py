@@ -21,9 +21,9 @@ from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import ONE, product, square, swept, tree_of
 from restitution.planning.impacts import residual
+from restitution.planning.polynomials import numerator
 from restitution.planning.premises import background
 from restitution.planning.ratios import inside_functions
-from restitution.planning.roots import numerator
 from restitution.planning.scene import Scene
 
 Pair = tuple[int, int]

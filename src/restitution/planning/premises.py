@@ -9,6 +9,7 @@ import sympy as sp
 from restitution.explaining.derivation import Ref
 from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError
+from restitution.planning.polynomials import factored
 from restitution.planning.scene import Scene
 
 
@@ -39,7 +40,7 @@ def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:
 def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref, ...]:
     """What has to be known for a factor not to vanish, beyond what is silent."""
     refs: list[Ref] = []
-    for each in sp.Mul.make_args(sp.factor(factor)):
+    for each in sp.Mul.make_args(factored(factor)):
         base = each.base if each.is_Pow else each
         for function in base.atoms(sp.sin, sp.cos):
             for angle in function.free_symbols:
@@ -54,7 +55,7 @@ def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref,
 def sign_known(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
     """What has to be known of letters for the sign of a product, beyond what is silent."""
     refs: list[Ref] = []
-    for each in sp.Mul.make_args(sp.factor(value)):
+    for each in sp.Mul.make_args(factored(value)):
         base, power = each.as_base_exp()
         if power.is_even:
             continue

@@ -42,6 +42,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import after, blown, in_direction, whole_direction
+from restitution.planning.polynomials import expanded, one_fraction
 from restitution.planning.premises import background, not_negative, sign_known
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
@@ -283,7 +284,7 @@ def _speed(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
     tree, value, refs = squares(scene, body, stage)
     move = Move("define", "speed", stage or None, (body,))
-    size = tidy(sp.sqrt(tidy(sp.expand(value))))
+    size = tidy(sp.sqrt(tidy(expanded(value))))
     return Formula(move, _itself, quantity, Apply("sqrt", tree), size, refs)
 
 
@@ -398,14 +399,14 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
             right, value = _to_the_line(scene, along, across, own_line)
             refs = together(*(each.whole for each in (along, across, zero, own_line)), names)
             return Formula(move, tangent, quantity, right, value, refs)
-    cross = tidy(sp.expand(a.value * d.value - b.value * c.value))
+    cross = tidy(expanded(a.value * d.value - b.value * c.value))
     if not _of_one_sign(scene, cross):
         raise NotPlannedError("to which side a sphere turns is open")
     terms = [product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, d), (b, c))]
     if scene.model.sign(cross) < 0:
         terms, cross = terms[::-1], -cross
     below = total(product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, c), (b, d)))
-    value = tidy(cross / tidy(sp.expand(a.value * c.value + b.value * d.value)))
+    value = tidy(cross / tidy(expanded(a.value * c.value + b.value * d.value)))
     refs = together(*(each.whole for one in own for each in one), names)
     return Formula(move, tangent, quantity, Binary("/", difference(*terms), below), value, refs)
 
@@ -415,7 +416,7 @@ def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]
     pair = list(pair)
     sources = [_as_a_line(scene, *each) for each in pair]
     (a, b), (c, d) = ([tree_of(each) for each in source.value] for source in sources)
-    squares_ = [tidy(sp.expand(sum(each**2 for each in source.value))) for source in sources]
+    squares_ = [tidy(expanded(sum(each**2 for each in source.value))) for source in sources]
     if any(scene.model.identically_zero(each) for each in squares_):
         raise NotPlannedError("an angle to what is at rest")
     above = total((product(a, c), product(b, d)))
@@ -424,7 +425,7 @@ def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]
         for source in sources
     ]
     dot = sum(x * y for x, y in zip(sources[0].value, sources[1].value, strict=True))
-    value = tidy(sp.expand(dot) / tidy(sp.sqrt(squares_[0])) / tidy(sp.sqrt(squares_[1])))
+    value = tidy(expanded(dot) / tidy(sp.sqrt(squares_[0])) / tidy(sp.sqrt(squares_[1])))
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", max(stage for _, stage in pair) or None, bodies)
     refs = together(*(each.whole for each in sources))
@@ -463,11 +464,11 @@ def _product(scene: Scene, quantity: Quantity) -> Formula:
                 case Quantity() | Letter():
                     raise NotPlannedError("a scalar product of other vectors")
         put, _ = scene.put(scene.vector(argument))
-        vectors.append(Vector(*(tidy(sp.expand(each)) for each in put)))
+        vectors.append(Vector(*(tidy(expanded(each)) for each in put)))
     if not refs:
         raise NotPlannedError("a scalar product of data")
     (a, b), (c, d) = ([tree_of(each) for each in own] for own in vectors)
-    value = tidy(sp.expand(sum(x * y for x, y in zip(*vectors, strict=True))))
+    value = tidy(expanded(sum(x * y for x, y in zip(*vectors, strict=True))))
     move = Move("define", "product", late or None, tuple(dict.fromkeys(bodies)))
     right = total((product(a, c), product(b, d)))
     return Formula(move, _itself, quantity, right, value, together(refs))
@@ -638,7 +639,7 @@ def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
     if not isinstance(blow.value, Vector):
         raise NotPlannedError("the size of a blow")
     tree = Apply("sqrt", total(square(tree_of(each)) for each in blow.value if each != 0))
-    value = tidy(sp.sqrt(tidy(sp.expand(blow.value.dot(blow.value)))))
+    value = tidy(sp.sqrt(tidy(expanded(blow.value.dot(blow.value)))))
     move = Move("define", "size", event, scene.bodies(event))
     return Formula(move, _itself, quantity, tree, value, blow.refs)
 
@@ -710,7 +711,7 @@ def _energy(scene: Scene, quantity: Quantity) -> Formula:
         refs += [*(() if value == 0 else mass.refs), *own]
     move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
     return Formula(
-        move, _itself, quantity, total(terms), tidy(sp.expand(sum(values))), together(refs)
+        move, _itself, quantity, total(terms), tidy(expanded(sum(values))), together(refs)
     )
 
 
@@ -736,7 +737,7 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         _itself,
         quantity,
         total(terms),
-        tidy(sp.expand(sum(values))),
+        tidy(expanded(sum(values))),
         together(refs),
     )
 
@@ -756,7 +757,7 @@ def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         _itself,
         quantity,
         difference(*terms),
-        tidy(sp.expand(values[0] - values[1])),
+        tidy(expanded(values[0] - values[1])),
         together(refs),
     )
 
@@ -796,7 +797,7 @@ def _momentum_of_all(scene: Scene, quantity: Quantity) -> Formula:
         refs += mass.refs
         terms.append(product(tree_of(mass.value), tree_of(velocity.value)))
         x, y = (a + mass.value * b for a, b in zip((x, y), velocity.value, strict=True))
-    whole = Vector(*(tidy(sp.expand(each)) for each in (x, y)))
+    whole = Vector(*(tidy(expanded(each)) for each in (x, y)))
     move = Move("define", "momentum-of", stage or None, ())
     return Formula(move, _itself, quantity, total(terms), whole, together(refs))
 
@@ -810,10 +811,10 @@ def _deflection(scene: Scene, quantity: Quantity) -> Formula:
     body, frame = name.name, scene.frame(event)
     early, late = (parts(scene, body, stage, frame) for stage in (event - 1, event))
     (c, s), (d, t) = early, late
-    dot = tidy(sp.expand(c.value * d.value + s.value * t.value))
+    dot = tidy(expanded(c.value * d.value + s.value * t.value))
     if dot == 0:
         raise NotPlannedError("a deflection of a right angle")
-    cross = tidy(sp.expand(c.value * t.value - s.value * d.value))
+    cross = tidy(expanded(c.value * t.value - s.value * d.value))
     if not _of_one_sign(scene, cross):
         raise NotPlannedError("to which side a sphere turns is open")
     trees = [tree_of(each.value) for each in (c, s, d, t)]
@@ -934,7 +935,7 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
         s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
         put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
     gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
-    return bool(sp.expand(sp.fraction(sp.together(sp.expand(gap)))[0]) != 0)
+    return bool(expanded(sp.fraction(one_fraction(expanded(gap)))[0]) != 0)
 
 
 def _depth_of_roots(tree: Expression) -> int:

@@ -23,8 +23,9 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
+from restitution.planning.polynomials import cancelled, expanded, factored, numerator
 from restitution.planning.premises import background
-from restitution.planning.roots import by_roots, known_as, numerator
+from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
 from restitution.problem import Find, Value
 from restitution.solve.letters import roles
@@ -155,9 +156,9 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
         ),
         sp.Integer(0),
     )
-    again = sp.Poly(sp.expand(above), s, c)
+    again = sp.Poly(expanded(above), s, c)
     common = sp.gcd_list(again.coeffs())
-    terms = {m: sp.cancel(k / common) for m, k in again.terms()}
+    terms = {m: cancelled(k / common) for m, k in again.terms()}
     left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
     right = [(m, -k) for m, k in terms.items() if scene.model.sign(k) < 0]
     relation = Relation(((Link(_form(left, symbol), "=", _form(right, symbol)),),))
@@ -195,7 +196,7 @@ def _in_one_square(
     sides: tuple[list[Expression], list[Expression]] = ([], [])
     above = sp.Integer(0)
     for m, k in mixed.terms():
-        k = sp.cancel(k / common)
+        k = cancelled(k / common)
         other, same = m[place], m[1 - place]
         above += k * (1 - kind(symbol) ** 2) ** (other // 2) * kind(symbol) ** same
         factors: list[Expression] = []
@@ -211,7 +212,7 @@ def _in_one_square(
     written = _identity(scene, line, "pythagoras", relation)
     if written is None:
         return None
-    return _by_one(scene, written, sp.expand(above), kind, symbol)
+    return _by_one(scene, written, expanded(above), kind, symbol)
 
 
 def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:
@@ -241,11 +242,11 @@ def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     x, double = small * symbol, large * symbol
     single = {sp.sin(x): t * sp.cos(x), sp.tan(x): t}
     doubled = {sp.sin(double): sp.Symbol("T") * sp.cos(double), sp.tan(double): sp.Symbol("T")}
-    factor = sp.cancel(numerator(own.subs(single).subs(doubled)))
+    factor = cancelled(numerator(own.subs(single).subs(doubled)))
     poly = sp.Poly(factor, t, sp.Symbol("T"))
     if set(poly.monoms()) != {(1, 0), (0, 1)}:
         return None
-    k = sp.cancel(-poly.coeff_monomial(sp.Symbol("T")) / poly.coeff_monomial(t))
+    k = cancelled(-poly.coeff_monomial(sp.Symbol("T")) / poly.coeff_monomial(t))
     if k.has(symbol):
         return None
     return _by_double(scene, line, symbol, small, tidy(k), angle)
@@ -371,11 +372,11 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
         sp.sin(symbol),
         sp.cos(symbol),
     )
-    whole = sp.factor(mixed.as_expr())
+    whole = factored(mixed.as_expr())
     common = sp.Mul(
         *(x for x in sp.Mul.make_args(whole) if x.is_number or (x.is_Symbol and x.is_positive))
     )
-    terms = [(m, sp.cancel(k / common)) for m, k in mixed.terms()]
+    terms = [(m, cancelled(k / common)) for m, k in mixed.terms()]
     left = [(m, tidy(k)) for m, k in terms if scene.model.sign(k) > 0]
     right = [(m, tidy(-k)) for m, k in terms if scene.model.sign(k) < 0]
     relation = Relation(

@@ -31,6 +31,7 @@ from restitution.planning.comparisons import Comparison
 from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.forms import UnwrittenError, product, tree_of
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Meets, Show
 from restitution.solve.letters import roles
@@ -301,7 +302,7 @@ class _Refutation:
 
 
 def _plain(x: sp.Expr) -> sp.Expr:
-    return tidy(sp.sqrtdenest(sp.radsimp(sp.expand(x)))) if x.is_number else tidy(x)
+    return tidy(sp.sqrtdenest(sp.radsimp(expanded(x)))) if x.is_number else tidy(x)
 
 
 def _numbers(scene: Scene, given: Mapping[str, str]) -> Iterator[tuple[str, sp.Expr]]:

@@ -16,6 +16,7 @@ from restitution.planning.flights import added
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import after, in_direction
 from restitution.planning.place_trees import place_tree, time_tree
+from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -124,7 +125,7 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
         together(refs, lines, more),
         Relation(((link(swept(total(sides)), square(tree_of(radius))),),)),
     )
-    speed = tidy(sp.expand(pace.dot(pace)))
+    speed = tidy(expanded(pace.dot(pace)))
     both = tidy(-2 * at.dot(pace) / speed)
     when, _ = scene.put(scene.value(t))
     if scene.unknown(when):

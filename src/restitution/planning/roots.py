@@ -14,16 +14,9 @@ from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import ZERO, product, square, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution
+from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
-
-
-def numerator(x: sp.Expr) -> sp.Expr:
-    """What stands above in a quotient in lowest terms, multiplied out."""
-    above, below = sp.fraction(sp.together(x))
-    if below.free_symbols:
-        above = sp.fraction(sp.cancel(above / below))[0]
-    return sp.expand(above)
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -43,7 +36,7 @@ def by_roots(
 
     None where they cannot be written, or are none of the solution.
     """
-    factors = [(base, power) for base, power in sp.factor_list(above)[1] if base.has(generator)]
+    factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
     polynomials = [sp.Poly(base, generator) for base, _ in factors]
     if not factors or any(
         each.degree() > 2 or symbol in (c for x in each.coeffs() for c in x.free_symbols)
@@ -62,7 +55,7 @@ def by_roots(
     kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
     roots = [*kept, *(each for each in roots if each not in kept)]
     dropped = [each for each in roots if each not in kept]
-    whole = sp.expand(sp.Mul(*(base**power for base, power in factors)))
+    whole = expanded(sp.Mul(*(base**power for base, power in factors)))
     number = _in_standard_form(scene, number, whole, generator, subject)
     number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
     alternatives = Relation(tuple(_option(subject, each) for each in roots))
@@ -87,7 +80,7 @@ def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
     """The roots of a factor that are real at the numbers of the solution."""
     if polynomial.degree() == 2:
         a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
-        inside = sp.factor(b**2 - 4 * a * c)
+        inside = factored(b**2 - 4 * a * c)
         if scene.model.sign(inside) < 0:
             return []
         root = tidy(sp.sqrt(inside))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 
 import sympy as sp
@@ -68,10 +69,16 @@ def gradient(x: sp.Expr, point: Point) -> dict[sp.Symbol, float]:
     return _dual(x, point)[1]
 
 
+@lru_cache(maxsize=4096)
+def symbols_in(x: sp.Expr) -> frozenset[sp.Symbol]:
+    """The letters in an expression."""
+    return frozenset(x.free_symbols)
+
+
 def _dual(x: sp.Expr, point: Point) -> _Dual:
     if x.is_Symbol:
         return point[x], {x: 1.0}
-    if not x.free_symbols:
+    if not x.args or not symbols_in(x):
         return float(x), {}
     parts = [_dual(each, point) for each in x.args]
     if x.is_Add:
@@ -83,7 +90,7 @@ def _dual(x: sp.Expr, point: Point) -> _Dual:
             others = math.prod(values[:n] + values[n + 1 :])
             terms.append((others, slopes))
         return math.prod(values), _weighted(terms)
-    if x.is_Pow and not x.exp.free_symbols:
+    if x.is_Pow and not parts[1][1]:
         base, slopes = parts[0]
         exponent = parts[1][0]
         return base**exponent, _weighted([(exponent * base ** (exponent - 1), slopes)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, Literal
 
 import sympy as sp
@@ -12,6 +12,7 @@ import sympy as sp
 from restitution.components import Model
 from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
+from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -27,6 +28,7 @@ from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.judging import Judge
+from restitution.planning.polynomials import expanded
 from restitution.problem import Arrival, Part, Problem, trees
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation
@@ -78,7 +80,11 @@ class Scene:
     find_frame: Callable[[Scene, int], Frame] | None = None
     _initial: dict[str, Source] = field(default_factory=dict)
     _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
-    _at: tuple[int, str | None] | None = None
+    _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
+    _at: tuple[object, ...] | None = None
+    _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
+    _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
+    _gaps: dict[tuple[Expression, Expression], sp.Expr] = field(default_factory=dict)
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -148,6 +154,40 @@ class Scene:
         """What a tree is worth, as a number; angles in radians."""
         return sp.sympify(self.model.story.evaluator(self.events).scalar(tree), strict=True)
 
+    def worth(self, tree: Expression, others: Mapping[str, sp.Symbol] | None = None) -> sp.Expr:
+        """What a tree of a line is worth; components, and ``others``, are letters."""
+        if others:
+            return self._worth_of(tree, {**self._named_letters(), **others})
+        names = self._named_letters()
+        if tree not in self._worths:
+            self._worths[tree] = self._worth_of(tree, names)
+        return self._worths[tree]
+
+    def _worth_of(self, tree: Expression, names: Mapping[str, sp.Symbol]) -> sp.Expr:
+        letter = self.model.unknowns.letter
+        evaluator = Evaluator(
+            self.model.story.field, lambda name: names[name] if name in names else letter(name)
+        )
+        return sp.sympify(evaluator.scalar(tree), strict=True)
+
+    def _named_letters(self) -> Mapping[str, sp.Symbol]:
+        """The unknowns and the letters of components by name; what rests on fewer is dropped."""
+        final = self.model.final
+        if self._names is None or self._names[0] != len(final):
+            self._worths.clear()
+            self._gaps.clear()
+            names = {each.name: each for each in final}
+            names |= {e.symbol.name: e.symbol for e in self.model.components.values()}
+            self._names = len(final), names
+        return self._names[1]
+
+    def gap(self, left: Expression, right: Expression) -> sp.Expr:
+        """What one side of a line is worth more than the other."""
+        one, other = self.worth(left), self.worth(right)
+        if (left, right) not in self._gaps:
+            self._gaps[left, right] = one - other
+        return self._gaps[left, right]
+
     def velocity(self, body: str, stage: int) -> Vector:
         """A velocity, in letters."""
         return self.model.story.velocity(body, stage)
@@ -160,16 +200,39 @@ class Scene:
 
     def unknown(self, value: Any) -> frozenset[sp.Symbol]:
         """The unknowns in a value that have no value on the desk yet."""
-        parts = value if isinstance(value, Vector) else (value,)
-        put = [sp.expand(self.with_values(each)[0]) for each in parts]
-        return frozenset(
-            symbol
-            for each in put
-            for symbol in each.free_symbols
-            if symbol in self.model.final
-            and symbol not in self.free
-            and not self._by_ratios(symbol)
+        if isinstance(value, Vector):
+            return self.unknown(value.x) | self.unknown(value.y)
+        own = sp.sympify(value, strict=True)
+        if not own.free_symbols:
+            return frozenset()
+        state = self._state()
+        if own in self._unknown:
+            return self._unknown[own]
+        open_ = self._unknown_in(self.with_values(own)[0])
+        if state == self._state():  # to put values in may write lines
+            self._unknown[own] = open_
+        return open_
+
+    def _unknown_in(self, put: sp.Expr) -> frozenset[sp.Symbol]:
+        """The unknowns of an expression in which the rest is put in."""
+        open_ = frozenset(filter(self._is_unknown, put.free_symbols))
+        if not open_ or put.is_Symbol:
+            return open_
+        return open_ & frozenset(expanded(put).free_symbols)  # some may cancel
+
+    def _is_unknown(self, symbol: sp.Symbol) -> bool:
+        return (
+            symbol in self.model.final and symbol not in self.free and not self._by_ratios(symbol)
         )
+
+    def _state(self) -> tuple[object, ...]:
+        """On what it depends what is unknown; what was kept in another state is dropped."""
+        state = self.desk.version, self.desk.part, len(self.model.final), frozenset(self.free)
+        if self._at != state:
+            self._at = state
+            self._put.clear()
+            self._unknown.clear()
+        return state
 
     def _by_ratios(self, symbol: sp.Symbol) -> bool:
         """Whether an angle is known by the ratios that the data give."""
@@ -192,13 +255,10 @@ class Scene:
         own = sp.sympify(value, strict=True)
         if not own.free_symbols:
             return own, ()
-        version = self.desk.version, self.desk.part
-        if self._at != version:
-            self._at = version
-            self._put.clear()
+        state = self._state()
         if own not in self._put:
             found = self._with_values(own)
-            if version != (self.desk.version, self.desk.part):
+            if state != self._state():
                 return found  # to put them in wrote lines
             self._put[own] = found
         return self._put[own]
@@ -208,11 +268,10 @@ class Scene:
         times: dict[sp.Basic, int] = {}
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
-            ratios = own.atoms(*_RATIOS)
-            bare = own.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else own
-            if any(times.get(each, 0) >= _MOST for each in bare.free_symbols):
+            ratios, bare = _ratios_and_letters(own)
+            if times and any(times.get(each, 0) >= _MOST for each in bare):
                 raise NotPlannedError("letters that are known by each other")
-            for symbol in bare.free_symbols:
+            for symbol in bare:
                 source = self.desk.known(Letter(symbol.name))
                 if source is not None:
                     changes[symbol] = source.value
@@ -436,6 +495,17 @@ class Scene:
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
         return tree_of(value)
+
+
+@lru_cache(maxsize=4096)
+def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbol, ...]]:
+    """The ratios of angles in an expression, and the letters outside of them."""
+    ratios = x.atoms(*_RATIOS)
+    bare = x.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else x
+    return (
+        tuple(sorted(ratios, key=lambda each: each.sort_key())),
+        tuple(sorted(bare.free_symbols, key=lambda each: each.name)),
+    )
 
 
 def _letters_of(tree: Expression) -> Iterable[Letter]:

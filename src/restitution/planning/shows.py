@@ -35,6 +35,7 @@ from restitution.planning.desk import NotPlannedError, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.refuting import write_refutation
@@ -168,7 +169,7 @@ def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Rela
     story = scene.model.story
     frame = frame_after(scene, body, stage)
     normal = story.evaluator(scene.events).direction(wall.along).turned_left()
-    if sp.expand(normal.cross(frame.n)) != 0:
+    if expanded(normal.cross(frame.n)) != 0:
         raise NotPlannedError("a wall across the line of centres")
     value = story.velocity(body, stage).dot(frame.n)
     claims.solver.determine([value])

@@ -11,6 +11,7 @@ from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, S
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters
 from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.inequalities import FLIPPED, solve_linear
+from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quantities import formula
 from restitution.planning.worths import Worths
 from restitution.solve.letters import roles
@@ -161,14 +162,14 @@ def _may_be_low(worths: Worths, symbol: sp.Symbol, low: sp.Expr) -> bool:
 def _second_degree(own: Link, gap: sp.Expr) -> list[Link]:
     """A quadratic in one letter by its square, or in factors; nothing of what is no quadratic."""
     (symbol,) = gap.free_symbols
-    poly = sp.Poly(sp.expand(gap), symbol)
+    poly = sp.Poly(expanded(gap), symbol)
     if poly.degree() != 2:
         return []
     sign: Sign = FLIPPED[own.sign] if poly.LC() < 0 else own.sign
     a, b, c = (poly.nth(n) for n in (2, 1, 0))
     if b == 0:
         return [Link(square(tree_of(symbol)), sign, tree_of(tidy(-c / a)))]
-    parts = sp.factor(poly.as_expr() / sp.sign(a))
+    parts = factored(poly.as_expr() / sp.sign(a))
     return [Link(tree_of(parts, as_it_is=True), sign, ZERO)]
 
 
@@ -177,13 +178,13 @@ def _without_denominators(worths: Worths, own: Link) -> tuple[sp.Expr, sp.Expr] 
 
     None where sines and cosines stand in them, or more than one letter is left.
     """
-    sides = [sp.together(worths.value(each)) for each in (own.left, own.right)]
+    sides = [one_fraction(worths.value(each)) for each in (own.left, own.right)]
     if any(each.has(sp.sin, sp.cos, sp.tan) for each in sides):
         return None
     common = sp.lcm([sp.fraction(each)[1] for each in sides])
-    above = [sp.expand(sp.cancel(each * common)) for each in sides]
+    above = [expanded(cancelled(each * common)) for each in sides]
     shared = sp.gcd(*above)
-    left, right = (sp.expand(sp.cancel(each / shared)) for each in above)
+    left, right = (expanded(cancelled(each / shared)) for each in above)
     if len(left.free_symbols | right.free_symbols) != 1:
         return None
     return left, right

@@ -36,6 +36,7 @@ from restitution.planning.lines_between import (
     whole_velocity,
 )
 from restitution.planning.named_angles import ANGLES, letter_of, ratio_line, tangent_line
+from restitution.planning.polynomials import expanded
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.quantities import (
     Formula,
@@ -425,7 +426,7 @@ def _deflection(
     names = together(frame.names_axis("along"), frame.names_axis("across"))
     refs = together(*(each.whole for each in (*early, *late)), names)
     a, b = (Vector(*(each.value for each in own)) for own in (early, late))
-    dot, cross = tidy(sp.expand(a.dot(b))), tidy(sp.expand(a.cross(b)))
+    dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
     square_ = scene.model.identically_zero(dot)
     if square_ or wanted == "cos" or scene.model.identically_zero(cross):
         if frame.wall is not None:

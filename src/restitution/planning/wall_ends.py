@@ -10,6 +10,7 @@ from restitution.planning import journeys
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
 from restitution.planning.inequalities import solve_linear, without_signs
+from restitution.planning.polynomials import one_fraction
 from restitution.planning.worths import Worths
 
 
@@ -36,7 +37,7 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     ends = [scene.scalar(each) for each in (low.left, high.right)]
     gaps = (value - ends[0], ends[1] - value)
     # An end that it cannot come to is not named.
-    open_ = [without_signs(scene, sp.together(gap), ">") for gap in gaps]
+    open_ = [without_signs(scene, one_fraction(gap), ">") for gap in gaps]
     if not any(each is not None and each[1].free_symbols for each in open_):
         return None
     worths.solver.determine(journeys.goals(scene, place))

@@ -81,6 +81,7 @@ def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
     return truths[type(condition)]
 
 
+@lru_cache(maxsize=8192)
 def plain_sign(x: sp.Expr) -> int | None:
     """The sign that is plain from what is assumed of the letters; None where it is not."""
     if x.is_positive or x.is_negative:

@@ -636,6 +636,8 @@ class Story:
             self.equations.append(
                 Equation(c.dot(c) - (1 + e) * closing, "Newton's experimental law", kind="law")
             )
+        elif self.frames is not None:
+            v, push = u, None  # the frame tells what comes after
         else:
             on_wall = law.impulse(u, zero, 1, 0, c, e)
             v = self.neat(law.after_impulse(u, zero, 1, 0, on_wall)[0])
@@ -701,6 +703,8 @@ class Story:
                     kind="law",
                 )
             )
+        elif self.frames is not None:
+            v1, v2, push = u1, u2, None  # the frame tells what comes after
         elif sought is not None:
             v1, v2, push = contacts.velocities_after(self, number, step, sought, c, e)
         else:

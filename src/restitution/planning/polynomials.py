@@ -1,0 +1,52 @@
+"""Multiplying out, factors, one fraction: pure functions of SymPy of which results are kept.
+
+Several rooms ask the same of an expression while one line is planned, and again while another way
+to it is tried. A bounded number of results is kept.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.work import remembered
+
+
+@remembered(4096)
+def expanded(x: Any) -> sp.Expr:
+    """An expression multiplied out."""
+    return sp.expand(x)
+
+
+@remembered(2048)
+def factored(x: Any) -> sp.Expr:
+    """An expression as a product of factors with whole coefficients."""
+    return sp.factor(x)
+
+
+@remembered(2048)
+def factor_powers(x: sp.Expr) -> tuple[tuple[sp.Expr, int], ...]:
+    """The factors of a polynomial that are no numbers, each with its power."""
+    return tuple(sp.factor_list(x)[1])
+
+
+@remembered(2048)
+def one_fraction(x: Any) -> sp.Expr:
+    """A sum as one fraction, in which nothing is cancelled."""
+    return sp.together(x)
+
+
+@remembered(2048)
+def cancelled(x: Any) -> sp.Expr:
+    """A quotient in lowest terms."""
+    return sp.cancel(x)
+
+
+@remembered(2048)
+def numerator(x: sp.Expr) -> sp.Expr:
+    """What stands above in a quotient in lowest terms, multiplied out."""
+    above, below = sp.fraction(one_fraction(x))
+    if below.free_symbols:
+        above = sp.fraction(cancelled(above / below))[0]
+    return expanded(above)
