@@ -20,6 +20,7 @@ from restitution.exact import is_zero, tidy, tidy_angle
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Symbolic
 from restitution.expression.tree import (
+    Expression,
     Letter,
     Name,
     Quantity,
@@ -151,6 +152,16 @@ class Frame:
     angle: sp.Symbol | None = None
 
 
+def component(v: Vector, direction: Vector) -> sp.Expr:
+    """The component of a vector in the direction of a unit vector, which mostly is i or j."""
+    terms = [
+        x if way is sp.S.One else -x if way is sp.S.NegativeOne else x * way
+        for x, way in zip(v, direction, strict=True)
+        if way is not sp.S.Zero
+    ]
+    return sp.sympify(sum(terms[1:], terms[0]) if terms else sp.S.Zero, strict=True)
+
+
 @dataclass(frozen=True)
 class Component:
     """An unknown component of a velocity after an impact."""
@@ -262,6 +273,8 @@ class Model:
     _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
     _differing: dict[sp.Expr, bool] = field(default_factory=dict, repr=False)
     _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
+    floats: dict[Expression, Any] = field(default_factory=dict, repr=False)
+    """What quantities without letters are worth at the sample in floats, as lines are tried."""
 
     # --- what is proved -----------------------------------------------------------------------
 
@@ -431,7 +444,7 @@ class Model:
             return chord
         frame = self.frames[number]
         u = self.happening(number).before[body]
-        return tidy(u.dot(frame.n)), tidy(u.dot(frame.t))
+        return tidy(component(u, frame.n)), tidy(component(u, frame.t))
 
     def on_a_chord(self, number: int, body: str) -> bool:
         """Whether the components before are known from the near end of a chord."""
@@ -664,14 +677,15 @@ def _in_letters(
         symbol = sp.Symbol(names[number, body], real=True)
         final = told.branch.story.velocity(body, number)
         direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
-        value = told.presentable(tidy(final.dot(direction)))
+        value = told.presentable(tidy(component(final, direction)))
         told.components[number, body] = Component(symbol, body, number, value)
         told.final[symbol] = value
         with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
             told.sample[symbol.name] = at(value, told.sample)
         across = told.before(number, body)[1]
         after[body] = Vector(
-            frame.n.x * symbol + frame.t.x * across, frame.n.y * symbol + frame.t.y * across
+            component(Vector(symbol, across), Vector(frame.n.x, frame.t.x)),
+            component(Vector(symbol, across), Vector(frame.n.y, frame.t.y)),
         )
     e = sp.sympify(happening.e, strict=True)
     u1 = told.before(number, step.first)[0]
@@ -687,7 +701,7 @@ def _in_letters(
         mass: str | None = step.first
         oriented = -frame.n
     else:
-        u2 = tidy(happening.before[step.second].dot(frame.n))
+        u2 = tidy(component(happening.before[step.second], frame.n))
         w = told.components[number, step.second].symbol
         m1, m2 = story.mass(step.first), story.mass(step.second)
         told.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))

@@ -30,6 +30,7 @@ from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.wording.units import style_of
+from restitution.work import remembered
 
 _FIGURES = 3
 
@@ -127,6 +128,7 @@ def _along_an_axis(term: lay.Layout) -> bool:
     return isinstance(last, lay.Bold)
 
 
+@remembered(1024)
 def rounded(tree: Expression) -> lay.Layout | None:
     """A value to three figures; None where its exact form says enough, or is no number.
 
@@ -168,6 +170,7 @@ def _with_zeros(value: Fraction) -> str:
     return f"{whole}.{part}{'0' * missing}" if value and missing > 0 else digits
 
 
+@remembered(1024)
 def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, str], ...]:
     """What is added to a value that was asked: its decimal, as answers have it, with its sign.
 

@@ -108,6 +108,7 @@ class Forms:
 
     def __init__(self, typed: Iterable[Expression] = ()) -> None:
         self._typed: dict[tuple[Ratio, int], Expression] = {}
+        self._printed: dict[Expression, Expression] = {}
         self._decimal = False
         self._fractions = {Ratio(1, 2)}
         for tree in typed:
@@ -125,7 +126,9 @@ class Forms:
 
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
-        return rebuilt(tree, self._node)
+        if tree not in self._printed:
+            self._printed[tree] = rebuilt(tree, self._node)
+        return self._printed[tree]
 
     def _node(self, node: Expression) -> Expression:
         match node:

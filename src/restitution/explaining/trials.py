@@ -258,13 +258,14 @@ def known_of_letters(ref: str, setting: Setting) -> Known | None:
 
 def _known(ref: str, setting: Setting) -> Known | None:
     head, colon, text = ref.partition(":")
+    names_of_bodies = frozenset(setting.names.items())
     if colon and head.strip() == "acute":
-        angle = read_tree(text, setting.names)
+        angle = _tree(text, names_of_bodies)
         zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
         relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
         names = letters(angle)
     else:
-        relation = read_relation(ref, setting.names)
+        relation = _relation(ref, names_of_bodies)
         names = frozenset(names_in(relation))
         if not names and _of_a_coefficient(relation):
             return Known(ref, relation, names)
@@ -273,6 +274,16 @@ def _known(ref: str, setting: Setting) -> Known | None:
     if not _by_roles(ref, relation, setting):
         return None
     return Known(ref, relation, names)
+
+
+@lru_cache(maxsize=512)
+def _tree(text: str, names: frozenset[tuple[str, str]]) -> Expression:
+    return read_tree(text, dict(names))
+
+
+@lru_cache(maxsize=512)
+def _relation(text: str, names: frozenset[tuple[str, str]]) -> Relation:
+    return read_relation(text, dict(names))
 
 
 def _of_a_coefficient(relation: Relation) -> bool:

@@ -12,7 +12,15 @@ from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Fact, Line, Link, Meaning, Relation
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
-from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+)
 from restitution.planning.desk import NotPlannedError
 from restitution.solve import quantities
 from restitution.vector import Vector
@@ -82,7 +90,7 @@ def evaluator(
         for each in facts
         if each.id.startswith("axis ")
     }
-    kept: dict[Expression, Any] = {}
+    of_lines: dict[Expression, Any] = {}
 
     def letter(name: str) -> Any:
         if name in model.sample:
@@ -98,6 +106,7 @@ def evaluator(
         raise KeyError(name)
 
     def quantity(tree: Quantity) -> Any:
+        kept = of_lines if letters(tree) else model.floats
         if tree not in kept:
             if tree.kind == "restitution":
                 number = tree.stage or 1
