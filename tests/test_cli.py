@@ -13,33 +13,13 @@ import time
 from pathlib import Path
 
 import pytest
+from commands import COMMAND, run, run_process
 
 from restitution import examples
 
 GOOD = "wall W: along i\nsphere P: mass 2, velocity 5i - 3j\nP hits W: e = 1/3\nfind impulse\n"
 BAD = "sphere P: velocty 3i\nfind speed(P)\n"
 MISSING = "wall W: along i\nsphere P: velocity 5i - 3j\nP hits W: e = 1/3\nfind impulse, speed(P)\n"
-COMMAND = [sys.executable, "-m", "restitution"]
-
-
-SOLVING = ("solve", "draw", "sheet", "play")
-
-
-def run(*arguments, stdin=b"", cwd=None, env=None):
-    """The status and what is printed, with time enough that nothing is left out for want of it."""
-    if arguments[:1] and arguments[0] in SOLVING and "--time-limit" not in arguments:
-        arguments = (arguments[0], "--time-limit", "50", *arguments[1:])
-    done = subprocess.run(
-        [*COMMAND, *map(str, arguments)],
-        input=stdin,
-        capture_output=True,
-        check=False,
-        timeout=100,
-        cwd=cwd,
-        env={**os.environ, **(env or {})},
-    )
-    assert b"Traceback" not in done.stderr, done.stderr.decode()
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 
 @pytest.fixture
@@ -53,7 +33,7 @@ def folder(tmp_path):
 
 
 def test_solve_prints_the_working(folder):
-    status, out, err = run("solve", "good.impact", cwd=folder)
+    status, out, err = run_process("solve", "good.impact", cwd=folder)
     assert (status, err) == (0, "")
     assert "Newton's experimental law" in out
     assert "8" in out
@@ -114,7 +94,7 @@ def test_a_check_tells_whether_the_working_was_followed(folder):
 
 
 def test_standard_input(folder):
-    status, out, _ = run("solve", "-", "--answers-only", stdin=GOOD.encode())
+    status, out, _ = run_process("solve", "-", "--answers-only", stdin=GOOD.encode())
     assert (status, out.strip()) == (0, "impulse = 8  N s")
 
 
@@ -329,7 +309,7 @@ def slow(monkeypatch_dir: Path) -> dict[str, str]:
 def test_time_limit(folder, tmp_path):
     env = slow(tmp_path)
     # Without the limit it would never come back, and the test would fail by its own.
-    status, out, err = run(
+    status, out, err = run_process(
         "solve", "good.impact", "bad.impact", "missing.impact", "--time-limit", "0.3", "-f", "json",
         cwd=folder, env=env,
     )  # fmt: skip
@@ -342,7 +322,7 @@ def test_time_limit(folder, tmp_path):
     assert (item["text"], item["line"], item["answers"]) == ("impulse", 4, [])
     assert item["error"]["kind"] == "time limit"
     assert err.count("time limit") == 2
-    assert run("solve", "good.impact", "--time-limit", "0.3", cwd=folder, env=env)[0] == 1
+    assert run_process("solve", "good.impact", "--time-limit", "0.3", cwd=folder, env=env)[0] == 1
 
 
 def test_control_c(folder, tmp_path):
@@ -432,7 +412,7 @@ def test_what_is_not_needed_may_be_closed(folder):
 
 def test_a_file_that_is_full(folder):
     if Path("/dev/full").exists():
-        status, out, err = run("solve", "good.impact", "-o", "/dev/full", cwd=folder)
+        status, out, err = run_process("solve", "good.impact", "-o", "/dev/full", cwd=folder)
         assert (status, out) == (1, "")
         assert err == "/dev/full: cannot be written: No space left on device\n"
 
@@ -536,7 +516,7 @@ def test_language_is_the_page_of_the_documentation():
 
 
 def test_version_and_help():
-    assert re.fullmatch(r"restitution \d+\.\d+\.\d+\S*\n", run("--version")[1])
+    assert re.fullmatch(r"restitution \d+\.\d+\.\d+\S*\n", run_process("--version")[1])
     status, out, _ = run("--help")
     assert status == 0
     # The statement in the help is one that can be solved.
@@ -552,7 +532,7 @@ def test_version_and_help():
 
 def test_completion_writes_nothing_at_home(tmp_path):
     env = {"HOME": str(tmp_path), "_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION": "1"}
-    status, out, _ = run("--show-completion", "bash", env=env)
+    status, out, _ = run_process("--show-completion", "bash", env=env)
     assert status == 0
     assert "_RESTITUTION_COMPLETE" in out
     words = {
@@ -560,9 +540,9 @@ def test_completion_writes_nothing_at_home(tmp_path):
         "COMP_WORDS": "restitution examples cor",
         "COMP_CWORD": "2",
     }
-    out = run(env={**env, **words})[1]
+    out = run_process(env={**env, **words})[1]
     assert "corner" in out.split()
-    run("solve", "-", stdin=GOOD.encode(), env=env)
+    run_process("solve", "-", stdin=GOOD.encode(), env=env)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -590,7 +570,8 @@ def test_a_command_in_its_usual_form_is_read_as_in_any_other(folder, usual, othe
 
     assert plainly(usual.split()) is not None
     assert plainly(otherwise.split()) is None
-    assert redirected(folder, f"solve {usual}") == redirected(folder, f"solve {otherwise}")
+    one, other = (run("solve", *each.split(), cwd=folder) for each in (usual, otherwise))
+    assert one == other
 
 
 @pytest.mark.parametrize(

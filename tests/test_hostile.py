@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 import random
-import subprocess
-import sys
 
 import pytest
+from commands import run
 
 # Seconds, on a machine that is slow and busy; the longest takes less than 2 s on a quiet one.
 LIMIT = 100
@@ -91,21 +90,10 @@ STATEMENTS = {
 }
 
 
-def answered(text: bytes, *arguments: str) -> tuple[int, str, str]:
-    done = subprocess.run(
-        [sys.executable, "-m", "restitution", *arguments],
-        input=text,
-        capture_output=True,
-        check=False,
-        timeout=1.1 * LIMIT,
-    )
-    return done.returncode, done.stdout.decode("utf-8"), done.stderr.decode("utf-8")
-
-
 @pytest.mark.parametrize("name", STATEMENTS)
 def test_answer_or_clear_error(name):
     limit = ("--time-limit", str(LIMIT))
-    status, out, err = answered(STATEMENTS[name], "solve", "-", "--format", "json", *limit)
+    status, out, err = run("solve", "-", "--format", "json", *limit, stdin=STATEMENTS[name])
     assert status in (0, 1, 2)
     assert "Traceback" not in err
     assert "internal error" not in out + err
@@ -125,20 +113,20 @@ def test_random_bytes(seed):
     if seed % 2:
         words = STORY.split() + ["given", "find", "show", "(", ")", "°", "√", "\n", "e", "range of"]
         text = " ".join(generator.choices(words, k=200)).encode()
-    status, _, err = answered(text, "check", "-")
+    status, _, err = run("check", "-", stdin=text)
     assert status in (0, 2)
     assert "Traceback" not in err
     assert "internal error" not in err
 
 
 def test_names_of_files():
-    status, _, err = answered(b"", "solve", "a\nb", "\x1b[31m", "x" * 5000)
+    status, _, err = run("solve", "a\nb", "\x1b[31m", "x" * 5000)
     assert status == 2
     assert "Traceback" not in err
     assert "\x1b" not in err
 
 
 def test_endless_input():
-    status, _, err = answered(b"", "check", "/dev/zero")
+    status, _, err = run("check", "/dev/zero")
     assert status == 2
     assert "too long" in err
