@@ -34,6 +34,13 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
 def _as_one(row: Row, other: Row) -> Row | None:
     """Two rows as one, where the second says what the first says, or goes on from it."""
     length = len(row.operands)
+    if _goes_on_rounded(row, other):
+        assert other.operands[-1] is not None
+        return replace(
+            other,
+            operands=(*row.operands, *other.operands[1:]),
+            signs=(*row.signs, *other.signs),
+        )
     if _says_the_end(row, other):
         number = row.number or other.number
         points, asides = (*row.points, *other.points), (*row.asides, *other.asides)
@@ -51,6 +58,13 @@ def _as_one(row: Row, other: Row) -> Row | None:
     operands = (row.operands[0], *other.operands[1:])
     number = row.number or other.number
     return replace(other, operands=operands, points=(*row.points, *other.points), number=number)
+
+
+def _goes_on_rounded(row: Row, other: Row) -> bool:
+    """Whether a row gives no more than the decimal of the value above it."""
+    bare = not (row.points or row.reasons or row.asides or row.number or row.answer)
+    same = other.operands[0] in (None, row.operands[0]) and other.signs == ("≈",)
+    return bare and same and set(row.signs) == {"="} and not row.alternatives
 
 
 def _says_the_end(row: Row, other: Row) -> bool:

@@ -165,10 +165,19 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if columns(left) > room:
         lines.append(" " * _INDENT + left)
         current = start
-    for sign, operand in zip(row.signs, row.operands[1:], strict=True):
+    note = said(row.note)
+    gap = "" if goes_on(row.note) else "   "
+    # Behind a line that is alone, marks need no more room than they have.
+    own = width - (columns(row.mark) + 2 if row.mark else 0)
+    room_behind = own if row.number or not goes_on(row.note) else limit
+    for index, (sign, operand) in enumerate(zip(row.signs, row.operands[1:], strict=True), 1):
         piece = f" {sign} {_operand(operand)}"
         fresh = current.strip() == "" or current == pad + left
-        if columns(current + piece) > limit and not fresh:
+        behind = columns(gap) + columns(note) if note and index == len(row.signs) else 0
+        # The last piece goes to a line of its own, if what stands behind it fits there.
+        far = columns(current + piece) + behind > room_behind
+        apart = far and columns(start + piece) + behind <= room_behind and sign in ("=", "≈")
+        if (columns(current + piece) > limit or (behind and apart)) and not fresh:
             lines.append(current)
             current = start
         if columns(current + piece) > limit and operand is not None:
@@ -180,23 +189,24 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
             continue
         current += piece
     lines.append(current)
-    note = said(row.note)
-    gap = "" if note.startswith(",") else "   "
-    # Behind a line that is alone, marks need no more room than they have.
-    own = width - (columns(row.mark) + 2 if row.mark else 0)
-    if note and columns(lines[-1]) + columns(note) + 3 <= (own if row.number else limit):
+    if note and columns(lines[-1]) + columns(gap) + columns(note) <= room_behind:
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
     made = _plain(lines)
-    made[-1] = replace(made[-1], mark=row.mark, strong=row.answer)
+    made[-1] = replace(made[-1], strong=row.answer)
     if note:
-        made += _plain(
-            [
-                " " * (_INDENT + 2) + each
-                for each in wrapped(note.removeprefix(", "), width - _INDENT - 2)
-            ]
-        )
+        # Words go on below the right side where they have room there.
+        words = note.removeprefix(", ")
+        right = columns(start) + 1 + max(map(columns, row.signs), default=0) + 1
+        indent = right if right + columns(words) <= own else _INDENT + 2
+        made += _plain([" " * indent + each for each in wrapped(words, own - indent)])
+    made[-1] = replace(made[-1], mark=row.mark)
     return made
+
+
+def goes_on(words: Words) -> bool:
+    """Whether words behind a line begin with a comma."""
+    return bool(words) and isinstance(words[0], str) and words[0].startswith(",")
 
 
 def _broken(layout: Layout, room: int) -> list[str]:
@@ -206,23 +216,37 @@ def _broken(layout: Layout, room: int) -> list[str]:
 
 
 def _cut(text: str, room: int) -> list[str]:
-    """A line that is too long, broken before a sign, or between words, as far as it can be."""
+    """A line that is too long, broken before a sign, or between words: in brackets last."""
     if columns(text) <= room:
         return [text]
+    lines: list[str] = []
+    for chunk in _chunks(text, inside=False):
+        pieces = [chunk] if columns(chunk) <= room else _chunks(chunk, inside=True)
+        for piece in pieces:
+            if lines and columns(lines[-1]) + 1 + columns(piece) <= room:
+                lines[-1] += f" {piece}"
+            else:
+                lines.append(piece)
+    return lines
+
+
+def _chunks(text: str, inside: bool) -> list[str]:
+    """Pieces between which a line may end, those ``inside`` brackets too."""
     tokens = text.split(" ")
     chunks = [tokens[0]]
+    depth = _opened(tokens[0])
     for before, token in pairwise(tokens):
-        if token in _BREAKS or (before.isalpha() and token.isalpha() and len(token) > 1):
+        words = before.isalpha() and token.isalpha() and len(token) > 1
+        if (token in _BREAKS or words) and (inside or depth <= 0):
             chunks.append(token)
         else:
             chunks[-1] += f" {token}"
-    lines = [chunks[0]]
-    for chunk in chunks[1:]:
-        if columns(lines[-1]) + 1 + columns(chunk) <= room:
-            lines[-1] += f" {chunk}"
-        else:
-            lines.append(chunk)
-    return lines
+        depth += _opened(token)
+    return chunks
+
+
+def _opened(token: str) -> int:
+    return token.count("(") - token.count(")")
 
 
 def _terms(layout: Layout, room: int) -> list[str]:

@@ -307,7 +307,25 @@ def _shaped(layout: Any) -> Any:
     return _grouped(layout) if isinstance(layout, lay.Product) else layout
 
 
+def _roots_first(product: lay.Product) -> lay.Product:
+    """A product in which roots of numbers stand before letters and brackets: ``√3(1 + e)u``."""
+    if product.sign:
+        return product
+    numbers = [each for each in product.factors if _numeric(each)]
+    roots = [each for each in product.factors if _is_surd(each)]
+    if not roots or product.factors[: len(numbers)] != tuple(numbers):
+        return product
+    rest = [each for each in product.factors if not (_numeric(each) or _is_surd(each))]
+    return replace(product, factors=(*numbers, *roots, *rest))
+
+
+def _is_surd(factor: lay.Layout) -> bool:
+    """Whether a factor is a root of a number."""
+    return isinstance(factor, lay.Root) and isinstance(factor.inside, lay.Number)
+
+
 def _grouped(product: lay.Product) -> lay.Layout:
+    product = _roots_first(product)
     first, *rest = product.factors
     if isinstance(first, lay.Product) and first.sign == "×":
         if product.sign:
