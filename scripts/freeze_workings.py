@@ -21,9 +21,9 @@ from pathlib import Path
 from typing import Any
 
 import restitution.examples
-from restitution.explain import explain, to_html, to_latex, to_markdown, to_text
+from restitution.explain import Explanation, explain, to_html, to_latex, to_markdown, to_text
 from restitution.explain.principles import about
-from restitution.explain.steps import Explanation, Row, Step
+from restitution.explain.steps import Row, Step
 from restitution.explain.text import said
 from restitution.explain.typst import to_markup
 from restitution.language import parse
@@ -106,8 +106,6 @@ def _step(step: Step) -> dict[str, Any]:
         "words": said(step.words),
         "mark": str(step.mark),
         "marks": step.marks,
-        "values": sorted(step.values),
-        "uses": dict(sorted(step.uses.items())),
         "item": step.item,
         "event": step.event,
         "rows": [_row(each) for each in step.rows],
@@ -119,7 +117,6 @@ def _row(row: Row) -> dict[str, Any]:
     return {
         "operands": operands,
         "signs": row.signs,
-        "checked": [value is not None for value in row.values],
         "mark": str(row.mark),
         "note": said(row.note),
     }

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from restitution.explain.derived import explanation_of
-from restitution.explain.steps import Explanation, Step
+from restitution.explain.explanation import Explanation
+from restitution.explain.steps import Step
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
 from restitution.explaining.saying import Sentence, Slot

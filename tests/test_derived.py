@@ -16,12 +16,13 @@ import restitution.examples
 from restitution.errors import StatementError
 from restitution.explain import explain
 from restitution.explain.derived import explanation_of
+from restitution.explain.explanation import Explanation
 from restitution.explain.html import STYLE, to_body, to_html
 from restitution.explain.markup import columns, to_latex, to_markdown
 from restitution.explain.measured import Measures, as_decimal, percentage, rounded, with_unit
 from restitution.explain.naming import Naming
 from restitution.explain.principles import about
-from restitution.explain.steps import Explanation, Step
+from restitution.explain.steps import Step
 from restitution.explain.text import to_text
 from restitution.explain.typst import PREAMBLE, to_markup
 from restitution.explaining.derivation import Derivation

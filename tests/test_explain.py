@@ -1,35 +1,25 @@
-"""Worked solutions: every line is true, every answer is reached, and they read as they should.
-
-That a line is true is checked here by other means than the package's own: plain Python floats,
-and SymPy's own evaluation.
-"""
+"""Worked solutions: nothing fails, every answer is reached, and they read as they should."""
 
 from __future__ import annotations
 
-import math
 import re
 import unicodedata
 from fractions import Fraction
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
-import sympy as sp
 
 from restitution.explain import (
     Explanation,
     PartExplanation,
-    Row,
     explain,
     to_html,
     to_latex,
     to_markdown,
     to_text,
 )
-from restitution.explain.order import blocks, needed
 from restitution.explain.principles import about
 from restitution.language import parse, read
-from restitution.render.text import to_text as one_line
 from restitution.render.text import width
 from restitution.solve import solve
 
@@ -41,25 +31,6 @@ FEW = QUESTIONS[::6]
 
 def told(text: str) -> Explanation:
     return explain(solve(parse(text)))
-
-
-def float_of(value: sp.Expr, numbers: dict[str, float]) -> complex:
-    put = {s: numbers.setdefault(s.name, 0.37) for s in sp.sympify(value).free_symbols}
-    return complex(sp.N(sp.sympify(value).subs(put)))
-
-
-def is_true(row: Row, numbers: dict[str, float]) -> bool:
-    """Checks a line by SymPy's own evaluation, to nine figures."""
-    known = [(v, i) for i, v in enumerate(row.values) if v is not None]
-    for (a, i), (b, k) in pairwise(known):
-        if any(sign != "=" for sign in row.signs[i:k]):
-            continue
-        pairs = zip(a, b, strict=True) if isinstance(a, tuple) else [(a, b)]
-        for x, y in pairs:
-            p, q = float_of(x, numbers), float_of(y, numbers)
-            if abs(p - q) > 1e-9 * (1 + abs(p) + abs(q)):
-                return False
-    return True
 
 
 # --- every line of every example -----------------------------------------------------------------
@@ -81,21 +52,6 @@ def test_nothing_fails_and_no_line_is_left_out(path: Path) -> None:
     assert to_html(explanation).count("<math") == to_html(explanation).count("</math>")
     assert to_latex(explanation).count("{aligned}") % 2 == 0
     assert to_markdown(explanation).count("$$") % 2 == 0
-
-
-@pytest.mark.parametrize("path", EXAMPLES[::7], ids=lambda path: path.stem)
-def test_lines_are_true_by_other_arithmetic(path: Path) -> None:
-    from restitution.explain.route import workings
-
-    solution = solve(read(path))
-    for part in solution.parts.values():
-        for work in workings(solution, part):
-            numbers = {name: float(value) for name, value in work.model.sample.items()}
-            for step in work.steps:
-                for row in step.rows:
-                    assert is_true(row, dict(numbers)), [
-                        one_line(o) for o in row.operands if o is not None
-                    ]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -511,63 +467,6 @@ def test_a_page_is_self_contained() -> None:
     assert "<script" not in page
     assert "prefers-color-scheme: dark" in page
     assert "@media print" in page
-
-
-# --- the order of working -------------------------------------------------------------------------
-
-
-def test_blocks_come_smallest_first() -> None:
-    found = blocks([{"v", "w"}, {"v", "w", "e"}, {"v"}])
-    assert [sorted(block.unknowns) for block in found] == [["v"], ["w"], ["e"]]
-
-
-def test_two_equations_for_two_unknowns_are_one_block() -> None:
-    (block,) = blocks([{"v", "w"}, {"v", "w"}])
-    assert block.equations == (0, 1)
-
-
-def test_only_what_is_needed() -> None:
-    found = blocks([{"a"}, {"b"}, {"a", "c"}])
-    assert [sorted(b.unknowns) for b in needed(found, {"c"})] == [["a"], ["c"]]
-
-
-def test_too_few_equations_give_no_block() -> None:
-    assert blocks([{"v", "w"}]) == []
-
-
-def test_lines_that_the_numbers_contradict_do_not_pass() -> None:
-    from restitution.explain.checking import holds
-    from restitution.explain.phrases import chain
-    from restitution.explain.steps import side
-
-    x = sp.Symbol("x")
-    sample = {"x": sp.Rational(1, 3)}
-
-    def number(value: sp.Expr) -> sp.Expr:
-        return value.xreplace({x: sample["x"]})
-
-    assert holds(chain(side(3 * x), side(sp.Integer(1))), number)
-    assert not holds(chain(side(3 * x), side(sp.Integer(2))), number)
-    assert math.isclose(float(sample["x"]), 1 / 3)
-
-
-def test_a_line_that_is_true_at_the_sample_alone_is_refuted() -> None:
-    from restitution.explain.checking import holds, refuted
-    from restitution.explain.phrases import chain
-    from restitution.explain.route import workings
-    from restitution.explain.steps import side
-
-    text = "wall W: along i\nsphere P: velocity a i - b j\nP hits W: e = 1/3\nfind speed(P)\n"
-    solution = solve(parse(text))
-    (part,) = solution.parts.values()
-    (work,) = workings(solution, part)
-    a, b = (work.model.unknowns.letter(name) for name in "ab")
-    true = chain(side((a + b) ** 2), side(a**2 + 2 * a * b + b**2))
-    ratio = sp.Rational(str(work.model.sample["a"] / work.model.sample["b"]))
-    false = chain(side(a), side(b * ratio))
-    assert holds(true, work.model.number) and holds(false, work.model.number)
-    assert not refuted(true, work.model)
-    assert refuted(false, work.model)
 
 
 # --- LaTeX and HTML -------------------------------------------------------------------------------

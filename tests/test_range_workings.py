@@ -1,124 +1,15 @@
-"""The conditions that the working of a range tells imply the range, and no claim contradicts it."""
+"""The working of a range ends in the range, and no claim beside it contradicts it."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
-import sympy as sp
 
 import restitution
-from restitution import examples
-from restitution.explain import explain, route
-from restitution.explain.checking import related
-from restitution.explain.quantities import evaluated
-from restitution.explain.working import Working
-from restitution.expression import read_expression
-from restitution.expression.evaluate import evaluate
+from restitution.explain import explain
 from restitution.language import parse
-from restitution.oracle import Formula, Relation, compared
-from restitution.problem import Range
-from restitution.solve.solution import ItemResult, Solution
-
-QUESTIONS = Path(__file__).parent / "questions"
-ORDERS = {"<": "<", ">": ">", "≤": "<=", "≥": ">=", "≠": "!="}
-
-
-def statements() -> Iterator[tuple[str, str]]:
-    """Every statement of the corpus that asks for a range."""
-    texts = {path.stem: path.read_text(encoding="utf-8") for path in QUESTIONS.glob("*.impact")}
-    texts |= {name: examples.text(name) for name in examples.names()}
-    for name, text in sorted(texts.items()):
-        if "range of" in text:
-            yield name, text
-
-
-CORPUS = dict(statements())
-
-
-def told(work: Working, upto: int) -> list[Formula]:
-    """The inequalities that stand in a working, in the data alone."""
-    found: list[Formula] = []
-    for step in work.steps:
-        if step.item is not None and step.item > upto:
-            continue
-        for row in step.rows:
-            for left, sign, right in related(row):
-                if sign in ORDERS and not isinstance(left, tuple):
-                    sides = (work.model.in_data(each) for each in (left, right))
-                    one, other = sides
-                    found.append(compared(one, ORDERS[sign], other))
-    return found
-
-
-def bounds(value: sp.Expr, values: sp.Set) -> list[Formula]:
-    """That a value lies in an interval, or in the hull of several."""
-    if isinstance(values, sp.FiniteSet):
-        return [Relation(value - each, "=") for each in values.args] if len(values) == 1 else []
-    pieces = values.args if isinstance(values, sp.Union) else (values,)
-    found: list[Formula] = []
-    first, last = pieces[0], pieces[-1]
-    if first.start.is_infinite is not True:
-        found.append(Relation(value - first.start, ">" if first.left_open else ">="))
-    if last.end.is_infinite is not True:
-        found.append(Relation(last.end - value, ">" if last.right_open else ">="))
-    return found
-
-
-def ranges(solution: Solution) -> Iterator[tuple[Working, ItemResult, int, int]]:
-    """The ranges answered, each with its working, its place in the part and the event."""
-    carried: route.Carried = {}
-    for part in solution.parts.values():
-        if not part.branches:
-            continue
-        works = route.workings(solution, part, carried)
-        route._carry(part.part, works, carried)
-        nows = [now for _, now in solution.problem.asked(part.part)]
-        for index, (item, now) in enumerate(zip(part.items, nows, strict=False)):
-            if isinstance(item.item, Range) and item.error is None:
-                for work in works:
-                    yield work, item, index, now
-
-
-def conditions(work: Working, texts: tuple[str, ...]) -> list[Formula]:
-    """The relations under which an answer holds, read again."""
-    found = []
-    for text in texts:
-        sign = next(each for each in ("<=", ">=", "<", ">") if each in text)
-        sides = [
-            work.model.in_data(evaluate(read_expression(each), work.model.unknowns.letter))
-            for each in text.split(sign)
-        ]
-        found.append(compared(sides[0], sign, sides[1]))
-    return found
-
-
-# An angle against a sum of angles with an arctangent of letters: that is left undecided.
-UNDECIDED = {("093-ranges-when-e-is-not-known", "range of deflection(A)")}
-
-
-@pytest.mark.parametrize("name", CORPUS)
-def test_what_the_working_of_a_range_tells_implies_the_range(name: str) -> None:
-    solution = restitution.solve(parse(CORPUS[name]))
-    for work, item, index, now in ranges(solution):
-        value = evaluated(work, item.item.expression, now)
-        answer = next((a for a in item.answers if a.solution == work.model.branch.number), None)
-        if answer is None:
-            continue
-        facts = [*told(work, index), *conditions(work, answer.condition)]
-        oracle = work.model.ground.with_facts(dict.fromkeys(facts))
-        for bound in bounds(value, answer.value):
-            claim = Relation(work.model.in_data(bound.value), bound.operator)
-            verdict = oracle.decide(claim)
-            expected = "undecided" if (name, item.text) in UNDECIDED else "proved"
-            assert verdict.answer in (expected, "proved"), (item.text, claim, verdict, facts)
-
-
-def test_the_corpus_has_ranges() -> None:
-    assert len(CORPUS) > 80
 
 
 @pytest.mark.parametrize(

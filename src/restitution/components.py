@@ -37,11 +37,9 @@ from restitution.oracle import (
     Some,
     Verdict,
     compared,
-    holds_at,
 )
 from restitution.oracle.roles import ACUTE, DIRECTION, POSITIVE, REAL, Role
-from restitution.problem import Arrival, Find, Impact, Let, Part, Problem, Show, trees
-from restitution.solve.neat import linear_solution
+from restitution.problem import Find, Impact, Let, Part, Problem, Show, trees
 from restitution.solve.numbers import FIELD, at, number_of, plain_sign
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Standing, Story, lets_of
@@ -271,7 +269,6 @@ class Model:
     _made: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(default_factory=dict, repr=False)
     _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
     _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
-    _differing: dict[sp.Expr, bool] = field(default_factory=dict, repr=False)
     _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
     floats: dict[Expression, Any] = field(default_factory=dict, repr=False)
     """What quantities without letters are worth at the sample in floats, as lines are tried."""
@@ -368,27 +365,6 @@ class Model:
         except (UndefinedError, ArithmeticError):
             return False
 
-    def differ(self, left: Any, right: Any) -> bool:
-        """Whether two expressions differ for certain at some of what the solution admits."""
-        gap = self.in_data(left) - self.in_data(right)
-        if not gap.free_symbols:
-            return self._is_not_zero(gap)
-        if self.branch.oracle is None:
-            return False
-        if gap not in self._differing:
-            self._differing[gap] = self._differ(gap)
-        return self._differing[gap]
-
-    def _differ(self, gap: sp.Expr) -> bool:
-        names = frozenset(symbol.name for symbol in gap.free_symbols)
-        try:
-            return any(
-                _may_not_vanish(gap, numbers) and holds_at(Relation(gap, "="), point) is False
-                for point, numbers in self._points(names)
-            )
-        except BeyondError:
-            return False
-
     def _points(self, names: frozenset[str]) -> Sequence[tuple[Point, Mapping[str, Any]]]:
         """Points that the solution admits, with each as numbers of many digits."""
         oracle = self.oracle
@@ -446,10 +422,6 @@ class Model:
         u = self.happening(number).before[body]
         return tidy(component(u, frame.n)), tidy(component(u, frame.t))
 
-    def on_a_chord(self, number: int, body: str) -> bool:
-        """Whether the components before are known from the near end of a chord."""
-        return self._chord(number, body) is not None
-
     def _chord(self, number: int, body: str) -> tuple[sp.Expr, sp.Expr] | None:
         """Components at the far end of a chord of a circular wall: those at its near end.
 
@@ -487,17 +459,6 @@ class Model:
     def after(self, number: int, body: str) -> sp.Expr:
         """The component along the line of centres just after."""
         return self.components[number, body].symbol
-
-    @property
-    def hidden_velocities(self) -> Mapping[str, str]:
-        """The letters for components of velocities that are not given, with the sphere of each."""
-        names = self.unknowns.names
-        keys = {f"u_{body}{axis}": body for body in self.story.spheres for axis in "xy"}
-        return {names[key]: body for key, body in keys.items() if key in names}
-
-    def seeks_line(self, number: int) -> bool:
-        """Whether the direction of the line of centres of an impact is itself an unknown."""
-        return f"k_{number}x" in self.unknowns.names
 
     def spheres(self, number: int) -> list[str]:
         return [name for name in self.happening(number).bodies if name in self.story.spheres]
@@ -545,14 +506,6 @@ class Model:
             return self.ground.vanishes(x)
         except BeyondError:
             return False
-
-    def owner(self, body: str, stage: int) -> Frame | None:
-        """The frame of the latest impact of a body up to a stage."""
-        for number in range(stage, 0, -1):
-            happening = self.story.happenings[number - 1]
-            if body in happening.bodies and not isinstance(happening.step, Arrival):
-                return self.frames.get(number)
-        return None
 
 
 def model(
@@ -849,34 +802,4 @@ def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], 
                 event, impact = latest[body]
                 if impact.along == axis and (event, body) not in found:
                     found[event, body] = step.letter
-    return found
-
-
-def rejected_values(told: Model, values: Mapping[str, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-    """What every unknown would be by values that were rejected: letters, then components."""
-    found: dict[sp.Symbol, sp.Expr] = {}
-    for name, value in values.items():
-        if not name.startswith("_"):
-            found[told.unknowns.letter(name)] = sp.sympify(value, strict=True)
-    for key, name in told.unknowns.names.items():
-        if f"_{key}" in values:
-            for symbol in told.final:
-                if symbol.name == name:
-                    found[symbol] = sp.sympify(values[f"_{key}"], strict=True)
-    for number in sorted(told.frames):
-        if told.frames[number].by_values or told.frames[number].angle is not None:
-            break
-        symbols = [c.symbol for (n, _), c in told.components.items() if n == number]
-        # In letters first: the rejected values may be unwieldy.
-        laws = tuple(law.residual for law in told.laws if law.number == number)
-        solved = linear_solution(laws, tuple(symbols))
-        if solved is None:
-            break
-        found.update(
-            {
-                s: v.xreplace(found)
-                for s, v in zip(symbols, solved, strict=True)
-                if s not in v.free_symbols
-            }
-        )
     return found

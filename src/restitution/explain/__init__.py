@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from restitution.explain.explanation import Explanation
 from restitution.explain.route import explain
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step
+from restitution.explain.steps import PartExplanation, Row, Step
 from restitution.explain.text import to_text
 
 if TYPE_CHECKING:

@@ -1,7 +1,7 @@
 """The working of a part whose places of contact are roots of roots: from the end, in decimals.
 
 Nobody would write such roots down, and each line that puts them in has longer ones. So the places
-are given as they follow from each other, the last first, and the answers as they are.
+are given as they follow from each other, the last first.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ def is_told_backwards(part: PartSolution) -> bool:
     return any(by_nested_roots(branch.values) for branch in part.branches)
 
 
-def steps_backwards(part: PartSolution, answers: tuple[str, ...]) -> tuple[Step, ...]:
-    """Where each contact has to be, the last first; then the answers."""
+def steps_backwards(part: PartSolution) -> tuple[Step, ...]:
+    """Where each contact has to be, the last first."""
     steps: list[Step] = []
     several = len(part.branches) > 1
     for branch in part.branches:
         if several:
             steps.append(_note(say("backwards.solution", number=branch.number)))
         steps += [_note(each) for each in _contacts(branch)]
-    return (*steps, *(_note(say("answer.whole", answer=answer)) for answer in answers))
+    return tuple(steps)
 
 
 def _note(sentence: Sentence) -> Step:

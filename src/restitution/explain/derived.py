@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.explain.bold_letters import Used
 from restitution.explain.ends import Ends
+from restitution.explain.explanation import Explanation
 from restitution.explain.introductions import Introductions
 from restitution.explain.joining import joined
 from restitution.explain.leads import TITLED, Leads
@@ -28,13 +29,13 @@ from restitution.explain.reasons import Reasons
 from restitution.explain.rows import Rows
 from restitution.explain.sources import Sources
 from restitution.explain.staying import Staying
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step
-from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
+from restitution.explain.steps import REQUIRED, PartExplanation, Row, Step
+from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Letter, Quantity, is_zero
-from restitution.problem import Problem
+from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 
@@ -69,7 +70,7 @@ def explanation_of(
         ends = [each for each in derivation.items if each.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
-        parts.append(PartExplanation(label, asked, steps, answers))
+        parts.append(PartExplanation(label, asked, steps, answers, derivation))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
 
 
@@ -188,7 +189,17 @@ class _Writer:
         for note, sentence in self.notes.said(notes):
             self.afresh()
             yield from self._introduced()
-            yield Step("note", sentences=(sentence,), item=self.ends.place_of(note.item))
+            points = tuple(_because(mark) for mark in note.marks)
+            item = self.ends.place_of(note.item)
+            if note.kind == "unwritten" and note.claim is not None:
+                line = Line(0, note.item, Move("answer"), (), note.claim)
+                *rows, last = self.rows.of(line, (), True)
+                shown = isinstance(self.ends.item(note.item), Show)
+                asides = (*last.asides, *REQUIRED) if shown else last.asides
+                last = replace(last, points=points, asides=asides, answer=not shown)
+                yield Step("result", (*rows, last), sentences=(sentence,), item=item)
+            else:
+                yield Step("note", sentences=(sentence,), points=points, item=item)
 
     def _introduced(self) -> Iterator[Step]:
         """What letters stand for that have come into use."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 
 from restitution.draw.svg import to_svg
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explain.steps import PartExplanation, Row, Step, Words, Working
 from restitution.explaining.saying import note, say
 from restitution.render.layout import (
     Brackets,
@@ -82,17 +82,17 @@ _PAGE = (
 )
 
 
-def to_html(explanation: Explanation) -> str:
+def to_html(explanation: Working) -> str:
     """A whole page."""
     return page(explanation.title or str(say("page.title")), _PAGE, to_fragment(explanation))
 
 
-def to_fragment(explanation: Explanation) -> str:
+def to_fragment(explanation: Working) -> str:
     """What stands in a page (or in a notebook), with its style."""
     return f"<style>{STYLE}</style>\n{to_body(explanation)}"
 
 
-def to_body(explanation: Explanation) -> str:
+def to_body(explanation: Working) -> str:
     """The same without its style, for a page that has it already."""
     out = ['<article class="restitution">']
     if explanation.title:

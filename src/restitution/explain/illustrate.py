@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from restitution.errors import RestitutionError
-from restitution.explain.steps import Explanation, PartExplanation, Step
+from restitution.explain.steps import PartExplanation, Step, Working
 from restitution.explaining.saying import say
 from restitution.solve.solver import UNFORESEEN
 
 if TYPE_CHECKING:
     from restitution.draw.scene import Scene
 
+Told = TypeVar("Told", bound=Working)
 
-def illustrated(explanation: Explanation) -> Explanation:
+
+def illustrated(explanation: Told) -> Told:
     """The same with its pictures as steps of their own.
 
     What cannot be drawn is left out; where that is a defect of this package, a warning says so.

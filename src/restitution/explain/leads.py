@@ -278,6 +278,10 @@ class Leads:
                 yield say("flight.add")
             case "formula":
                 yield say("derived.formula")
+            case "solve" if equations:
+                yield say("derived.solve", equations=equations)
+            case "solve":
+                yield say("derived.solve-this")
             case "divide":
                 first, second = equations
                 yield say("derived.divide", first=first, second=second)

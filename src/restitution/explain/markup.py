@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from unicodedata import decomposition
 
 from restitution.explain.html import goes_on
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explain.steps import PartExplanation, Row, Step, Words, Working
 from restitution.explaining.saying import note
 from restitution.render.latex import to_latex as laid_latex
 from restitution.render.layout import Layout, Sum
@@ -76,7 +76,7 @@ _PREAMBLE = r"""\documentclass[11pt,fleqn]{article}
 # --- Markdown -----------------------------------------------------------------------------------
 
 
-def to_markdown(explanation: Explanation) -> str:
+def to_markdown(explanation: Working) -> str:
     """The working as Markdown; mathematics between ``$`` and ``$$``."""
     blocks: list[str] = []
     if explanation.title:
@@ -122,7 +122,7 @@ def _has_math(words: Words) -> bool:
 # --- LaTeX --------------------------------------------------------------------------------------
 
 
-def to_latex(explanation: Explanation, document: bool = True) -> str:
+def to_latex(explanation: Working, document: bool = True) -> str:
     """The working as LaTeX: a whole document, or (``document`` False) what stands in one."""
     blocks: list[str] = []
     if explanation.title:

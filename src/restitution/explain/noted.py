@@ -64,8 +64,11 @@ class Notes:
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":
             return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
+        if first.kind == "unwritten" and first.claim is not None:
+            return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
         if first.kind == "unwritten":
-            return say("note.unwritten", item=items[0], answer=first.reason)
+            name = "note.unwritten-from" if first.premises else "note.unwritten"
+            return say(name, item=items[0], answer=first.reason)
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         name = "note.none-asks" if first.reason.endswith("?") else "note.none"

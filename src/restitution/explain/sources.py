@@ -35,7 +35,9 @@ class Source:
     the line just above is what is put in, or that into which it is.
     """
 
-    kind: Literal["compare", "combine", "add", "divide", "square-add", "put", "formula", "times"]
+    kind: Literal[
+        "compare", "combine", "add", "divide", "square-add", "put", "formula", "times", "solve"
+    ]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
@@ -149,6 +151,8 @@ class Sources:
             # Below an answer it is a new thought, and says where it comes from.
             apart = bool(cited) and (cited[0] != above or above in self._ended)
             return Source("add", tuple(cited)) if apart else None
+        if move == "solve":
+            return Source("solve", () if cited == [above] else tuple(cited))
         if move in _SILENT:
             return None
         if cited and self._splits(line, cited[0]):
@@ -221,7 +225,11 @@ class Sources:
         assert isinstance(line.relation, Relation)
         links = line.relation.options[0]
         into = None if target is None else self._derivation.line(target)
-        if line.move.id == "triangle" and into is not None and isinstance(into.relation, Relation):
+        if (
+            line.move.id in ("triangle", "solve")
+            and into is not None
+            and isinstance(into.relation, Relation)
+        ):
             nodes = {node for tree in trees_of(into.relation) for node in walk(tree)}
             used = [link.left for link in links if link.left in nodes]
             if used:

@@ -6,14 +6,13 @@ How it looks is for the renderers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.marks import Marks, written
 from restitution.explaining.saying import Sentence, Words, say, words_of
-from restitution.render.layout import Layout, as_layout, vector
+from restitution.render.layout import Layout
 
 if TYPE_CHECKING:
     from restitution.draw.scene import Scene
@@ -21,26 +20,20 @@ if TYPE_CHECKING:
 
 StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
 
-Origin = Literal["method", "impact", "part", "item"]
-"""Where a value that is put in was found: at the same impact, an earlier one, in an earlier part,
-or as an earlier answer."""
-
 
 @dataclass(frozen=True)
 class Row:
     """One line of mathematics: a chain of operands with signs between them.
 
-    ``values`` are the operands as SymPy expressions (pairs of them for vectors, None for what is
-    only approximate or is no number), by which the line has been checked. ``operands[0]`` None
-    goes on from the line above. ``points`` are what an examiner would give; ``reasons`` go on
-    from the line as words (*as α is acute*), ``asides`` stand behind it in brackets, as does its
+    ``operands[0]`` None goes on from the line above. ``points`` are what an examiner would give;
+    ``reasons`` go on from the line as words (*as α is acute*), ``asides`` stand behind it in
+    brackets, as does its
     ``number``, by which others name it; a line with ``alternatives`` offers several values, and
     one that is an ``answer`` gives what was asked.
     """
 
     operands: tuple[Layout | None, ...]
     signs: tuple[str, ...]
-    values: tuple[Any, ...] = field(default=(), compare=False, repr=False)
     points: Marks = ()
     asides: tuple[Sentence, ...] = ()
     alternatives: bool = field(default=False, compare=False, repr=False)
@@ -72,10 +65,8 @@ class Row:
 class Step:
     """One step of the working.
 
-    ``title`` names the law used, ``sentences`` stand before the equations, and ``values`` are what
-    is known after the step and was not before, by letter. ``uses`` are values put in that had to
-    be found first, by letter; ``item`` counts the items of the part from 0. The ``event`` is that
-    of a heading or of a picture.
+    ``title`` names the law used, ``sentences`` stand before the equations; ``item`` counts the
+    items of the part from 0. The ``event`` is that of a heading or of a picture.
     """
 
     kind: StepKind
@@ -83,8 +74,6 @@ class Step:
     title: Sentence | None = None
     sentences: tuple[Sentence, ...] = ()
     points: Marks = ()
-    values: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
-    uses: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     item: int | None = field(default=None, compare=False, repr=False)
     event: int | None = field(default=None, compare=False, repr=False)
     picture: Scene | None = None
@@ -120,14 +109,14 @@ class PartExplanation:
 
     ``marks`` is what the part is worth, ``item_marks`` what each item adds to it: what several
     items rest on counts with the first of them. ``derivation`` is the working of the whole
-    question as data, of which the steps are the part's own lines; None where there is none.
+    question as data, of which the steps are the part's own lines.
     """
 
     label: str | None
     asked: tuple[str, ...]
     steps: tuple[Step, ...]
-    answers: tuple[str, ...] = ()
-    derivation: Derivation | None = field(default=None, compare=False, repr=False)
+    answers: tuple[str, ...]
+    derivation: Derivation = field(compare=False, repr=False)
 
     @property
     def marks(self) -> int:
@@ -144,12 +133,11 @@ class PartExplanation:
 
 
 @dataclass(frozen=True)
-class Explanation:
-    """A whole worked solution, and what it explains. It shows itself in a terminal and in Jupyter.
+class Working:
+    """A whole worked solution as data, and what it explains.
 
     Pictures are not among its steps until ``illustrated`` puts them there. ``followed`` tells
-    whether its derivations were followed exactly; None where that was not asked, or where no part
-    has a derivation.
+    whether its lines were followed exactly; None where that was not asked.
     """
 
     title: str | None
@@ -167,67 +155,8 @@ class Explanation:
         """Every line of mathematics, in order."""
         return tuple(row for part in self.parts for step in part.steps for row in step.rows)
 
-    def __str__(self) -> str:
-        from restitution.explain.text import to_text
-
-        return to_text(self)
-
-    __repr__ = __str__
-
-    def _repr_html_(self) -> str:
-        from restitution.explain.html import to_fragment
-        from restitution.explain.illustrate import illustrated
-
-        return to_fragment(illustrated(self))
-
-    def _repr_markdown_(self) -> str:
-        from restitution.explain.illustrate import illustrated
-        from restitution.explain.markup import to_markdown
-
-        return to_markdown(illustrated(self))
-
-    def _repr_latex_(self) -> str:
-        from restitution.explain.markup import to_latex
-
-        return to_latex(self, document=False)
-
-
-@dataclass(frozen=True)
-class Side:
-    """One operand on its way into a row: how it looks and what it is worth."""
-
-    layout: Layout
-    value: Any
-
-
-def side(value: Any, layout: Any = None) -> Side:
-    """An operand; without a layout of its own it looks like its value."""
-    if isinstance(value, Side):
-        return value
-    if layout is None and isinstance(value, tuple):
-        return Side(vector(value[0], value[1]), value)
-    return Side(as_layout(value if layout is None else layout), value)
-
 
 REQUIRED = (say("shown.required"),)
 """Behind the line of a printed result."""
 
-
-def shown(layout: Any) -> Side:
-    """An operand that is only shown, and not checked (a rounded value, words)."""
-    return Side(as_layout(layout), None)
-
-
-__all__ = [
-    "REQUIRED",
-    "Explanation",
-    "Origin",
-    "PartExplanation",
-    "Row",
-    "Side",
-    "Step",
-    "StepKind",
-    "Words",
-    "shown",
-    "side",
-]
+__all__ = ["REQUIRED", "PartExplanation", "Row", "Step", "StepKind", "Words", "Working"]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from string import ascii_letters, digits
 
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explain.steps import PartExplanation, Row, Step, Words, Working
 from restitution.explaining.saying import note
 from restitution.render.layout import Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Upright
@@ -33,7 +33,7 @@ class _Line:
     strong: bool = False
 
 
-def to_text(explanation: Explanation, width: int = 80, styled: bool = False) -> str:
+def to_text(explanation: Working, width: int = 80, styled: bool = False) -> str:
     """The whole working as Unicode text, at most ``width`` columns wide where that can be.
 
     With ``styled``, for a terminal: headings and vectors in bold type, by ANSI sequences, where

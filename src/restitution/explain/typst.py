@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.draw.svg import to_svg
 from restitution.explain.html import goes_on, lines
-from restitution.explain.steps import Explanation, PartExplanation, Row, Step, Words
+from restitution.explain.steps import PartExplanation, Row, Step, Words, Working
 from restitution.explaining.saying import note
 from restitution.render.layout import Layout
 from restitution.render.layout import Words as Said
@@ -40,7 +40,7 @@ PREAMBLE = """
 """
 
 
-def to_markup(explanation: Explanation) -> str:
+def to_markup(explanation: Working) -> str:
     """The working as Typst markup, to stand in a document that begins with ``PREAMBLE``."""
     blocks: list[str] = []
     for part in explanation.parts:

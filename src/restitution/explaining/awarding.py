@@ -124,6 +124,7 @@ RULES: tuple[Rule, ...] = (
     _rule("solved-together", ("combine", "put"), "M", when=("of-laws", "first"), caie=""),
     _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
+    _rule("unknowns-of-equations", ("solve",), "M A"),
     _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
     _rule("identity", ("identity",), "M", when=("on-the-way",)),
     _rule("square-root", ("roots",), "", when=("opposite",)),
@@ -175,6 +176,9 @@ RULES: tuple[Rule, ...] = (
 )
 """The table. A line that no rule fits earns nothing by itself."""
 
+# A method that is not written out, and its answer.
+_UNSEEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))
+
 
 def awarded(
     derivation: Derivation, style: Style = "fm1", justify: Collection[str] = ()
@@ -185,11 +189,19 @@ def awarded(
     of its own. Marks that stood on the lines before are gone.
     """
     if style == "none":
-        return replace(derivation, lines=tuple(replace(e, marks=()) for e in derivation.lines))
+        return replace(
+            derivation,
+            lines=tuple(replace(each, marks=()) for each in derivation.lines),
+            notes=tuple(replace(each, marks=()) for each in derivation.notes),
+        )
     proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
     return replace(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
+        notes=tuple(
+            replace(each, marks=_UNSEEN if each.kind == "unwritten" else ())
+            for each in derivation.notes
+        ),
     )
 
 
@@ -208,6 +220,8 @@ def marks_of(derivation: Derivation) -> dict[str | None, int]:
     for line in derivation.lines:
         label = part.get(line.item or "")
         total[label] = total.get(label, 0) + sum(mark.number for mark in line.marks)
+    for note in derivation.notes:
+        total[note.part] = total.get(note.part, 0) + sum(mark.number for mark in note.marks)
     return total
 
 

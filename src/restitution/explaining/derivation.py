@@ -30,6 +30,7 @@ MoveId = Literal[
     "combine",
     "divide",
     "square-add",
+    "solve",
     "identity",
     "triangle",
     "roots",
@@ -166,7 +167,8 @@ class Note:
     ``premises`` are lines, facts and what is known of letters: they cannot all hold. Of a claim
     that is refuted they cannot hold together with the ``claim``, where letters have the values in
     ``instance``; ``sides`` are what its sides are there. ``reason`` is in the solver's words.
-    ``place`` counts the items of the question from 0, in the order asked.
+    ``place`` counts the items of the question from 0, in the order asked. One that is
+    ``unwritten`` has its answer as the reason, and the last lines that stand.
     """
 
     item: str
@@ -178,6 +180,7 @@ class Note:
     claim: Relation | None = None
     instance: tuple[Link, ...] = ()
     sides: tuple[Link, ...] = ()
+    marks: Marks = ()
 
     @property
     def lines(self) -> tuple[int, ...]:

@@ -722,7 +722,7 @@ class _Reader:
             for ref in note.premises:
                 used.setdefault(note.part, set()).update(self._under(ref))
         # Where an item has no working, the facts that it would use may stand idle.
-        idle = {note.part for note in self.derivation.notes if not note.premises}
+        idle = {e.part for e in self.derivation.notes if not e.premises or e.kind == "unwritten"}
         every = set().union(*used.values()) if used else set()
         for fact in self.derivation.facts:
             if fact.kind != "given" or fact.id in self.redundant:
@@ -792,6 +792,12 @@ def _same(line: Relation, answer: Relation) -> bool:
     """Whether a line says an answer: the last link of a chain does, with the first subject."""
     if said(line) == said(answer):
         return True
+    subject = answer.options[0][0].left
+    if all(subject in {each.left for each in links} for links in line.options):
+        # Of several unknowns one is what was asked.
+        own = (tuple(each for each in links if each.left == subject) for links in line.options)
+        if said(Relation(tuple(dict.fromkeys(own)))) == said(answer):
+            return True
     if len(line.options) != 1 or len(line.only) < 2:
         return False
     links = line.only

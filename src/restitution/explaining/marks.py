@@ -37,10 +37,6 @@ Style = Literal["fm1", "m4", "caie", "none"]
 """Whose habits marks follow: Further Mechanics 1, the older M4, Cambridge; or no marks at all."""
 STYLES: tuple[Style, ...] = get_args(Style)
 
-M1, A1, B1 = Mark("M"), Mark("A"), Mark("B")
-DM1 = Mark("M", dependent=True)
-A1_STAR = Mark("A", star=True)
-
 
 def written(marks: Sequence[Mark]) -> str:
     """Marks as they stand beside a line: ``M1 A1ft``."""

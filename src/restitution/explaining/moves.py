@@ -27,6 +27,7 @@ from restitution.explaining.derivation import Event, Link, Meaning, MoveId, Rela
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
+from restitution.explaining.solving import solves
 from restitution.explaining.step import Cited, Step, alike
 from restitution.expression.tree import (
     Apply,
@@ -1372,6 +1373,7 @@ _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
     "reject": _reject,
     "sign": _sign,
     "compare": _sign,
+    "solve": solves,
     "monotone": _monotone,
     "complete": _complete,
     "inverse": _inverse,

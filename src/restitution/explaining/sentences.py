@@ -28,14 +28,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "ordinal.8": "eighth",
     "so": "So",
     "again": " again",
-    "quoted": "“{text}”",
     "page.title": "Worked solution",
     "page.note": "Note: {warning}",
     # --- events, and the headings of their working ------------------------------------------------
     "heading.impact": "{order:capital} impact: {first} hits {second}",
     "heading.impact-number": "Impact {number}: {first} hits {second}",
     "heading.case": "If {values:and}:",
-    "heading.solution": "Solution {number}",
     "event.only": "the impact",
     "event.impact": "the {order} impact",
     "event.impact-number": "impact {number}",
@@ -159,11 +157,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
-    "offset.path": "The line of centres makes an angle {angle} with the path of {body}, where",
-    "offset.relative-path": (
-        "The line of centres makes an angle {angle} with the path of {body} relative to {other}, "
-        "where"
-    ),
     "offset.vector": (
         "At the impact the centres are two radii apart, of which the offset is across the path:"
     ),
@@ -173,10 +166,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "between the path and the line of centres is offset/(2r)."
     ),
     "offset.mistakes": ("Usual mistakes: one radius in place of two, and cosine for sine."),
-    "chord.components": (
-        "A chord of the circle makes equal angles with the radii at its ends, so {body} comes to "
-        "{wall} with the components {towards} towards it and {along} along it."
-    ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
     "chord.time": "Time = length of the chord ÷ speed",
     "chord.why": (
@@ -189,14 +178,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: the angle taken with the tangent at one end and with the radius at the "
         "other, and the speed before the impact for the chord after it."
     ),
-    "impulse-line.parallel": (
-        "The impulse on {body} acts along the line of centres, and is parallel to {impulse}. So "
-        "the line of centres is parallel to {way}."
-    ),
-    "impulse-line.change": (
-        "The impulse on {body} acts along the line of centres, and so does the change of its "
-        "velocity:"
-    ),
     "impulse-line.why": (
         "The spheres are smooth, so each pushes the other along the line through their centres. "
         "The impulse is mass × change of velocity; so the change in one sphere's velocity "
@@ -205,40 +186,18 @@ SENTENCES: Mapping[SentenceId, str] = {
     "impulse-line.mistakes": (
         "Usual mistake: taking the direction of a velocity instead of that of the change."
     ),
-    "impulse-normal.parallel": (
-        "The impulse on {body} acts perpendicular to {wall}, and is parallel to {impulse}. So "
-        "{wall} is parallel to {way}."
-    ),
-    "impulse-normal.change": (
-        "The impulse on {body} acts perpendicular to {wall}, and so does the change of its "
-        "velocity:"
-    ),
     "impulse-normal.why": (
         "A smooth wall pushes only perpendicular to itself. The impulse is mass × change of "
         "velocity; so the change of the velocity is perpendicular to the wall, and tells how "
         "the wall runs."
     ),
     "impulse-normal.mistakes": ("Usual mistake: taking the change to be parallel to the wall."),
-    "joins-centres.places": "The line of centres joins the centres at the impact:",
-    "joins-centres.why": (
-        "When two spheres touch, the line through their centres is the common normal, and the "
-        "impulses act along it. It is found from where the centres are at that moment, and not "
-        "from where they were at the start."
-    ),
-    "moves-off.line": (
-        "{body} was at rest, and the impulse on it acts along the line of centres: it moves off "
-        "along it. The line of centres is parallel to {way}."
-    ),
     "moves-off.why": (
         "Whatever momentum a sphere at rest receives comes from the impulse, and the impulse "
         "acts along the line of centres. So that is the way in which it moves off."
     ),
     "moves-off.mistakes": (
         "Usual mistake: sending it off in the direction in which the other sphere came."
-    ),
-    "loss-spheres.unchanged": (
-        "The components perpendicular to the line of centres do not change, and lose no kinetic "
-        "energy:"
     ),
     "loss-spheres.why": (
         "Kinetic energy is ½m × (sum of the squares of the components). Those across the line "
@@ -249,9 +208,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "in place of the difference of squares. For a fraction of the original energy, divide by "
         "all of it."
     ),
-    "loss-wall.unchanged": (
-        "The components parallel to {wall} do not change, and lose no kinetic energy:"
-    ),
     "loss-wall.why": (
         "Kinetic energy is ½m × (sum of the squares of the components). The one along the wall "
         "stays, so what is lost comes from the perpendicular one alone: ½m × (its square before "
@@ -261,14 +217,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistake: ½m(v − u)², the square of a difference in place of the difference of "
         "squares. For a fraction of the original energy, divide by all of it."
     ),
-    "turned-wall.angles": (
-        "{body} is turned through the angle that its path makes with {wall} before and the angle "
-        "that it makes after:"
-    ),
-    "turned-wall.sum": (
-        "{body} is turned through the sum of the angles that its path makes with {wall} before "
-        "and after:"
-    ),
     "turned-wall.why": (
         "The angle of deflection lies between the direction before, continued, and the "
         "direction after. The path comes in at one angle to the wall and leaves at another on "
@@ -276,13 +224,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "turned-wall.mistakes": (
         "Usual mistake: giving the angle of rebound alone, or the difference of the two."
-    ),
-    "turned.between": (
-        "The angle of deflection of {body} is the angle between its velocities before and after:"
-    ),
-    "turned.difference": (
-        "The angle of deflection of {body} is the difference of the angles that its velocities "
-        "make with the line of centres:"
     ),
     "turned.why": (
         "The angle of deflection lies between the direction before, continued, and the "
@@ -293,32 +234,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistake: giving the angle of the new path to the line of centres, which is only a "
         "part of it."
     ),
-    "collide-again.if": (
-        "{one} and {other} collide again if {first} gains on {second} along the line of centres:"
-    ),
-    "collide-again.unless": (
-        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
-        "line of centres:"
-    ),
-    "collide-again.why": (
-        "After an impact the spheres separate. They meet again only if the one behind, after "
-        "what happened in between, moves faster along the line than the one in front: it is "
-        "velocities with their signs that are compared, and not speeds."
-    ),
-    "coefficient.range": "A coefficient of restitution lies between 0 and 1:",
-    "coefficient.letter": (
-        "A coefficient of restitution lies between 0 and 1, so {letter} has to:"
-    ),
-    "coefficient.why": (
-        "Spheres separate no faster than they approached, as no energy is gained: e is at most "
-        "1. They do not pass through each other: e is at least 0. A value outside means that "
-        "what is told cannot happen; where letters are left, it bounds them."
-    ),
-    "flight.straight": "{body} moves a distance {distance} at speed {speed}:",
-    "flight.to-wall": (
-        "{body} moves a distance {distance} perpendicular to {wall} at speed {speed}:"
-    ),
-    "flight.axis": "{body} moves a distance {distance} parallel to {axis} at speed {speed}:",
     "flight.why": (
         "Between impacts nothing acts on a sphere on a smooth table, so its velocity stays the "
         "same: distance = speed × time, for each component by itself."
@@ -327,14 +242,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistake: the whole speed with a distance that is measured in the direction of one "
         "component."
     ),
-    "gap.closes": "The gap between {one} and {other} is {gap} and closes at {speed}:",
-    "gap.why": (
-        "Two bodies that move along one line come together at the difference of their "
-        "velocities: time = gap ÷ speed of approach. Velocities count with their signs; for "
-        "bodies that move towards each other the speeds are added."
-    ),
     # --- letters and axes -------------------------------------------------------------------------
-    "let.velocity": "Let {letters} be the velocity of {body} before the impact.",
     "let.component": (
         "Let {letter} be the component of the velocity of {body} in the direction of {axis} "
         "after the impact."
@@ -367,45 +275,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
         "centres, in the direction at {axis} to {unit}, after the impact."
     ),
-    "let.line-angle": "Let the angle that the line of centres makes with {axis} be {angle}.",
-    "let.wall-angle": "Let the angle that {wall} makes with {axis} be {angle}.",
-    "resolve.known": "Resolve the velocity of {body} parallel and perpendicular to {wall}.",
-    "resolve.let": (
-        "Resolve parallel and perpendicular to {wall}. Let {letter} be the component of the "
-        "velocity of {body} perpendicular to {wall}, away from it, after the impact."
-    ),
-    "operand.along": "{body} along",
-    "operand.across": "{body} across",
-    "operand.towards": "towards {wall}",
-    "operand.parallel": "parallel to {wall}",
-    "operand.change": "change of velocity of {body}",
-    # --- the line of centres, and walls -----------------------------------------------------------
-    "line.axis": "The line of centres is parallel to {axis}.",
-    "line.angle": "The line of centres makes the angle {angle} with {axis}.",
-    "line.direction": "The line of centres is in the direction of {way}.",
-    "line.so": "So the line of centres is parallel to {way}.",
-    "line.offset": (
-        "{body} was at rest, and moves off along the line of centres. This makes an angle {angle} "
-        "with the path of the other sphere, where {sine}."
-    ),
-    "line.radius": (
-        "The impulse acts along the radius of {wall} through the point of impact, in the "
-        "direction of {way}."
-    ),
-    "line.wall": "So {wall} is perpendicular to {normal}, and parallel to {way}.",
-    "line.together": (
-        "The principles and all that is given, taken together, are satisfied if the line of "
-        "centres is parallel to {way}."
-    ),
-    "line.wall-together": (
-        "The principles and all that is given, taken together, are satisfied if {wall} is "
-        "parallel to {way}."
-    ),
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
-    "given.tangents": "It is given that {fact}, so the tangents are equal:",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
     ),
@@ -413,30 +286,15 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
     "given.product": "It is given that {fact}, so the scalar product is zero:",
-    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
-    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
-    "given.line": "It is given that {fact}. So the line of centres is parallel to {way}.",
-    "given.wall": "It is given that {fact}. So {wall} is parallel to {way}.",
-    "given.rest": "{body} is at rest:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",
-    "given.velocity": "By the speed and the direction of {body} after the impact,",
-    "given.velocity-kick": "By the speed and the direction of {body} after the impulse,",
     # --- equations solved -------------------------------------------------------------------------
     "carried.part": "From part ({label}):",
     "carried.above": "From above:",
-    "solve.pair": "Solving simultaneously:",
-    "solve.together": "Solving these together:",
-    "solve.stated": "The equations together give",
-    "rejected.reason": "{case} is rejected: {reason}",
-    "rejected.coefficient": "{case} is rejected: it leads to {coefficient}, and {reason}",
     # --- places and times -------------------------------------------------------------------------
-    "circle.time": (
-        "{body} is at the distance {radius} from the centre of {wall} after a time {letter} with"
-    ),
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
@@ -449,27 +307,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "contact.wall": "{body} is then on the line of {wall}:",
     "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
-    "circle.again": (
-        "{body} is at the distance {radius} from the centre of {wall} again after a time {letter} "
-        "with"
-    ),
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
-    "aim.velocity": (
-        "{body} has to go from {start} to {target}, in the direction of its velocity:"
-    ),
-    "aim.unless": "{reason:capital} unless",
-    "aim.chords": (
-        "The three chords form a triangle, and each makes equal angles with the radii at its "
-        "ends. So these three angles add up to 90°. Their tangents are {tangents:and}, so"
-    ),
-    # --- angles between velocities ----------------------------------------------------------------
-    "product.is": "The scalar product is",
-    "product.zero": "The scalar product is zero:",
-    "product.velocities": "The scalar product of the velocities before and after is zero:",
-    "motion.reversed": "The motion of {body} is reversed:",
-    "motion.same": "{body} goes on in the same direction:",
-    "motion.back": "{body} comes straight back:",
-    "motion.across": "{body} moves off perpendicular to the line of centres:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
     "condition.else": "This must hold, as otherwise {reason}:",
     "condition.positive": "{quantity} has to be positive:",
@@ -515,37 +353,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "extremum.with": "With {letter} = {value}:",
     "extremum.stationary": "for a stationary value",
     "extremum.tends": "which is approached towards {place}, but not reached",
-    "extremum.approached": "approached, but not reached",
-    "extremum.size": "A speed is a size: it falls to 0, then grows again.",
-    "extremum.end-maximum": "The maximum is at an end of the range of {letter}:",
-    "extremum.end-minimum": "The minimum is at an end of the range of {letter}:",
-    "extremum.when": "when {place}",
-    "slope.positive": "This is positive, so {quantity} increases with {letter}.",
-    "slope.negative": "This is negative, so {quantity} decreases with {letter}.",
-    "slope.positive-maximum": (
-        "This is positive, so {quantity} increases with {letter}, and the maximum belongs to the "
-        "greatest value, {letter} = {end}."
-    ),
-    "slope.positive-minimum": (
-        "This is positive, so {quantity} increases with {letter}, and the minimum belongs to the "
-        "least value, {letter} = {end}."
-    ),
-    "slope.negative-maximum": (
-        "This is negative, so {quantity} decreases with {letter}, and the maximum belongs to the "
-        "least value, {letter} = {end}."
-    ),
-    "slope.negative-minimum": (
-        "This is negative, so {quantity} decreases with {letter}, and the minimum belongs to the "
-        "greatest value, {letter} = {end}."
-    ),
     # --- results that are shown, or are false -----------------------------------------------------
     "shown.required": "as required",
     "shown.figures": "to {figures} significant figures",
     "shown.claim": "So {claim}, as required.",
     "claim.perpendicular": "{left} is perpendicular to {right}",
     "claim.parallel": "{left} is parallel to {right}",
-    "claim.same-direction": "{left} is in the direction of {right}",
-    "claim.opposite": "{left} is opposite to {right}",
     "claim.not-perpendicular": "{left} is not perpendicular to {right}",
     "claim.not-parallel": "{left} is not parallel to {right}",
     "claim.not-same-direction": "{left} is not in the direction of {right}",
@@ -561,9 +374,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "claim.will-not-hit": "{body} will not hit {wall}{again}",
     "refuted.rest": "{body} is not at rest: {velocity}.",
     "refuted.direction": "{claim}.",
-    "refuted.direction-general": "{claim} in general.",
-    "refuted.direction-as": "{claim}: {ways:and}.",
-    "refuted.direction-general-as": "{claim} in general: {ways:and}.",
     "refuted.direction-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}."
     ),
@@ -583,29 +393,16 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.instance": (
         "It is not true in general that {claim}: it fails, for instance, with {values:and}."
     ),
-    "refuted.meeting": (
-        "It is not true in general that {claim}, as {velocities:and}: with {values:and}, for "
-        "instance, {opposite}."
-    ),
-    "refuted.they-do": "they do",
-    "refuted.they-do-not": "they do not",
-    "refuted.it-does": "it does",
-    "refuted.it-does-not": "it does not",
-    "refuted.collide": "{one} and {other} do not collide{again}, as {velocities:and}.",
-    "refuted.not-collide": "{one} and {other} do collide{again}, as {velocities:and}.",
-    "refuted.hit": "{body} does not hit {wall}{again}, as {velocities:and}.",
-    "refuted.not-hit": "{body} does hit {wall}{again}, as {velocities:and}.",
-    "refuted.false": "{item} is false: {truths:comma}.",
-    "refuted.reached": "{value} is reached",
-    "refuted.approached": "{value} is approached, but not reached",
     "undecided.claim": (
         "It is not decided whether {claim}. It fails at none of the values of the letters that "
         "were tried, but that proves nothing."
     ),
     # --- answers ----------------------------------------------------------------------------------
-    "answer.none": "{item}: no answer, as {reason}.",
     "note.none": "{items:and}: no answer, as {reason}.",
-    "note.unwritten": "{item}: {answer}. No working of this is written here.",
+    "note.unwritten": "{item}: {answer}. The working of this is not written out.",
+    "note.unwritten-line": "The working of this is not written out:",
+    "note.unwritten-line-from": "The steps from here are not written out:",
+    "note.unwritten-from": "{item}: {answer}. The steps from here are not written out.",
     "note.none-either": "{items:and}: no answer either.",
     "note.none-asks": "{items:and}: no answer, as {reason}",
     "note.none-data-above-one": (
@@ -632,7 +429,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "answer.shown": "shown",
     "answer.false": "false",
     "answer.value": "{item} = {values:or}",
-    "answer.whole": "{answer}.",
     # --- a working from its end -------------------------------------------------------------------
     "backwards.solution": "Solution {number}.",
     "backwards.wall": "For what follows, {first} has to strike {second}.",
@@ -711,6 +507,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.add": "From {equations:and}:",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
+    "derived.solve": "Solving {equations:and}:",
+    "derived.solve-this": "Solving this equation:",
     "derived.formula": "By the formula for the roots of a quadratic:",
     "derived.put": "Substituting for {letters:and}:",
     "derived.put-in": "Substituting for {letters:and} in {equation}:",
@@ -861,7 +659,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "masses are."
     ),
     # --- what is amiss ----------------------------------------------------------------------------
-    "amiss.line": "a line of the working was left out: {line}",
     "amiss.complaint": "the working does not follow: {complaint}",
     "amiss.pictures": "the pictures could not be drawn, by a fault of the program",
     # --- what a mark is given for -----------------------------------------------------------------

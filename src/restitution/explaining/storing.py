@@ -159,6 +159,7 @@ def _note(note: Note, vectors: frozenset[str]) -> dict[str, Any]:
         "claim": None if note.claim is None else _told(note.claim, vectors),
         "instance": [_told(_alone(each), vectors) for each in note.instance],
         "sides": [_told(_alone(each), vectors) for each in note.sides],
+        "marks": [_mark(each) for each in note.marks],
     }
 
 
@@ -291,6 +292,7 @@ class _Reading:
             None if claim is None else read_relation(claim["text"], self.names),
             tuple(self._link(each) for each in value["instance"]),
             tuple(self._link(each) for each in value["sides"]),
+            tuple(self._mark(each) for each in value.get("marks", ())),
         )
 
     def _link(self, value: Mapping[str, Any]) -> Link:

@@ -12,7 +12,15 @@ import sympy as sp
 
 from restitution.errors import StatementError
 from restitution.explaining.algebra import NotComparableError
-from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    whole_of,
+)
 from restitution.explaining.moves import follows
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.step import Cited, Known, Setting, Step
@@ -178,6 +186,7 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
         for line in derivation.lines
         if isinstance(line.relation, Relation)
         and len(line.relation.options) == 1
+        and whole_of(line.relation.only) is not None
         and line.relation.only[0].sign == "="
         and isinstance(line.relation.only[0].left, Letter)
         and line.relation.only[0].left.name in derivation.meanings

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from html import escape as escape_html
 from typing import Any, Literal
 
-from restitution.explain.refuting import instances
+from restitution.explain.instances import instances
 from restitution.export.units import Units
 from restitution.problem import Value
 from restitution.render.latex import escape as escape_latex

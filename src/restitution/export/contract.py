@@ -29,7 +29,7 @@ draws, each with its place; ``fixes`` are cures, ``{"label", "edits"}``, and an 
 
 Where the working is asked for as well, each part has a ``derivation``: its working as
 `restitution.explaining.storing` writes it, with the lines of earlier parts on which it rests; null
-where it has none.
+where the working could not be made.
 
 Nothing here loads SymPy: what is asked for in an unreadable or unfinished file can be said without
 it.
@@ -49,7 +49,7 @@ from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
-    from restitution.explain.steps import Explanation
+    from restitution.explain.explanation import Explanation
     from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
 
 Object = dict[str, Any]
@@ -78,15 +78,11 @@ def solved(file: str, solution: Solution, label: str | None = None) -> Object:
 
 
 def derivations(explanation: Explanation) -> dict[str | None, Object]:
-    """The derivations of the parts that have one, by label."""
+    """The derivations of the parts, by label."""
     from restitution.explaining.derivation import of_part
     from restitution.explaining.storing import to_json as stored
 
-    return {
-        part.label: stored(of_part(part.derivation, part.label))
-        for part in explanation.parts
-        if part.derivation is not None
-    }
+    return {part.label: stored(of_part(part.derivation, part.label)) for part in explanation.parts}
 
 
 def with_derivations(content: Object, told: Mapping[str | None, Object] | None = None) -> Object:

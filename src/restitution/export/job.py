@@ -22,7 +22,7 @@ from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
-    from restitution.explain.steps import Explanation
+    from restitution.explain.explanation import Explanation
     from restitution.explaining.marks import Style
     from restitution.export.sheet import Form, Options
     from restitution.export.trace import Stage
@@ -348,14 +348,13 @@ def _explained(
     if not task.check:
         return _Explained(made)
     return _Explained(
-        made, notes=(_FOLLOWED[explanation.followed],), sound=explanation.followed is True
+        made, notes=(_FOLLOWED[bool(explanation.followed)],), sound=explanation.followed is True
     )
 
 
 _FOLLOWED = {
     True: "every line of the working was followed exactly",
     False: "a line of the working could not be followed",
-    None: "not followed: no part of this working has a derivation",
 }
 
 

@@ -61,7 +61,6 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     Raises RestitutionError where the problem cannot be worded or explained.
     """
     from restitution.explain import explain, illustrated
-    from restitution.explain.marks import in_style
     from restitution.wording import question
 
     explanation = explain(solution, marks="fm1" if options.marks == "none" else options.marks)
@@ -69,7 +68,7 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     asked = replace(question(solution.problem, marks=marks), title=None)
     rooms = [_room(part, options) for part in asked.parts]
     if options.marks == "none":
-        explanation = in_style(explanation, "none")
+        explanation = explanation.without_marks()
         asked = replace(asked, parts=tuple(replace(each, marks=None) for each in asked.parts))
     explained = replace(explanation, title=None)
     if options.diagrams and options.solutions:

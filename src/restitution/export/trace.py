@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any, Literal, TypeAlias, get_args
 
-from restitution.errors import UnsupportedError
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
 from restitution.problem import Part, Problem
@@ -142,13 +141,9 @@ def _demand(demand: Equation | Condition | AnyOf) -> str:
 def _derivation(problem: Problem) -> Iterator[str]:
     from restitution.explaining.derivation import Meaning
     from restitution.explaining.notation import write_meaning, write_relation
-    from restitution.planning.desk import NotPlannedError
     from restitution.planning.planner import plan
 
-    try:
-        derivation = plan(solve(problem))
-    except NotPlannedError as error:
-        raise UnsupportedError(f"this question has no derivation: {error}") from error
+    derivation = plan(solve(problem), partial=True)
     for fact in derivation.facts:
         part = f", part {fact.part}" if fact.part is not None else ""
         yield f"{fact.id}: {write_relation(fact.relation)}   ({fact.kind}{part})"
@@ -164,3 +159,5 @@ def _derivation(problem: Problem) -> Iterator[str]:
         yield f"{line.number}. {written}   [{by}{f'; from {premises}' if premises else ''}]"
     for end in derivation.items:
         yield f"{end.item}: {write_relation(end.answer)}   (line {end.line})"
+    for note in derivation.notes:
+        yield f"{note.item}: {note.reason}   ({note.kind})"

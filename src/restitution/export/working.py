@@ -16,10 +16,11 @@ from restitution.draw import figure
 from restitution.draw.svg import to_svg
 from restitution.errors import RestitutionError, TimeLimitError
 from restitution.explain import explain, to_latex
+from restitution.explain.explanation import Explanation
 from restitution.explain.html import said, table_rows
+from restitution.explain.instances import instances
 from restitution.explain.principles import about
-from restitution.explain.refuting import instances
-from restitution.explain.steps import Explanation, Row, Step
+from restitution.explain.steps import Row, Step
 from restitution.export.answers import condition_of, is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution

@@ -12,12 +12,19 @@ from restitution.planning.desk import Desk, NotPlannedError
 def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
     """One desk of several that went on from the same: what is common stands once.
 
+    Where all are alike, that is the one.
     Raises NotPlannedError where the solutions do not part at lines of alternatives.
     """
+    if all(_same(draft, drafts[0]) for draft in drafts):
+        return drafts[0]
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:
         desk.forget(min(each[0] for draft in drafts for each in draft.splits[:1]))
     return desk
+
+
+def _same(one: Desk, other: Desk) -> bool:
+    return (one.lines, one.ends, one.notes) == (other.lines, other.ends, other.notes)
 
 
 def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:

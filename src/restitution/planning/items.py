@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.derivation import Fact, Meaning, Move
+from restitution.explaining.derivation import Fact, Meaning, Move, Relation
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -45,7 +45,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     if placed:
         solver.determine(journeys.goals(scene, asked))
     else:
-        _determine(scene, solver, asked)
+        determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     match asked:
@@ -61,10 +61,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
                 raise NotPlannedError(f"{letter} is open")
             (line,) = (each for each in known.refs if isinstance(each, int))
             line = _closed(scene, asked, line, known.value)
-            relation = scene.desk.relation(line)
-            if len(relation.options) == 1:
-                relation = chain(asked, (_right(scene, line), None))
-            scene.desk.end(name, line, relation)
+            scene.desk.end(name, line, _as_solved(scene, asked, line))
         case _ if placed:
             line, value = journeys.write(scene, asked)
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
@@ -250,7 +247,10 @@ def _letter(scene: Scene, asked: Expression, letter: sp.Symbol, name: str) -> No
         # The axis of a working points as it was typed, the line of centres to the second sphere.
         raise NotPlannedError("a component against the line of centres")
     (line,) = (each for each in known.refs if isinstance(each, int))
-    scene.desk.end(name, line, chain(tree, (_right(scene, line), None)))
+    relation = _as_solved(scene, tree, line)
+    if len(relation.options) > 1:
+        raise NotPlannedError("an answer that is one of several")
+    scene.desk.end(name, line, relation)
 
 
 def _right(scene: Scene, line: int) -> Expression:
@@ -259,31 +259,42 @@ def _right(scene: Scene, line: int) -> Expression:
     return scene.desk.last_link(line).right
 
 
-def _determine(scene: Scene, solver: Solver, asked: Expression) -> None:
+def _as_solved(scene: Scene, asked: Expression, line: int) -> Relation:
+    """What a line says of an unknown; of several solutions, of those that are still open."""
+    relation = scene.desk.relation(line)
+    if scene.desk.line(line).move.id == "solve":
+        options = (tuple(e for e in links if e.left == asked) for links in relation.options)
+        return Relation(tuple(dict.fromkeys(options)))
+    if len(relation.options) == 1:
+        return chain(asked, (_right(scene, line), None))
+    return relation
+
+
+def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
     """Everything that is asked: each quantity in it, if they can be found, else the whole."""
-    goals: list[sp.Expr] = []
+    wanted: list[sp.Expr] = []
     match asked:
         case Quantity("direction", (Name(body),), int(stage)):
-            goals = list(scene.velocity(body, stage))
+            wanted = list(scene.velocity(body, stage))
         case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
-            goals = [*_goals(scene, a), *_goals(scene, b)]
+            wanted = [*goals(scene, a), *goals(scene, b)]
         case Quantity() | Letter():
             pass
         case _:
-            goals = [
+            wanted = [
                 goal
                 for each in outermost(asked)
                 if isinstance(each, Quantity)
-                for goal in _goals(scene, each)
+                for goal in goals(scene, each)
             ]
-    if goals:
+    if wanted:
         try:
-            solver.determine(goals)
+            solver.determine(wanted)
         except NotPlannedError:
             pass
         else:
             return
-    solver.determine(_goals(scene, asked))
+    solver.determine(goals(scene, asked))
 
 
 def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
@@ -307,7 +318,8 @@ def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
             yield scene.velocity(body, stage)
 
 
-def _goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
+def goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
+    """What has to be known for an expression to be: its value, or the components of it."""
     value = scene.value(tree)
     if isinstance(value, Vector):
         return [sp.sympify(each, strict=True) for each in value]

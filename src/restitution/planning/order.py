@@ -42,6 +42,7 @@ from restitution.planning.polynomials import expanded, factor_powers, one_fracti
 from restitution.planning.roots import written_law
 from restitution.planning.routes import Candidate, Point, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.systems import solve_together
 from restitution.planning.unknown_blows import take_blow
 from restitution.planning.vectors import common_velocity, velocity_given
 from restitution.work import remembered
@@ -89,6 +90,8 @@ class Solver:
         self._taken_at: tuple[tuple[int, int], tuple[Point, ...]] | None = None
         # Why a line could not be solved for its unknown.
         self.reasons: list[NotPlannedError] = []
+        # Whether equations that no shape fits are solved together.
+        self.resort = False
 
     def mark(self) -> Standing:
         """How far the solver is, to which ``back`` returns."""
@@ -181,9 +184,11 @@ class Solver:
         self._express_waiting([x for each in left for x in each.residuals])
         while left:
             self.reasons.clear()
-            step = self._next(left)
+            step = self._step(left)
             if step is None and (self._separation(left) or self._widened(left)):
                 continue
+            if step is None and self.resort:
+                step = self._together(left, goals)
             if step is None and self.reasons:
                 raise self.reasons[0]
             if step is None:
@@ -308,6 +313,29 @@ class Solver:
                 self.used |= {each.id for each in used}
                 return used
         return None
+
+    def _step(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """The next equation or block; as a last resort, none where one of them has no line."""
+        try:
+            return self._next(left)
+        except NotPlannedError as error:
+            if not self.resort:
+                raise
+            self.reasons.append(error)
+            return None
+
+    def _together(
+        self, left: Sequence[Candidate], goals: Sequence[sp.Expr]
+    ) -> tuple[Candidate, ...] | None:
+        """All equations that are left, solved in one line."""
+        asked = frozenset(symbol for each in goals for symbol in self.scene.unknown(each))
+        lines = [self._line(each) for each in left]
+        try:
+            solve_together(self.scene, [each for each in lines if each is not None], asked)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return None
+        return tuple(left)
 
     def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
         return frozenset(s for x in own.residuals for s in self.scene.unknown(x))

@@ -24,11 +24,19 @@ from restitution.planning.items import write_item
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
-from restitution.planning.refusals import note_of, note_unwritten, write_refusal
+from restitution.planning.refusals import note_of, write_refusal
 from restitution.planning.scene import Scene
 from restitution.planning.shows import write_show
+from restitution.planning.unfinished import (
+    answer_of,
+    note_unwritten,
+    require_followed,
+    write_unfinished,
+)
 from restitution.problem import (
     Extremum,
+    Item,
+    Problem,
     Range,
     Show,
     Value,
@@ -42,17 +50,20 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     """The working of a question as a derivation.
 
     ``route`` chooses among the cheapest ways to what is asked, the best being 1; where there are
-    fewer it is the last. Raises NotPlannedError for what is not planned, with the reason; of a
-    ``partial`` working an item that is not planned has a note, and the others have their lines.
+    fewer it is the last. Raises NotPlannedError for what is not planned, with the reason. A
+    ``partial`` working has everything: where there is no plan equations are solved together in one
+    line, and what cannot even be reached so has a note with its answer.
     """
     problem = solution.problem
-    _require_plain(solution)
     desk = Desk(events_of(problem), facts_of(problem), route)
-    try:
-        for part in solution.parts.values():
+    for part in solution.parts.values():
+        try:
+            _require_plain(solution)
             desk = _write_part(solution, part, desk, partial)
-    except UnwrittenError as error:
-        raise NotPlannedError(f"no line says {error}") from error
+        except (NotPlannedError, UnwrittenError) as error:
+            if not partial:
+                raise _not_planned(error) from error
+            desk = _noted(problem, part, desk)
     whole = pruned(
         Derivation(
             desk.facts,
@@ -69,6 +80,22 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     for mended in (with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     return gathered(whole)
+
+
+def _not_planned(error: Exception) -> NotPlannedError:
+    if isinstance(error, NotPlannedError):
+        return error
+    return NotPlannedError(f"no line says {error}")
+
+
+def _noted(problem: Problem, part: PartSolution, desk: Desk) -> Desk:
+    """The desk with a note for each item of a part."""
+    desk.part = part.part.label
+    asked = problem.asked(part.part)
+    for index, ((item, now), each) in enumerate(zip(asked, part.items, strict=True), 1):
+        claim = answer_of(problem, item, each, now)
+        note_unwritten(desk, each, _name(part, index), claim=claim)
+    return desk
 
 
 def _require_plain(solution: Solution) -> None:
@@ -120,17 +147,46 @@ def pruned(derivation: Derivation) -> Derivation:
 
 
 def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: bool) -> Desk:
-    """The desk with the lines of a part; of a ``partial`` one, of the items that have a plan."""
+    """The desk with the lines of a part; of a ``partial`` one, as far as there are any."""
     if not part.items:
         return desk
-    problem = solution.problem
     desk.part = part.part.label
     if not part.branches or all(isinstance(each.error, MissingError) for each in part.items):
         for index, each in enumerate(part.items, 1):
             if each.error is None:
                 raise NotPlannedError("no solution")
-            note_of(desk, each, f"{desk.part or ''}{index}")
+            note_of(desk, each, _name(part, index))
         return desk
+    names = [_name(part, index) for index, _ in enumerate(part.items, 1)]
+    ways = dict.fromkeys(names, _PLANNED)
+    if not partial:
+        return joined(desk, _drafts(solution, part, desk, ways, _PLANNED))
+    for least in (_PLANNED, _SOLVED):
+        ways = {name: max(way, least) for name, way in ways.items()}
+        before = None
+        while ways != before:
+            # Every solution is written in the way in which the last one could be.
+            before = dict(ways)
+            drafts = _drafts(solution, part, desk, ways, _NOTED)
+            if len(drafts) == 1:
+                return drafts[0]
+        try:
+            return joined(desk, drafts)
+        except NotPlannedError:
+            continue
+    return _drafts(solution, part, desk, dict.fromkeys(names, _NOTED), _NOTED)[0]
+
+
+def _name(part: PartSolution, index: int) -> str:
+    """The name of an item: the label of its part, and its number there."""
+    return f"{part.part.label or ''}{index}"
+
+
+def _drafts(
+    solution: Solution, part: PartSolution, desk: Desk, ways: dict[str, int], last: int
+) -> list[Desk]:
+    """Each solution of a part on a desk of its own."""
+    problem = solution.problem
     protected = protected_letters(part.part)
     models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
     drafts = []
@@ -140,56 +196,70 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
-        _write_items(scene, partial, one_side=len(one_side))
+        _write_items(scene, ways, last, one_side=len(one_side))
         drafts.append(draft)
-    if len(drafts) == 1:
-        return drafts[0]
-    try:
-        return joined(desk, drafts)
-    except NotPlannedError:
-        if not partial:
-            raise
-    for index, each in enumerate(part.items, 1):
-        note_unwritten(desk, each, f"{desk.part or ''}{index}")
-    return desk
+    return drafts
 
 
-def _write_items(scene: Scene, partial: bool, *, one_side: int) -> None:
+def _write_items(scene: Scene, ways: dict[str, int], last: int, *, one_side: int) -> None:
+    """Writes the items of a part, each in its way, or in the next one that goes.
+
+    Raises NotPlannedError where one cannot be written in the ``last`` way.
+    """
     solver = Solver(scene)
     problem, part = scene.problem, scene.solution
-    label = part.part.label
     for index, ((item, now), result) in enumerate(
         zip(problem.asked(part.part), part.items, strict=True), 1
     ):
-        name = f"{label or ''}{index}"
+        name = _name(part, index)
         scene.desk.item = name
+        written = False
+        while not written:
+            standing, start = solver.mark(), len(scene.desk.lines)
+            solver.resort = ways[name] >= _SOLVED
+            try:
+                if ways[name] == _NOTED:
+                    write_unfinished(scene, solver, item, result, now, name)
+                else:
+                    _write_end(scene, solver, item, result, now, name, one_side)
+                lines = scene.desk.lines
+                require_true(scene.model, lines[start:], lines, scene.desk.facts)
+                if solver.resort:
+                    require_followed(scene, lines[start:])
+                _require_closed(scene.desk, name)
+                written = True
+            except (NotPlannedError, UnwrittenError):
+                if ways[name] >= last:
+                    raise
+                solver.back(standing)
+                ways[name] += 1
 
-        def write(
-            item: object = item, result: ItemResult = result, now: int = now, name: str = name
-        ) -> None:
-            _write_item(scene, solver, item, result, now, name)
 
-        standing, start = solver.mark(), len(scene.desk.lines)
-        try:
-            if result.error is None:
-                write_open_lines(scene)
-                write()
-                if one_side:
-                    write_other_side(scene, result, name, one_side)
-            else:
-                write_refusal(scene, solver, result, write, name)
-            lines = scene.desk.lines
-            require_true(scene.model, lines[start:], lines, scene.desk.facts)
-            _require_closed(scene.desk, name)
-        except (NotPlannedError, UnwrittenError):
-            if not partial:
-                raise
-            solver.back(standing)
-            note_unwritten(scene.desk, result, name)
+def _write_end(
+    scene: Scene,
+    solver: Solver,
+    item: Item | Show,
+    result: ItemResult,
+    now: int,
+    name: str,
+    one_side: int,
+) -> None:
+    """The lines of one item and its end, or why it has none."""
+
+    def write() -> None:
+        _write_item(scene, solver, item, result, now, name)
+
+    if result.error is None:
+        write_open_lines(scene)
+        write()
+        if one_side:
+            write_other_side(scene, result, name, one_side)
+    else:
+        write_refusal(scene, solver, result, write, name)
 
 
 def _write_item(
-    scene: Scene, solver: Solver, item: object, result: ItemResult, now: int, name: str
+    scene: Scene, solver: Solver, item: Item | Show, result: ItemResult, now: int, name: str
 ) -> None:
     """The lines of one item, and its end."""
     problem = scene.problem
@@ -234,6 +304,10 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     if kinds & _NAMES != {type(each).__name__ for each in value.atoms(*_RATIOS)}:
         raise NotPlannedError("an answer in another form")
 
+
+# The ways in which an item may be written, in this order: by a plan; by a plan in which equations
+# that no shape fits are solved in one line; as far as it goes, with a note of the answer.
+_PLANNED, _SOLVED, _NOTED = range(3)
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 _NAMES = {"sin", "cos", "tan"}

@@ -32,21 +32,11 @@ def note_of(desk: Desk, result: ItemResult, name: str) -> None:
     """Notes that an item has no answer, in the words of the solver."""
     error = result.error
     assert error is not None
-    kind: NoteKind = next((kind for own, kind in _KINDS if isinstance(error, own)), "unwritten")
+    kind: NoteKind = next((kind for own, kind in _KINDS if isinstance(error, own)), "missing")
     reason = error.message
     if len(result.rejected) == 1 and error.message == result.rejected[0].reason:
         reason = f"{result.text} = {result.rejected[0].display} is rejected: {reason}"
     desk.note(name, kind, reason)
-
-
-def note_unwritten(desk: Desk, result: ItemResult, name: str) -> None:
-    """Notes that an item has no working here: its answer, or why it has none."""
-    if result.error is not None:
-        note_of(desk, result, name)
-        return
-    outcome = {True: "shown", False: "not true", None: "not decided"}[result.holds]
-    answers = " or ".join(each.display for each in result.distinct)
-    desk.note(name, "unwritten", outcome if result.kind == "show" else answers)
 
 
 def write_refusal(

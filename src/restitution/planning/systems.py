@@ -1,0 +1,66 @@
+"""Equations that no shape solves: their unknowns in one line, with the values of the solution."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.components import Model
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.expression.tree import Letter
+from restitution.planning.closing import with_known
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.forms import tree_of
+from restitution.planning.impacts import residual
+from restitution.planning.premises import background
+from restitution.planning.scene import Scene
+
+
+def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Symbol]) -> int:
+    """Writes the values of all unknowns in some lines; what is ``asked`` comes last.
+
+    Raises NotPlannedError where the lines do not fix as many unknowns as they are.
+    """
+    lines = list(dict.fromkeys(with_known(scene, each) for each in numbers))
+    opened = {each: scene.unknown(residual(scene, each)) for each in lines}
+    lines = [each for each in lines if opened[each]]
+    unknowns = sorted(
+        {symbol for each in lines for symbol in opened[each]},
+        key=lambda each: (each in asked, each.name),
+    )
+    if not lines or len(unknowns) != len(lines):
+        raise NotPlannedError(f"{len(lines)} equations for {len(unknowns)} unknowns")
+    models = scene.others or (scene.model,)
+    options = [_values(scene, model, unknowns) for model in models]
+    relation = Relation(tuple(dict.fromkeys(options)))
+    names = {each.name for number in lines for each in residual(scene, number).free_symbols}
+    refs = scene.judge.enough(Move("solve"), lines, relation, background(scene, names))
+    if refs is None:
+        raise NotPlannedError(f"{unknowns} are not fixed by their equations alone")
+    line = scene.desk.write(Move("solve"), refs, relation)
+    own = _values(scene, scene.model, unknowns)
+    if len(relation.options) > 1:
+        scene.desk.splits += ((line, relation.options.index(own)),)
+        scene.others = tuple(
+            model for model, each in zip(models, options, strict=True) if each == own
+        )
+    for symbol in unknowns:
+        scene.desk.know(Letter(symbol.name), scene.final(symbol), (line,))
+    return line
+
+
+def _values(scene: Scene, model: Model, unknowns: Sequence[sp.Symbol]) -> tuple[Link, ...]:
+    """The unknowns of a solution, each with its value."""
+    roles = scene.model.unknowns.roles
+    return tuple(
+        Link(
+            Letter(each.name),
+            "=",
+            tree_of(
+                model.final[each],
+                angle=each.name in roles and roles[each.name].kind == "angle",
+            ),
+        )
+        for each in unknowns
+    )

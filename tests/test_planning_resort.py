@@ -1,0 +1,328 @@
+"""Items without a plan: equations solved together in one line, and notes with the answer alone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from restitution.explain import explain, to_text
+from restitution.explaining.awarding import awarded, marks_of
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.storing import from_json, to_json
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning import order, planner
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.planning.scene import Scene
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
+
+PAIR = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, at rest
+A hits B: along i
+given abs(velocity(A) - velocity(B)) = 9/10 u
+find e
+"""
+BLOW = """
+sphere Q: mass m, velocity u i
+Q receives K at phi
+given 90° < phi < 180°, deflection(Q) = 90°, speed(Q) = u/3
+find K, phi
+"""
+OFFSET = """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+given deflection(A) = 30°
+find d
+"""
+ANGLED = """
+wall W: along i
+sphere P: velocity u at {} to W
+P hits W{}
+given speed(P) = {}
+find {}
+"""
+TWO = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1/2
+given deflection(A) = arctan(3/5)
+find alpha
+"""
+
+
+@pytest.fixture
+def _no_shape(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No equation has a shape by which it could be solved."""
+
+    def close(scene: Scene, number: int, symbol: object) -> None:
+        raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+    def close_two(*_: object) -> None:
+        raise NotPlannedError("no way from two lines")
+
+    monkeypatch.setattr(order, "close", close)
+    monkeypatch.setattr(order, "close_two", close_two)
+
+
+@cache
+def solved(text: str) -> Solution:
+    return solve(parse(text))
+
+
+def written(text: str) -> Derivation:
+    derivation = plan(solved(text), partial=True)
+    assert complaints(text, derivation) == []
+    assert from_json(to_json(derivation)) == derivation
+    return derivation
+
+
+def complaints(text: str, derivation: Derivation) -> list[str]:
+    return [str(each) for each in follow(derivation, Oracle(roles(solved(text).problem)))]
+
+
+def line_of(derivation: Derivation) -> Line:
+    """The line in which equations are solved together."""
+    (line,) = (each for each in derivation.lines if each.move.id == "solve")
+    return line
+
+
+def said(relation: object) -> str:
+    assert isinstance(relation, Relation)
+    return write_relation(relation)
+
+
+# --- the line -------------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("_no_shape")
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        (PAIR, "e = sqrt(6)/5"),
+        (ANGLED.format("45°", "", "3/4 u", "e"), "e = sqrt(2)/4"),
+        (ANGLED.format("alpha", ": e = 2/3", "5/6 u", "alpha"), "alpha = arctan(sqrt(11)/3)"),
+    ],
+)
+def test_an_equation_without_a_shape_is_solved_in_one_line(text: str, answer: str) -> None:
+    with pytest.raises(NotPlannedError):
+        plan(solved(text))
+    derivation = written(text)
+    assert said(derivation.items[0].answer) == answer
+    assert said(line_of(derivation).relation) == answer
+    assert "Solving" in to_text(explain(solved(text)))
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_two_unknowns_of_two_equations() -> None:
+    derivation = written(BLOW)
+    line = line_of(derivation)
+    assert len(line.premises) == 2
+    assert [said(each.answer) for each in derivation.items] == [
+        "K = sqrt(10) m u/3",
+        "phi = 180° - arctan(1/3)",
+    ]
+    flat = " ".join(to_text(explain(solved(BLOW))).split())
+    assert "Solving (1) and (2): φ = 180° − arctan(1/3) K = √10 mu/3" in flat
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_several_solutions_are_alternatives_of_the_line() -> None:
+    derivation = written(OFFSET)
+    line = line_of(derivation)
+    assert isinstance(line.relation, Relation)
+    assert len(line.relation.options) == 2
+    assert derivation.cases == ()
+    assert [each.line for each in derivation.items] == [line.number]
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_what_comes_behind_several_solutions_stands_in_cases() -> None:
+    text = TWO + "find speed(A)"
+    derivation = written(text)
+    assert len(derivation.cases) == 2
+    assert [each.item for each in derivation.items] == ["1", "2", "2"]
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_the_line_has_a_method_and_its_accuracy() -> None:
+    derivation = awarded(written(PAIR))
+    assert [(each.kind, each.dependent) for each in line_of(derivation).marks] == [
+        ("M", True),
+        ("A", False),
+    ]
+
+
+# --- what the follower refuses --------------------------------------------------------------------
+
+
+def with_line(derivation: Derivation, **changes: object) -> Derivation:
+    line = line_of(derivation)
+    other = replace(line, **changes)  # type: ignore[arg-type]
+    ends = tuple(
+        replace(each, answer=other.relation) if each.line == line.number else each
+        for each in derivation.items
+    )
+    return replace(
+        derivation,
+        lines=tuple(other if each is line else each for each in derivation.lines),
+        items=ends if len(ends) == 1 else derivation.items,
+    )
+
+
+def refusals(text: str, derivation: Derivation, **changes: object) -> set[str]:
+    number = line_of(derivation).number
+    return {
+        each.reason
+        for each in follow(with_line(derivation, **changes), Oracle(roles(solved(text).problem)))
+        if each.line == number
+    }
+
+
+@pytest.mark.usefixtures("_no_shape")
+@pytest.mark.parametrize(
+    "relation",
+    [
+        "e = sqrt(6)/4",
+        "e = -sqrt(6)/5",
+        "e = 0.49",
+        "e <= sqrt(6)/5",
+        "e = e",
+        "e = 25e^2 sqrt(6)/30",
+        "e^2 = 6/25",
+        "e = sqrt(6)/5 and v = 0",
+        "e = sqrt(6)/5 or e = 1/2",
+    ],
+)
+def test_a_value_that_does_not_satisfy_the_equations_is_refused(relation: str) -> None:
+    derivation = written(PAIR)
+    own = read_relation(relation, {"A": "sphere", "B": "sphere"})
+    if relation == "e = -sqrt(6)/5":
+        # It satisfies them, and no coefficient is negative: ranges are the matter of the solver.
+        own = Relation(((Link(own.only[0].left, "=", own.only[0].left),),))
+    assert refusals(PAIR, derivation, relation=own) == {"does-not-follow"}
+
+
+@pytest.mark.usefixtures("_no_shape")
+@pytest.mark.parametrize("relation", ["K = sqrt(10) m u/3", "phi = 180° - arctan(1/3)"])
+def test_every_unknown_of_the_equations_has_its_value(relation: str) -> None:
+    derivation = written(BLOW)
+    assert "does-not-follow" in refusals(BLOW, derivation, relation=read_relation(relation, {}))
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_an_equation_is_neither_left_out_nor_added() -> None:
+    for text in (PAIR, BLOW):
+        derivation = written(text)
+        line = line_of(derivation)
+        for ref in line.premises:
+            fewer = tuple(each for each in line.premises if each != ref)
+            assert "does-not-follow" in refusals(text, derivation, premises=fewer)
+        others = [
+            each.number
+            for each in derivation.lines[: line.number - 1]
+            if isinstance(each.relation, Relation) and each.number not in line.premises
+        ]
+        assert others
+        for each in others:
+            more = (*line.premises, each)
+            assert "does-not-follow" in refusals(text, derivation, premises=more)
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_equations_that_say_the_same_fix_nothing() -> None:
+    """Two forms of one equation hold with both values, and with many others."""
+    derivation = written(BLOW)
+    line = line_of(derivation)
+    first = line.premises[0]
+    assert isinstance(first, int)
+    own = derivation.lines[first - 1]
+    assert isinstance(own.relation, Relation)
+    (link,) = own.relation.only
+    turned = replace(own, number=99, relation=Relation(((Link(link.right, "=", link.left),),)))
+    whole = replace(
+        derivation,
+        lines=(*derivation.lines[: line.number - 1], turned, *derivation.lines[line.number - 1 :]),
+    )
+    assert "does-not-follow" in refusals(BLOW, whole, premises=(first, 99))
+
+
+# --- notes ----------------------------------------------------------------------------------------
+
+PARTS = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+part a
+find speed(P)
+find range of speed(P) in terms of u
+find impulse
+part b
+given e = 1/2
+find energy_lost
+"""
+
+
+@pytest.fixture
+def _without_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
+    def write_range(*_: object) -> None:
+        raise NotPlannedError("a range")
+
+    monkeypatch.setattr(planner, "write_range", write_range)
+
+
+@pytest.mark.usefixtures("_without_ranges")
+def test_what_an_item_speaks_of_is_written_before_its_note() -> None:
+    derivation = written(PARTS)
+    assert [each.item for each in derivation.items] == ["a1", "a3", "b1"]
+    (note,) = derivation.notes
+    assert (note.item, note.kind) == ("a2", "unwritten")
+    assert note.claim is not None
+    assert write_relation(note.claim) == "0 < speed(P, 1) < u"
+    (number,) = note.lines
+    assert said(derivation.lines[number - 1].relation).startswith("speed(P, 1) = ")
+    flat = " ".join(to_text(explain(solved(PARTS))).split())
+    assert "The steps from here are not written out: 0 < speed of P < u M1 A1" in flat
+
+
+@pytest.mark.usefixtures("_without_ranges")
+def test_a_note_has_its_marks() -> None:
+    derivation = awarded(written(PARTS))
+    assert [str(mark) for mark in derivation.notes[0].marks] == ["M1", "A1"]
+    parts = explain(solved(PARTS)).parts
+    assert marks_of(derivation) == {each.label: each.marks for each in parts}
+    assert awarded(derivation, "none").notes[0].marks == ()
+    assert from_json(to_json(derivation)) == derivation
+
+
+def test_where_nothing_can_be_written_the_note_stands_alone() -> None:
+    items = ", ".join(["speed(P)"] * 41)
+    text = f"wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind {items}"
+    derivation = written(text)
+    assert derivation.lines == ()
+    assert len(derivation.notes) == 41
+    flat = " ".join(to_text(explain(solved(text))).split())
+    assert "The working of this is not written out: speed of P = √13" in flat
+
+
+@pytest.mark.usefixtures("_no_shape")
+def test_of_several_solutions_the_principles_stand(monkeypatch: pytest.MonkeyPatch) -> None:
+    def solve_together(*_: object) -> None:
+        raise NotPlannedError("not together")
+
+    monkeypatch.setattr(order, "solve_together", solve_together)
+    derivation = written(OFFSET)
+    assert derivation.items == ()
+    (note,) = derivation.notes
+    records = [derivation.lines[each - 1].move.record for each in note.lines]
+    assert records == ["momentum", "restitution"]
+    assert note.claim is not None
+    assert len(note.claim.options) == 2
