@@ -12,7 +12,7 @@ import pytest
 import restitution.examples
 from restitution import examples
 from restitution.explain import explain
-from restitution.explaining.marks import A1, A1_STAR, DM1, M1, Mark, written
+from restitution.explaining.marks import Mark, written
 from restitution.explaining.saying import Sentence, operand, say, slots_of, topic_of, words_of
 from restitution.explaining.sentences import SENTENCES
 from restitution.language import parse
@@ -190,8 +190,9 @@ def test_a_sentence_that_is_not_there_or_not_filled_is_refused() -> None:
 
 
 def test_marks_are_data() -> None:
-    marks = (M1, DM1, A1, A1_STAR, Mark("A", ft=True), Mark("B", number=2))
-    assert written(marks) == "M1 DM1 A1 A1* A1ft B2"
+    methods = (Mark("M"), Mark("M", dependent=True))
+    answers = (Mark("A"), Mark("A", star=True), Mark("A", ft=True), Mark("B", number=2))
+    assert written((*methods, *answers)) == "M1 DM1 A1 A1* A1ft B2"
     assert written(()) == ""
 
 
