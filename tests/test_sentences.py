@@ -152,16 +152,14 @@ def test_sentences_are_fit_to_print(name: str) -> None:
 
 
 def test_a_sentence_is_a_value() -> None:
-    one = say("gap.closes", one="A", other="B", gap=lay.Number("3"), speed=lay.Letter("v"))
-    assert one == say("gap.closes", speed=lay.Letter("v"), gap=lay.Number("3"), other="B", one="A")
+    one = say("touch.apart", one="A", other="B", distance=lay.Number("3"))
+    assert one == say("touch.apart", distance=lay.Number("3"), other="B", one="A")
     assert len({one, say("so"), say("so")}) == 2
-    assert one.topic == "gap"
+    assert one.topic == "touch"
     assert one.words == (
-        "The gap between A and B is ",
+        "A and B touch when their centres are ",
         lay.Number("3"),
-        " and closes at ",
-        lay.Letter("v"),
-        ":",
+        " apart:",
     )
 
 
@@ -169,13 +167,15 @@ def test_lists_capitals_and_sentences_in_slots() -> None:
     three = say("given.fact", fact=say("claim.rest", body="A"))
     assert str(three) == "It is given that A is at rest:"
     assert str(say("answer.value", item="v", values=["1", "2", "3"])) == "v = 1 or 2 or 3"
-    assert str(say("aim.unless", reason="a sphere stops")) == "A sphere stops unless"
+    heading = say("heading.impact", order=say("ordinal.2"), first="A", second="B")
+    assert str(heading) == "Second impact: A hits B"
     components = [say("unchanged.component", value=lay.Number("1"), body=each) for each in "ABC"]
     words = say("unchanged.components", components=components).words
     spoken = "".join(each if isinstance(each, str) else to_text(each) for each in words)
     assert spoken == "the components stay 1 for A, 1 for B and 1 for C."
-    assert words_of([say("so"), say("range.is")]) == ("So So the range is",)
-    assert to_text(operand(say("extremum.maximum", quantity=lay.Letter("v")))) == "maximum of v"
+    assert words_of([say("so"), say("given.data")]) == ("So From the data:",)
+    one = say("unchanged.component", value=lay.Letter("v"), body="A")
+    assert to_text(operand(one)) == "v for A"
 
 
 def test_a_sentence_that_is_not_there_or_not_filled_is_refused() -> None:
@@ -186,7 +186,7 @@ def test_a_sentence_that_is_not_there_or_not_filled_is_refused() -> None:
     with pytest.raises(TypeError, match="label"):
         say("so", label="a")
     with pytest.raises(TypeError):
-        str(say("line.axis", axis=lay.Bold("i")))  # mathematics is no string
+        str(say("note.above-one", value=lay.Bold("i")))  # mathematics is no string
 
 
 def test_marks_are_data() -> None:
