@@ -309,12 +309,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
-    "condition.else": "This must hold, as otherwise {reason}:",
-    "condition.positive": "{quantity} has to be positive:",
-    "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
-    "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
-    "meeting.towards": "{body} hits {wall}{again} if it moves towards {wall}.",
-    "meeting.away": "{body} does not hit {wall}{again} if it does not move towards {wall}.",
     "meeting.collide": (
         "{one} and {other} collide again if {first} gains on {second} along the line of centres."
     ),
@@ -322,36 +316,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} and {other} do not collide again if {first} does not gain on {second} along the "
         "line of centres."
     ),
-    "condition.both": "{body} hits {wall} if both of these hold:",
-    "condition.either": "{body} does not hit {wall} if either of these holds:",
-    "condition.coordinate": (
-        "{body} strikes {wall} where {letter} = {place}, and {wall} goes from {letter} = {low} to "
-        "{letter} = {high}:"
-    ),
-    "condition.distance": (
-        "{body} strikes {wall} at this distance from {end}: {place}, and {wall} goes from that "
-        "point for a length {length}:"
-    ),
-    "crossing.point": "{body} comes to the line of {wall} at the point {point}.",
-    "crossing.away": "{body} does not move towards {wall}, as {velocity}.",
-    "crossing.extent": "{wall} goes from {start} to {end}, and:",
-    "range.is": "So the range is",
-    "range.whole": "All that is given can be so for every value, and the range is",
-    "range.for": "for {condition}",
-    "range.runs": "As {letter} {change}, {quantity} {effect}.",
-    "increases.between": "increases from {start} to {end}",
-    "increases.from": "increases from {start} without limit",
-    "increases.to": "increases without limit to {end}",
-    "increases.always": "increases without limit",
-    "decreases.between": "decreases from {start} to {end}",
-    "decreases.from": "decreases from {start} without limit",
-    "decreases.to": "decreases without limit to {end}",
-    "decreases.always": "decreases without limit",
-    "extremum.maximum": "maximum of {quantity}",
-    "extremum.minimum": "minimum of {quantity}",
-    "extremum.differentiate": "Differentiate:",
-    "extremum.with": "With {letter} = {value}:",
-    "extremum.stationary": "for a stationary value",
     "extremum.tends": "which is approached towards {place}, but not reached",
     # --- results that are shown, or are false -----------------------------------------------------
     "shown.required": "as required",
