@@ -77,14 +77,16 @@ def note_unwritten(
 
 def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int) -> Relation | None:
     """The answer of an item as a relation; None where no line could say it."""
+    if any(each.condition for each in result.distinct):
+        return None
     try:
         match item:
             case Show(relation, None) if result.holds:
                 links = links_of(problem, relation, now)
                 return Relation((links,)) if links else None
             case Range(expression):
-                return Relation((relation_of(staged(problem, expression, now), result),))
-            case Value(expression) if not any(each.condition for each in result.distinct):
+                return relation_of(staged(problem, expression, now), result)
+            case Value(expression):
                 asked = staged(problem, expression, now)
                 trees = [tree_of(each.value, angle=each.angle) for each in result.distinct]
                 return Relation(tuple((Link(asked, "=", each),) for each in trees))
