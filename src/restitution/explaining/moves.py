@@ -1137,9 +1137,10 @@ def _inverse(step: Step, relation: Relation) -> bool:
         _only_there(ratio_.function, low, high)
         or _but_straight(step, ratio_, value, high)
         or _in_its_quadrant(step, ratio_, angle)
+        or _by_its_other_ratio(step, ratio_, angle, high - low)
     ):
         return False
-    if link.left == ratio_.argument and _only_there(ratio_.function, low, high):
+    if link.left == ratio_.argument and _is_principal(ratio_.function, low, high):
         # Of what stands on paper as the ratio nothing else has to be known.
         values = [each for other, each in ratios if other == ratio_]
         if any(link.right == Apply(f"arc{ratio_.function}", each) for each in values):
@@ -1218,11 +1219,45 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
     return ends[0], ends[1], any(role.closed)
 
 
-def _only_there(function: str, low: sp.Expr, high: sp.Expr) -> bool:
-    """Whether a ratio has no more than one angle in a range."""
+def _is_principal(function: str, low: sp.Expr, high: sp.Expr) -> bool:
+    """Whether a range lies within that of the inverse of a ratio."""
     if function == "cos":
         return bool(low >= 0 and high <= sp.pi)
     return bool(low >= -sp.pi / 2 and high <= sp.pi / 2)
+
+
+def _only_there(function: str, low: sp.Expr, high: sp.Expr) -> bool:
+    """Whether a ratio has no more than one angle in a range: it is monotone, or tan in less."""
+    if function == "tan" and bool(high - low < sp.pi):
+        return True
+    # As far as the range is turned by half turns, the ratio is that of the inverse or its opposite.
+    start = sp.Integer(0) if function == "cos" else -sp.pi / 2
+    turns = sp.floor((low - start) / sp.pi)
+    return _is_principal(function, low - turns * sp.pi, high - turns * sp.pi)
+
+
+def _by_its_other_ratio(step: Step, ratio_: Apply, angle: sp.Expr, width: sp.Expr) -> bool:
+    """Whether a line tells the quadrant of an angle with a tangent, within one turn.
+
+    It says that a positive multiple of the sine or the cosine of the angle has some value.
+    """
+    if ratio_.function != "tan" or not bool(width <= 2 * sp.pi):
+        return False
+    own = _in_radians(step, ratio_.argument)
+    for link in step.links:
+        if link.sign != "=":
+            continue
+        try:
+            left, right = (_in_radians(step, each) for each in (link.left, link.right))
+        except NotComparableError:
+            continue
+        for function in (sp.sin, sp.cos):
+            share = sp.cancel(left / function(own))
+            if own.free_symbols & share.free_symbols or not step.oracle.proves(Claim(share, ">")):
+                continue
+            if step.oracle.proves(Claim(right * function(angle), ">")):
+                return True
+    return False
 
 
 def _but_straight(step: Step, ratio_: Apply, value: Expression, high: sp.Expr) -> bool:

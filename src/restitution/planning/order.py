@@ -377,10 +377,9 @@ class Solver:
                     event and event not in self.scene.model.frames and self._open(own)
                 ):
                     (body,) = given.link.left.arguments
-                    before = self.scene.velocity(body.name, event - 1)  # type: ignore[union-attr]
-                    if any(self.scene.unknown(each) for each in before):
+                    if not self._is_blow_to_take(body.name, event):  # type: ignore[union-attr]
                         continue
-                    take_blow(self.scene, given)
+                    take_blow(self.scene, body.name, event)  # type: ignore[union-attr]
                     return (own,)
                 case Quantity("velocity"):
                     self._take_velocity(given)
@@ -389,6 +388,9 @@ class Solver:
                     known = velocity_given(self.scene, body, event)
                     if known is not None and (event, body) in self.scene.model.components:
                         self._take_components(body, event)
+                        return tuple(each for each in left if each.id in known[2])
+                    if known is not None and self._is_blow_to_take(body, event):
+                        take_blow(self.scene, body, event)
                         return tuple(each for each in left if each.id in known[2])
                 case Quantity("momentum"):
                     if take_momentum(self.scene, given):
@@ -403,6 +405,15 @@ class Solver:
                     self._take_components(body, event)
                     return (own,)
         return None
+
+    def _is_blow_to_take(self, body: str, event: int) -> bool:
+        """Whether the velocity after a blow tells the impulse, or the velocity before it."""
+        told = self.scene.facts.get(f"impulse {event}")
+        if told is None or event in self.scene.model.frames:
+            return False
+        before = self.scene.velocity(body, event - 1)
+        blow = self.scene.value(told.relation.only[0].right)
+        return any(map(self.scene.unknown, before)) != bool(self.scene.unknown(blow))
 
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact with one unknown, which is a component, or a letter that it names."""

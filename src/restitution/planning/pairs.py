@@ -19,11 +19,11 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.closing import close, with_known
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, chain
-from restitution.planning.forms import ONE, product, square, swept, tree_of
+from restitution.planning.forms import ONE, product, square, swept, total, tree_of
 from restitution.planning.impacts import residual
 from restitution.planning.polynomials import numerator
 from restitution.planning.premises import background
-from restitution.planning.ratios import inside_functions
+from restitution.planning.ratios import inside_functions, inverse
 from restitution.planning.scene import Scene
 
 Pair = tuple[int, int]
@@ -99,6 +99,7 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     role = scene.model.unknowns.roles.get(theta.name)
     if role is None or role.kind != "angle":
         return False
+    lines = _parted(scene, lines, v, theta)
     parts = []
     for line, ratio in zip(lines, (sp.cos(theta), sp.sin(theta)), strict=True):
         poly = sp.Poly(_above(scene, line), v, ratio)
@@ -120,13 +121,46 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     if divided is None:
         return False
     scene.desk.know(subject, tangent, (divided,))
-    added = chain(square(Letter(v.name)), (tree_of(tidy(parts[0] ** 2 + parts[1] ** 2)), None))
+    squares = total(square(tree_of(-x if x.could_extract_minus_sign() else x)) for x in parts)
+    added = chain(
+        square(Letter(v.name)),
+        (squares, None),
+        (tree_of(tidy(parts[0] ** 2 + parts[1] ** 2)), "rearrange"),
+    )
     whole = _write(scene, Move("square-add"), (first, second), added)
     if whole is None:
         return False
-    close(scene, divided, theta)
+    if role.low == 0 and role.high == sp.pi / 2:
+        close(scene, divided, theta)
+    else:
+        inverse(scene, divided, theta, (first, second))
     close(scene, whole, v)
     return True
+
+
+def _parted(scene: Scene, lines: Pair, v: sp.Symbol, theta: sp.Symbol) -> Pair:
+    """Two lines in V cos θ and V sin θ, each with both, as one for each of them."""
+    ratios = sp.cos(theta), sp.sin(theta)
+    polys = [sp.Poly(_above(scene, each), v, *ratios) for each in lines]
+    places = [(1, 1, 0), (1, 0, 1)]
+    plain = all(set(each.monoms()) <= {*places, (0, 0, 0)} for each in polys)
+    if not plain or any(each.free_symbols_in_domain & {v, theta} for each in polys):
+        return lines
+    (a, b), (c, d) = ([p.as_expr().coeff(v).coeff(r) for r in ratios] for p in polys)
+    if 0 in (a, b, c, d):
+        return lines
+    e, f = (p.coeff_monomial(1) for p in polys)
+    whole = a * d - b * c
+    parts = []
+    for value, name, other in (
+        ((b * f - d * e) / whole, "cos", "sin"),
+        ((c * e - a * f) / whole, "sin", "cos"),
+    ):
+        tree = product(Letter(v.name), Apply(name, Letter(theta.name)))
+        move = Move("combine", eliminated=f"{other}({theta.name})")
+        parts.append(_write(scene, move, lines, chain(tree, (tree_of(tidy(value)), None))))
+    first, second = parts
+    return lines if first is None or second is None else (first, second)
 
 
 def _as_product(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -398,14 +399,20 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     return scene.final(symbol)
 
 
-def inverse(scene: Scene, line: int, symbol: sp.Symbol) -> Source:
-    """The angle by its ratio."""
+def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:
+    """The angle by its ratio; ``sides`` are lines that may tell its quadrant."""
     value = scene.final(symbol)
     if symbol.name not in roles(scene.problem) and value.atoms(sp.atan):
         value = _as_written(scene, line, symbol)  # no answer has another form
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
-    if not known.startswith("acute") and not scene.judge.follows(move, (line, known), relation):
+    if known.startswith("acute"):
+        written = scene.desk.write(move, (line, known), relation)
+        return known_as(scene, symbol, value, written)
+    for more in ((), *((each,) for each in sides)):
+        if scene.judge.follows(move, (line, known, *more), relation):
+            written = scene.desk.write(move, (line, known, *more), relation)
+            break
+    else:
         raise NotPlannedError(f"{symbol} is not the only angle of its ratio")
-    written = scene.desk.write(move, (line, known), relation)
     return known_as(scene, symbol, value, written)

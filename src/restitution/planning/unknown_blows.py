@@ -10,34 +10,43 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Letter, Name, Quantity
 from restitution.planning.closing import close
-from restitution.planning.desk import NotPlannedError, chain, link
+from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.forms import square, total, tree_of
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.ratios import inverse
-from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
 
-def take_blow(scene: Scene, given: GivenEquation) -> None:
-    """Finds what is open in an impulse from the velocity after it, component by component."""
-    match given.link.left:
-        case Quantity("velocity", (Name() as body,), int(event)):
-            impulse = Quantity("impulse", (body,), event)
-        case _:
-            raise NotPlannedError("no velocity after a blow")
+def take_blow(scene: Scene, body: str, event: int) -> None:
+    """Finds what is open in an impulse from the velocity after it, component by component.
+
+    So it does with what is open in the velocity before it, where the impulse is known.
+    """
+    impulse = Quantity("impulse", (Name(body),), event)
     fact = scene.facts.get(f"impulse {event}")
     if fact is None:
         raise NotPlannedError("a blow of which nothing is told")
     told = fact.relation.only[0].right
     open_ = scene.value(told)
     assert isinstance(open_, Vector)
-    line = write_formula(scene, formula(scene, impulse))
-    value = scene.desk.known(impulse)
-    assert value is not None
-    sides = tree_of(tuple(open_)), tree_of(value.value)
-    line = scene.desk.write(Move("put"), (fact.id, line), Relation(((link(*sides),),)))
+    own = formula(scene, impulse)
+    if scene.unknown(open_):
+        line = write_formula(scene, own)
+        sides = tree_of(tuple(open_)), tree_of(own.value)
+        line = scene.desk.write(Move("put"), (fact.id, line), Relation(((link(*sides),),)))
+        rights = own.value
+    else:
+        put, refs = scene.put(open_)
+        line = scene.desk.write(
+            own.move,
+            together(own.refs, (fact.id,), refs),
+            Relation(((link(tree_of(tuple(put)), own.right),),)),
+        )
+        pairs = [_solved(scene, *each) for each in zip(own.value, put, strict=True)]
+        open_, rights = (Vector(*each) for each in zip(*pairs, strict=True))
     lines: list[int] = []
-    for left, right in zip(open_, value.value, strict=True):
+    for left, right in zip(open_, rights, strict=True):
         if not scene.unknown(left):
             continue
         trees = tree_of(left), tree_of(right)
@@ -53,6 +62,15 @@ def take_blow(scene: Scene, given: GivenEquation) -> None:
                 close(scene, number, next(iter(symbols)))
         return
     _size_and_angle(scene, lines, open_)
+
+
+def _solved(scene: Scene, left: sp.Expr, right: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Two sides, with what is unknown alone on the left; what has no unknown stays as it is."""
+    own, rest = sp.expand(left - right).as_independent(*scene.unknown(left))[::-1]
+    if own == 0:
+        return left, right
+    factor, bare = own.as_independent(*scene.unknown(left), as_Add=False)
+    return bare, tidy(-rest / factor)
 
 
 def _is_minus(x: Any) -> bool:
@@ -81,6 +99,9 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
     scene.desk.know(Letter(size.name), found, (line,))
     tangent = tidy(sp.tan(scene.final(angle)))
     subject = Apply("tan", Letter(angle.name))
-    line = scene.desk.write(Move("divide"), lines, chain(subject, (tree_of(tangent), None)))
+    sine = next(n for n, each in enumerate(open_) if each.has(sp.sin))
+    line = scene.desk.write(
+        Move("divide"), (lines[sine], lines[1 - sine]), chain(subject, (tree_of(tangent), None))
+    )
     scene.desk.know(subject, tangent, (line,))
-    inverse(scene, line, angle)
+    inverse(scene, line, angle, lines)

@@ -1,0 +1,110 @@
+"""Angles beyond 90°: impulses and velocities whose direction is to be found."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+KICK = """
+sphere P: mass 3, velocity 2i - j
+P receives J at theta
+given velocity(P) = -i - 5j, {0}
+find J, theta
+"""
+WALL = """
+wall W: along 3i + 4j
+sphere P: velocity v at theta
+P hits W: e = 1/2
+given velocity(P) = -5j, {0}
+find v, theta
+"""
+
+
+def working(text: str) -> Derivation:
+    """The working of a statement, which the follower accepts."""
+    problem = parse(text)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    return derivation
+
+
+def answers(derivation: Derivation) -> list[str]:
+    """The answers as lines say them."""
+    return [write_relation(each.answer) for each in derivation.items]
+
+
+@pytest.mark.parametrize("told", ["180° < theta < 270°", "0 < theta < 360°"])
+def test_a_blow_backwards(told: str) -> None:
+    derivation = working(KICK.format(told))
+    assert answers(derivation) == ["J = 15", "theta = 180° + arctan(4/3)"]
+    (last,) = (each for each in derivation.lines if each.move.id == "inverse")
+    # Within one turn two angles have one tangent: a component tells which it is.
+    assert len(last.premises) == (3 if "360" in told else 2)
+
+
+def test_a_direction_before_a_slanting_wall() -> None:
+    derivation = working(WALL.format("-180° < theta < 180°"))
+    assert answers(derivation) == ["v = 2sqrt(13)", "theta = 180° - arctan(1/18)"]
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert "v cos(theta) = -36/5" in said
+    assert "v sin(theta) = 2/5" in said
+
+
+def test_a_velocity_before_a_blow() -> None:
+    derivation = working(
+        """
+        sphere P: mass m, velocity v at theta
+        P receives m u j
+        given velocity(P) = -u i + 3u j, 90° < theta < 180°
+        find v, theta
+        """
+    )
+    assert answers(derivation) == ["v = sqrt(5) u", "theta = 180° - arctan(2)"]
+
+
+def test_a_blow_by_the_speed_and_direction_after_it() -> None:
+    derivation = working(
+        """
+        sphere P: mass 1/2, velocity 4i
+        P receives J at theta
+        given speed(P) = 4, direction(P) = 120°, 0 < theta < 180°
+        find theta
+        """
+    )
+    assert answers(derivation) == ["theta = 150°"]
+
+
+@pytest.mark.parametrize("wrong", ["theta = arctan(4/3)", "theta = 360° - arctan(4/3)"])
+def test_the_other_angle_of_a_tangent_is_refused(wrong: str) -> None:
+    problem = parse(KICK.format("0 < theta < 360°"))
+    derivation = plan(solve(problem))
+    names = {"P": "sphere"}
+    lines = tuple(
+        replace(each, relation=read_relation(wrong, names)) if each.move.id == "inverse" else each
+        for each in derivation.lines
+    )
+    complaints = follow(replace(derivation, lines=lines), Oracle(roles(problem)))
+    assert "does-not-follow" in {each.reason for each in complaints}
+
+
+def test_a_tangent_alone_does_not_tell_an_angle_within_a_turn() -> None:
+    problem = parse(KICK.format("0 < theta < 360°"))
+    derivation = plan(solve(problem))
+    lines = tuple(
+        replace(each, premises=each.premises[:2]) if each.move.id == "inverse" else each
+        for each in derivation.lines
+    )
+    complaints = follow(replace(derivation, lines=lines), Oracle(roles(problem)))
+    assert "does-not-follow" in {each.reason for each in complaints}
