@@ -160,7 +160,21 @@ find time(1)
 ---
 1 a | define chord 1 P | contact 1, velocity P | along(velocity(P, 0), line_of_centres(1)) = 2
 2 a | define chord 1 P | contact 1, start, velocity P | time(1) = 2 * 2/8 = 1/2 [rearrange]
+3 a | define chord 1 P | contact 1, velocity P | across(velocity(P, 0), line_of_centres(1)) = 2
 a: 2 time(1) = 1/2
+""",
+    # By three chords back to where they began.
+    "round": """
+wall C: circle centre (0, 0) radius 1
+sphere P: at (-1, 0), velocity 2 at alpha
+P hits C: e = 1
+P hits C: e = 1
+P reaches (-1, 0)
+find alpha
+---
+1 a | define round 3 P | contact 1, contact 2, contact 3, position P | 2 alpha = 90° - alpha
+2 a | rearrange | 1 | alpha = 30°
+a: 2 alpha = 30°
 """,
     # Times and places: on an axis, at its place, by the other direction.
     "on-its-way": """
@@ -241,6 +255,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
     ("chord", "circle", 1, "M1", "M1", "M1"),
+    ("chord-again", "circle", 3, "", "", ""),
+    ("angles-round-a-circle", "round", 1, "M1", "M1", "M1"),
     ("energy", "energy-inequality", 7, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("first-of-several-energies", "energies", 6, "DM1", "DM1", "DM1"),
     ("second-of-several-energies", "energies", 7, "A1", "A1", "A1"),

@@ -180,3 +180,50 @@ def test_what_is_spoiled_by_machine_is_refused() -> None:
         if not kind.startswith("line left out") and follow(each, oracle) == ()
     ]
     assert accepted == []
+
+
+ROUND = """
+point A: (0, -a)
+wall C: circle centre (0, 0) radius a
+sphere P: at A, velocity u at theta from j
+P hits C: e = 1/4
+P hits C: e = 1/4
+P reaches A
+find tan(theta)
+"""
+
+
+def test_three_chords_that_close_make_a_right_angle() -> None:
+    problem, derivation = planned(ROUND)
+    assert lines(derivation, "round") == ["beta + phi = 90° - psi"]
+    assert lines(derivation, "tan")[1:] == [
+        "tan(phi) = u sin(theta)/(1/4 u cos(theta)) = 4tan(theta) [rearrange]",
+        "tan(psi) = u sin(theta)/(1/16 u cos(theta)) = 16tan(theta) [rearrange]",
+    ]
+    text = printed(problem, derivation)
+    assert "so these angles make 90°" in text
+    (line,) = (each for each in derivation.lines if each.move.record == "round")
+    for wrong in ("beta + phi = 180° - psi", "beta + phi = 90° + psi", "beta - phi = 90° - psi"):
+        assert spoiled(problem, derivation, line, wrong)
+
+
+def test_a_coefficient_by_which_three_chords_close() -> None:
+    _, derivation = planned(
+        """
+        wall C: circle centre (1, 0) radius 2
+        sphere P: at (-1, 0), velocity 3 at 30°
+        P hits C
+        P hits C
+        P reaches (-1, 0)
+        find e
+        """
+    )
+    assert [write_relation(each.answer) for each in derivation.items] == ["e = 1"]
+
+
+def test_chords_that_end_elsewhere_make_no_right_angle() -> None:
+    problem, derivation = planned(ROUND)
+    (line,) = (each for each in derivation.lines if each.move.record == "round")
+    fewer = replace(line, premises=tuple(e for e in line.premises if e != "contact 3"))
+    changed = tuple(fewer if each is line else each for each in derivation.lines)
+    assert follow(replace(derivation, lines=changed), Oracle(roles(problem))) != ()

@@ -160,7 +160,9 @@ RULES: tuple[Rule, ...] = (
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),
     _rule("centres-two-radii-apart", ("define",), "A", ("beside",)),
+    _rule("chord-again", ("define",), "", ("chord",), ("another-chord",)),
     _rule("chord", ("define",), "M", ("chord",)),
+    _rule("angles-round-a-circle", ("define",), "M", ("round",)),
     _rule("energy", ("define",), "M A", _ENERGIES, ("alone",)),
     _rule("first-of-several-energies", ("define",), "M", _ENERGIES, ("first-of-several",)),
     _rule("second-of-several-energies", ("define",), "A", _ENERGIES, ("second-of-several",)),
@@ -518,6 +520,16 @@ def _zero(work: _Awarding, line: Line) -> bool:
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
+def _another_chord(work: _Awarding, line: Line) -> bool:
+    """A component on a chord, below another one in the part: the angles are equal once more."""
+    match _subject(line):
+        case Quantity("along" | "across"):
+            pass
+        case _:
+            return False
+    return any(each.move.record == "chord" for each in work.above(line))
+
+
 def _place_of_facts(work: _Awarding, line: Line) -> bool:
     """A coordinate by the way in the other direction, from the data alone."""
     match _subject(line):
@@ -729,6 +741,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "of-facts": _of_facts,
     "of-angles": _of_angles,
     "place-of-facts": _place_of_facts,
+    "another-chord": _another_chord,
     "of-one-term": _of_one_term,
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),

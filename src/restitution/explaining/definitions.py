@@ -134,6 +134,45 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
         yield Link(Binary("*", flight, square), "=", way)
 
 
+def _rounds(step: Step, event: Event | None) -> Iterator[Link]:
+    """Of three chords of one circle that close, that their angles with the radii make 90°.
+
+    Each spans 180° less twice its angle at the centre; together they can only span 360°.
+    """
+    for name in step.move.bodies if event is not None else ():
+        body = Name(name)
+        assert event is not None
+        own = [e.number for e in step.setting.events if name in e.bodies[:2]]
+        own = [each for each in own if each <= event.number]
+        if len(own) != 3 or own[-1] != event.number:
+            continue
+        first, second, last = own
+        circle = _circle(step, body, first)
+        if circle is None or _circle(step, body, second) != circle:
+            continue
+        start, end = (_cited_place(step, body, each) for each in (0, last))
+        if start is None or end is None or _start_on(step, body, *circle) is None:
+            continue
+        gap = step.world.value(Binary("-", start, end))
+        if not isinstance(gap, Plane) or not (gap.x.vanishes and gap.y.vanishes):
+            continue
+        a, b, c = (
+            Quantity(
+                "angle",
+                (Quantity("velocity", (body,), stage), Quantity("line_of_centres", (), hit)),
+            )
+            for stage, hit in ((0, first), (first, first), (second, second))
+        )
+        yield Link(Binary("+", a, b), "=", Binary("-", RIGHT_ANGLE, c))
+
+
+def _cited_place(step: Step, body: Name, number: int) -> Expression | None:
+    """Where a body is at an event, or at the start, as is cited."""
+    place = Quantity("position", (body,), number)
+    found = (link.right for link in step.links if link.left == place and link.sign == "=")
+    return next(found, None)
+
+
 def _moving_off(step: Step, event: Event | None) -> Iterator[Link]:
     """That who was at rest moves off along the line of centres, to its next event."""
     if event is None or event.kind != "impact" or event.wall:
@@ -500,4 +539,5 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "chord": _chords,
     "moves-off": _moving_off,
     "beside": _beside,
+    "round": _rounds,
 }

@@ -115,7 +115,7 @@ class _Facts:
             told = (
                 ("mass", Quantity("mass", (name,)), sphere.mass),
                 ("velocity", Quantity("velocity", (name,), 0), sphere.velocity),
-                ("position", Quantity("position", (name,), 0), sphere.position),
+                ("position", Quantity("position", (name,), 0), self._place(sphere.position)),
             )
             for word, quantity, value in told:
                 if isinstance(value, Expression):

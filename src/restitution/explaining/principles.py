@@ -419,6 +419,8 @@ DEFINITIONS = (
     Record("beside", "definition", where="spheres", gives=("position",), marks=("M",)),
     # From one point of a circular wall to the next.
     Record("chord", "definition", where="wall", gives=("along", "across", "time"), marks=("M",)),
+    # By three chords back to where they began.
+    Record("round", "definition", gives=("angle",), marks=("M",)),
     Record(
         "straight-line",
         "definition",

@@ -166,6 +166,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "between the path and the line of centres is offset/(2r)."
     ),
     "offset.mistakes": ("Usual mistakes: one radius in place of two, and cosine for sine."),
+    "round.title": (
+        "At the centre a chord spans 180° less twice its angle with the radii; the three chords "
+        "span 360°, so these angles make 90°"
+    ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
     "chord.time": "Time = length of the chord ÷ speed",
     "chord.why": (

@@ -38,6 +38,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "perpendicular": ("derived-perpendicular.title", "derived-perpendicular.title"),
     "parallel": ("derived-parallel.title", "derived-parallel.title"),
     "straight-line": ("flight.title", "flight.title"),
+    "round": (None, "round.title"),
     "chord": ("chord.title", None),
     "moves-off": (None, "moves-off.title"),
     "either-side": (None, "either-side.title"),

@@ -17,7 +17,7 @@ from restitution.components import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
-from restitution.planning import paths, place_trees, separations
+from restitution.planning import paths, place_trees, rounds, separations
 from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
 from restitution.planning.checking import require_true
@@ -83,6 +83,7 @@ class Solver:
         self.laws = [*self._laws(), *self._across()]
         self.givens = {each.fact.id: each for each in scene.given}
         self.paths = {each.candidate.id: each for each in paths.paths(scene)}
+        self.rounds = {each.candidate.id: each for each in rounds.rounds(scene)}
         self.used: set[str] = set()
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, Waiting] = {}
@@ -251,6 +252,7 @@ class Solver:
                 *(each.candidate for each in self.laws),
                 *(self._of_given(each) for each in scene.given),
                 *(each.candidate for each in self.paths.values()),
+                *(each.candidate for each in self.rounds.values()),
             )
             if own.id not in self.used
         ]
@@ -670,6 +672,8 @@ class Solver:
                 return None
         if own.id in self.paths:
             return paths.write_path(self.scene, self.paths[own.id])
+        if own.id in self.rounds:
+            return rounds.write_round(self.scene, self.rounds[own.id])
         if law is None:
             return None
         if law.kind in _LAWS:

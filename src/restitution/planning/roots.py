@@ -80,6 +80,8 @@ def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
     """The roots of a factor that are real at the numbers of the solution."""
     if polynomial.degree() == 2:
         a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
+        if b == 0 and (own := _quotient_root(scene, -c / a)) is not None:
+            return [own, -own]
         inside = factored(b**2 - 4 * a * c)
         if scene.model.sign(inside) < 0:
             return []
@@ -87,6 +89,21 @@ def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
         root = root.replace(sp.Abs, lambda x: x if scene.model.sign(x) >= 0 else -x)
         return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
     return [tidy(each) for each in sp.roots(polynomial)]
+
+
+def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:
+    """The root of a quotient with a sum below, in one root; None of another."""
+    factors = sp.factor_list(sp.together(square_).as_numer_denom()[1])[1]
+    if not any(base.is_Add and power % 2 for base, power in factors):
+        return None
+    outside, inside = sp.Integer(1), sp.Integer(1)
+    for base, power in sp.factor(square_).as_powers_dict().items():
+        half, odd = divmod(power, 2)
+        outside, inside = outside * base**half, inside * base**odd
+    if scene.model.sign(scene.model.in_data(inside)) <= 0:
+        return None
+    back = scene.model.sign(scene.model.in_data(outside)) < 0
+    return sp.sympify((-outside if back else outside) * sp.sqrt(inside), strict=True)
 
 
 def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:

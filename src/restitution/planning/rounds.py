@@ -1,0 +1,152 @@
+"""Back to the first point of a circular wall by two others: what the angles make together.
+
+A chord that makes the angle φ with the radii at its ends spans 180° − 2φ at the centre, and three
+chords that close span 360°. So the three angles make 90°. The tangent of each is that of the one
+before it over the coefficient of restitution between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+)
+from restitution.planning.circles import chord_from, from_centre
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import ONE, in_tangents, product, swept, tree_of
+from restitution.planning.impacts import after, in_direction
+from restitution.planning.named_angles import letter_of
+from restitution.planning.place_trees import place_tree
+from restitution.planning.premises import background
+from restitution.planning.routes import Candidate
+from restitution.planning.scene import Scene
+from restitution.problem import Arrival
+
+_RIGHT = Degrees(Fraction(90))
+
+
+@dataclass(frozen=True)
+class Round:
+    """That three chords close, as an equation of a route."""
+
+    number: int
+    body: str
+    hits: tuple[int, int]
+    candidate: Candidate
+
+
+def rounds(scene: Scene) -> Iterator[Round]:
+    """The ways round a circular wall that close, and in which something unknown stands."""
+    for number in range(3, scene.events + 1):
+        step = scene.model.happening(number).step
+        if not isinstance(step, Arrival):
+            continue
+        body = step.body
+        own = [n for n in range(1, number) if body in scene.bodies(n)]
+        if len(own) != 2 or [chord_from(scene, body, n) for n in own] != [0, own[0]]:
+            continue
+        start, end = (scene.value(place_tree(body, each)) for each in (0, number))
+        if not all(map(scene.model.identically_zero, end - start)):
+            continue
+        first, second = own
+        way, velocity = from_centre(scene, first, start), scene.velocity(body, 0)
+        e, f = (scene.coefficient(n).value for n in own)
+        t = way.cross(velocity) / way.dot(velocity)
+        residual = tidy(t**2 * (1 + e + e * f) - e**2 * f)
+        if scene.unknown(residual):
+            candidate = Candidate(f"round {number}", 3.0, (residual,))
+            yield Round(number, body, (first, second), candidate)
+
+
+def write_round(scene: Scene, own: Round) -> int:
+    """The equation of the tangents, and its number."""
+    first, second = own.hits
+    ends = [(0, first), (first, first), (second, second)]
+    tangents: dict[Expression, tuple[sp.Expr, int]] = {}
+    letters: list[Letter] = []
+    meanings: list[Ref] = []
+    for stage, event in ends:
+        frame = scene.frame(event)
+        along, across = (
+            after(scene, kind, own.body, frame)
+            if stage
+            else in_direction(scene, kind, own.body, 0, frame)
+            for kind in ("along", "across")
+        )
+        velocity = Quantity("velocity", (Name(own.body),), stage)
+        angle = Quantity("angle", (velocity, Quantity("line_of_centres", (), event)))
+        letter, meaning = letter_of(scene, angle)
+        letters.append(Letter(letter))
+        meanings.append(meaning)
+        tangents[Apply("tan", letters[-1])] = _tangent(
+            scene, event, own.body, letter, meaning, along, across
+        )
+    a, b, c = letters
+    premises: list[Ref] = [f"contact {n}" for n in (*own.hits, own.number)]
+    premises += [f"position {own.body}", *meanings]
+    closing = scene.desk.write(
+        Move("define", "round", own.number, (own.body,)),
+        together(premises),
+        chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None)),
+    )
+    x, y, z = tangents
+    quotient = Binary("/", Binary("+", x, y), Binary("-", ONE, product(x, y)))
+    relation = chain(quotient, (Binary("/", ONE, z), None))
+    move = Move("identity", "sum-of-angles")
+    refs = scene.judge.enough(move, (closing,), relation, [*meanings])
+    if refs is None:
+        raise NotPlannedError("the tangent of a sum")
+    line = scene.desk.write(move, refs, relation)
+    values = {key: tree_of(worth) for key, (worth, _) in tangents.items()}
+    right = tree_of(in_tangents(tidy(1 / tangents[z][0])))
+    put = chain(swept(exchanged(quotient, values)), (right, None))
+    names = {each.name for each in scene.unknown(own.candidate.residuals[0])}
+    pool = [*(number for _, number in tangents.values()), *background(scene, names)]
+    kept = scene.judge.enough(Move("put"), (line,), put, pool)
+    if kept is None:
+        raise NotPlannedError("the tangents of angles round a circle")
+    return scene.desk.write(Move("put"), kept, put)
+
+
+def _tangent(
+    scene: Scene,
+    event: int,
+    body: str,
+    letter: str,
+    meaning: Ref,
+    along: Source,
+    across: Source,
+) -> tuple[sp.Expr, int]:
+    """The tangent of the angle with a radius: its value, and its line."""
+    values, refs = [], [meaning]
+    for each in (across, along):
+        value, more = scene.put(each.value)
+        if scene.model.sign(scene.model.in_data(value)) < 0:
+            value = -value
+        values.append(value)
+        refs += [*each.whole, *more]
+    worth = in_tangents(tidy(sp.sympify(values[0] / values[1], strict=True)))
+    right = swept(Binary("/", *map(tree_of, values)))
+    number = scene.desk.write(
+        Move("define", "tan", event, (body,)),
+        together(refs),
+        chain(Apply("tan", Letter(letter)), (right, None), (tree_of(worth), "rearrange")),
+    )
+    return worth, number
+
+
+__all__ = ["Round", "rounds", "write_round"]
