@@ -170,9 +170,10 @@ class BoldLetters:
 def _direction(derivation: Derivation, number: int) -> Vector | None:
     """The direction of the line of an event, where it is told by **i** and **j** and slants."""
     axis = Quantity("line_of_centres", (), number)
+    # The last line that tells it has the sense in which components are taken.
     told: list[Line | Fact] = [
         each
-        for each in derivation.lines
+        for each in reversed(derivation.lines)
         if not derivation.cases and not isinstance(each.relation, Meaning)
     ]
     fact = derivation.fact(" ".join(("axis", str(number))))

@@ -136,7 +136,9 @@ class Forms:
                 return left
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
-            case Binary("/", Binary("+" | "-"), Apply("sqrt")):
+            case Binary(
+                "/", Binary("+" | "-"), Apply("sqrt") | Binary("*", Number(), Apply("sqrt"))
+            ):
                 return node  # a scalar product by the length of a vector, a vector by its own
             case Binary("/", left, right) if _root_below(right):
                 own = self._rational(left, right) or node

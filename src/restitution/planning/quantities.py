@@ -680,6 +680,9 @@ def velocity_source(scene: Scene, body: str, stage: int) -> Source:
     if last not in scene.model.frames:
         return blown(scene, body, last)
     own = _velocity(scene, quantity)
+    if scene.frame(last).is_slanted:
+        # What is put together of slanting components has a line of its own.
+        return Source(own.value, (write_formula(scene, own),))
     return Source(own.value, own.refs)
 
 

@@ -120,7 +120,8 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
         case "+":
             return total([left, bracketed(right) if _is_negation(right) else right])
         case "-":
-            if _has_terms(left) and _has_terms(right) and _has_vectors(node):
+            several = _has_terms(right) or _is_vector(node.left)
+            if _has_terms(left) and several and _has_vectors(node.right):
                 left = Brackets(left)  # a change of velocity: one vector minus another
             parts = left.terms if isinstance(left, Sum) else (("+", left),)
             return Sum((*parts, ("-", bracketed(right))))
@@ -140,6 +141,17 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
 
 def _has_terms(layout: Layout) -> bool:
     return isinstance(layout, Sum) and len(layout.terms) > 1
+
+
+def _is_vector(node: trees.Expression) -> bool:
+    """Whether a tree is a multiple of **i** and one of **j**."""
+    if not isinstance(node, trees.Binary) or node.op not in ("+", "-"):
+        return False
+    left, right = (
+        {each for each in trees.walk(side) if isinstance(each, trees.Unit)}
+        for side in (node.left, node.right)
+    )
+    return left == {trees.Unit("i")} and right == {trees.Unit("j")}
 
 
 def _has_vectors(node: trees.Expression) -> bool:
