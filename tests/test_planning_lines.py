@@ -55,6 +55,34 @@ A hits B: e = 1/3
 given angle(line_of_centres, i) = 60°
 find direction(B), speed(B)
 """,
+    "the line by a speed and a deflection": """
+sphere A: mass 3, velocity 4i
+sphere B: mass 5, at rest
+A hits B
+given deflection(A) = 60°, speed(A) = 2, direction(A) > 0
+find line_of_centres, e, direction(B)
+""",
+    "a speed and a deflection to either side": """
+sphere A: mass 1, velocity 2u i
+sphere B: mass 3, at rest
+A hits B
+given deflection(A) = 90°, speed(A) = u/2
+find e, direction(B), speed(B), line_of_centres
+""",
+    "a wall at an angle on either side that is given": """
+wall W
+sphere P: mass 2, velocity 4i
+P hits W: e = 1/2
+given angle(i, W) = 60°
+find speed(P), velocity(P), direction(W), impulse
+""",
+    "a wall at an unknown angle on either side": """
+wall W
+sphere P: mass 2, velocity 4i
+P hits W: e = 1/2
+given speed(P) = 3
+find angle(W, i), direction(P), velocity(P), impulse(P), direction(W)
+""",
     "a wall by the direction after it": """
 wall W
 sphere P: mass 2, velocity 6i + 2j
@@ -178,6 +206,16 @@ def test_a_side_is_open_where_nothing_tells_it(body: str, given: str, open_: boo
     )
     start = Derivation(facts_of(problem), (), (), events_of(problem))
     assert on_either_side(start) == (frozenset({1}) if open_ else frozenset())
+
+
+def test_the_side_of_a_deflection_is_told_or_taken() -> None:
+    text = printed("the line by a speed and a deflection")
+    assert "𝐯_A = 2 cos 60° 𝐢 + 2 sin 60° 𝐣 = (𝐢 + √3 𝐣) m s⁻¹" in text
+    text = printed("a speed and a deflection to either side")
+    assert "the line of centres is parallel to 4𝐢 + 𝐣 or 4𝐢 − 𝐣" in text
+    assert "W may slope to either side of 𝐢:" in printed(
+        "a wall at an unknown angle on either side"
+    )
 
 
 def test_newtons_law_takes_scalar_products_with_the_change_of_velocity() -> None:

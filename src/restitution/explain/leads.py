@@ -150,10 +150,28 @@ class Leads:
                 return None
         if name is None:
             return None
+        if record.id == "tan-direction" and self._moves_along(line):
+            return say("moves-along.title", body=bodies[:1])
         if self._by_products(line):
             return say("restitution.products")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _moves_along(self, line: Line) -> bool:
+        """Whether a direction is that of the line of centres, as there is no component across."""
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        lines = [own for ref in numbers if (own := self._derivation.line(ref))]
+        event = self._naming.events.get(line.move.event or 0)
+        return (
+            event is not None
+            and not event.wall
+            and any(
+                isinstance(each.relation, Relation)
+                and each.move.record == "unchanged"
+                and is_zero(each.relation.options[0][-1].right)
+                for each in lines
+            )
+        )
 
     def _by_products(self, line: Line) -> bool:
         """Whether a law of restitution is written by scalar products with a cited vector."""

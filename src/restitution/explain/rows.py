@@ -40,6 +40,7 @@ _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
 _ORDERS = frozenset({"<", "<=", ">", ">="})
+_VECTORS = ("velocity", "impulse")
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
 
@@ -240,11 +241,19 @@ class Rows:
         if root is not None:
             sides = (self._naming.laid(root.left), self._naming.laid(root.right))
             return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
+        words = _WORDS.get(first[0].sign)
+        if words is not None and all(len(each) == 1 for each in options):
+            left = self._naming.side(first[0].left)
+            ways = tuple(self._naming.side(each[0].right) for each in options)
+            either = say("derived.either", values=ways)
+            return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
+        if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
+            asked = False  # the line above has the value
         laid = self._bare(first, asked)
         others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
         if isinstance(first[0].left, Quantity) and all(len(each) == 1 for each in options):
             # A quantity in words stands once.
-            others = [each.operands[-1] for each in others if isinstance(each, lay.Relation)]
+            others = [_without_subject(each) for each in others if isinstance(each, lay.Relation)]
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 
@@ -295,6 +304,12 @@ class Rows:
 def _has_function(tree: Expression) -> bool:
     """Whether there are roots or angles of which only a calculator knows the value."""
     return any(isinstance(each, Apply) for each in walk(tree))
+
+
+def _without_subject(relation: lay.Relation) -> lay.Layout:
+    """The right sides of an equation."""
+    sides, signs = relation.operands[1:], relation.signs[1:]
+    return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
 
 
 def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:

@@ -79,11 +79,10 @@ def _on_either_side(step: Step, relation: Relation) -> bool:
     if number not in step.setting.either or [len(each) for each in relation.options] != [1, 1]:
         return False
     (first,), (second,) = relation.options
-    axis = Quantity("line_of_centres", (), number)
-    if first.left == axis and first.sign == "parallel to":
-        told = Link(axis, "parallel to", step.world.directions.get(axis, axis))
-        chosen = step.under(opaque=step.opaque | {axis})
-        if told.right == axis or not _is_along(step, chosen, first, told.right):
+    axis = first.left
+    if _is_line_of(step, axis, number) and first.sign == "parallel to":
+        angle = step.world.directions.get(axis)
+        if angle is None or not _is_along(step, first, angle):
             return False
         own: Link | None = first
     else:
@@ -98,7 +97,11 @@ def _on_either_side(step: Step, relation: Relation) -> bool:
         case Quantity("direction", (Name(),), int()):
             one, other = (_in_radians(step, each.right) for each in (first, second))
             return bool(one + other == 0)
-        case Quantity("velocity" | "line_of_centres") | Quantity("impulse", (Name(),)):
+        case (
+            Quantity("velocity" | "line_of_centres")
+            | Quantity("impulse", (Name(),))
+            | Quantity("direction", (Name(),), None)
+        ):
             a, b = (step.world.value(each.right) for each in (first, second))
             return (
                 isinstance(a, Plane)
@@ -109,15 +112,25 @@ def _on_either_side(step: Step, relation: Relation) -> bool:
     return False
 
 
-def _is_along(step: Step, chosen: Step, line: Link, angle: Expression) -> bool:
+def _is_line_of(step: Step, tree: Expression, number: int | None) -> bool:
+    """Whether a tree is the line of centres of an event, or its wall."""
+    event = step.setting.event(number)
+    if event is None:
+        return False
+    wall = Quantity("direction", (Name(event.bodies[-1]),))
+    return tree == (wall if event.wall else Quantity("line_of_centres", (), number))
+
+
+def _is_along(step: Step, line: Link, angle: Expression) -> bool:
     """Whether a line gives the direction at an angle, with what is cited put in, by a vector."""
+    chosen = step.under(opaque=step.opaque | {line.left})
     own = chosen.world.pointing(line.right)
-    there = step.rules().put_into(step.world.unit(angle))
+    there = chosen.rules().put_into(chosen.world.unit(angle))
     if not (isinstance(own, Plane) and isinstance(there, Plane)):
         return False
-    if not step.world.reduced(own.x * there.y - own.y * there.x).vanishes:
+    if not chosen.world.reduced(own.x * there.y - own.y * there.x).vanishes:
         return False
-    return not there.x.vanishes and not own.x.vanishes and step.signs.of(own.x / there.x) == 1
+    return not there.x.vanishes and not own.x.vanishes and chosen.signs.of(own.x / there.x) == 1
 
 
 def _condition(relation: Relation) -> tuple[Link, Link] | None:
@@ -457,11 +470,63 @@ _RESOLVED: Mapping[str | None, tuple[str, ...]] = {
 
 
 def _define(step: Step, line: Link) -> bool:
+    if step.move.record == "turned":
+        return _is_turned(step, line)
     if step.move.record in _RESOLVED or _is_size(step, line.left):
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return _is_tie(step, line)
     return (step.move.record == "speed" and _is_read_off(step, line)) or _law(step, line)
+
+
+def _is_turned(step: Step, line: Link) -> bool:
+    """A velocity by its size and the angle through which one along **i** has been turned.
+
+    To which side, a cited inequality tells. Where a line may be on either side of **i**, it is on
+    that of **j**: there the first sphere is turned away from it, and so is not who hits a wall.
+    """
+    event = step.setting.event(step.move.event)
+    if event is None or line.sign != "=" or len(step.move.bodies) != 1:
+        return False
+    body = Name(step.move.bodies[0])
+    told = {link.left: link.right for link in step.links if link.sign == "="}
+    early = told.get(step.setting.quantity(Quantity("velocity", (body,), event.number - 1)))
+    size = told.get(Quantity("speed", (body,), event.number))
+    angle = told.get(Quantity("deflection", (body,), event.number))
+    if line.left != Quantity("velocity", (body,), event.number) or early is None:
+        return False
+    if size is None or angle is None:
+        return False
+    before, after = step.world.value(early), step.world.value(line.right)
+    if not (isinstance(before, Plane) and isinstance(after, Plane) and before.y.vanishes):
+        return False
+    if before.x.vanishes or step.signs.of(before.x) != 1:
+        return False
+    side = _side_of(step, event, body)
+    if side is None:
+        return False
+    there = step.world.value(Polar(size, angle))
+    if not isinstance(there, Plane):
+        return False
+    y = there.y if side > 0 else CONSTANT(0) - there.y
+    return (
+        step.world.reduced(there.x - after.x).vanishes and step.world.reduced(y - after.y).vanishes
+    )
+
+
+def _side_of(step: Step, event: Event, body: Name) -> int | None:
+    """1 where a velocity after an event is on the side of **j**, −1 on the other, None if open."""
+    direction = Quantity("direction", (body,), event.number)
+    for link in step.links:
+        for side, other, sign in (
+            (link.left, link.right, link.sign),
+            (link.right, link.left, FLIPPED.get(link.sign, "")),
+        ):
+            if side == direction and other in (ZERO, Degrees(Fraction(0))) and sign in ("<", ">"):
+                return 1 if sign == ">" else -1
+    if event.number in step.setting.either:
+        return 1 if event.wall or body.name != event.bodies[0] else -1
+    return None
 
 
 def _is_read_off(step: Step, line: Link) -> bool:

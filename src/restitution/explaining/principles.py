@@ -400,8 +400,10 @@ DEFINITIONS = (
         gives=("momentum",),
         marks=("M",),
     ),
+    # A velocity by its size and how far it is turned, to a side that is told, or else taken.
+    Record("turned", "definition", where="impact", gives=("velocity",), marks=("M", "A")),
     # What is mirrored, where a line of centres may be on either side of **i**.
-    Record("either-side", "definition", where="spheres", gives=("direction",), marks=("M",)),
+    Record("either-side", "definition", where="impact", gives=("direction",), marks=("M",)),
     # The places are those of which a line speaks.
     Record("distance", "definition", gives=("distance",), marks=("M",)),
     Record(

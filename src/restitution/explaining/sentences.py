@@ -299,8 +299,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "carried.part": "From part ({label}):",
     "carried.above": "From above:",
     # --- places and times -------------------------------------------------------------------------
+    "turned-velocity.title": "The velocity, by its size and the angle through which it is turned",
+    "either-side.wall": "{wall} may slope to either side of 𝐢",
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
+    "moves-along.title": "{body:and} moves along the line of centres",
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (
@@ -507,6 +510,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.cancel-by": (
         "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"
     ),
+    "derived.either": "{values:or}",
     "derived.for": "when {place}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",

@@ -26,6 +26,7 @@ from restitution.explaining.trees import settled
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -330,11 +331,21 @@ class Step:
     def _on_one_side(
         self, angle: Expression, value: Expression
     ) -> Iterator[tuple[Expression, Expression]]:
-        """A line of centres by the angle that it makes with **i**, on the side of **j**.
+        """A line of centres, or a wall, by its angle with **i**, on the side of **j**.
 
         Where it may as well be on the other side, all is the same there but for what is mirrored.
         """
         match angle:
+            case Quantity("angle", (Name(name), Unit("i")) | (Unit("i"), Name(name))):
+                for event in self.setting.events:
+                    if event.number not in self.setting.either or name not in event.bodies[1:]:
+                        continue
+                    axis = Quantity("line_of_centres", (), event.number)
+                    if axis not in self.opaque:
+                        yield axis, Binary("-", value, Degrees(Fraction(90)))
+                    wall = Quantity("direction", (Name(name),))
+                    if wall not in self.opaque:
+                        yield wall, value
             case Quantity(
                 "angle", (Quantity("line_of_centres", (), int(number)) as axis, Unit("i"))
             ):

@@ -41,7 +41,8 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "round": (None, "round.title"),
     "chord": ("chord.title", None),
     "moves-off": (None, "moves-off.title"),
-    "either-side": (None, "either-side.title"),
+    "turned": ("turned-velocity.title", "turned-velocity.title"),
+    "either-side": ("either-side.wall", "either-side.title"),
     "beside": (None, "beside.title"),
 }
 

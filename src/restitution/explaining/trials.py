@@ -196,21 +196,21 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
 
 
 def on_either_side(derivation: Derivation) -> frozenset[int]:
-    """The impacts at which a line of centres may be on either side of **i**.
+    """The impacts at which a line of centres, or a wall, may be on either side of **i**.
 
-    It is not given, both spheres start along **i** or are at rest, and nothing that is given tells
+    It is not given, all spheres start along **i** or are at rest, and nothing that is given tells
     one side from the other.
     """
     facts = {each.id: each for each in derivation.facts}
     match derivation.events:
-        case (event,) if event.kind == "impact" and not event.wall:
+        case (event,) if event.kind == "impact":
             pass
         case _:
             return frozenset()
     told = {each.partition(" ")[0] for each in facts}
-    if told & {"axis", "position", "let"}:
+    if told & {"axis", "wall", "position", "let"}:
         return frozenset()
-    for body in event.bodies:
+    for body in event.bodies[:1] if event.wall else event.bodies:
         fact = facts.get(f"velocity {body}")
         if fact is None or not _is_along_i(fact.relation.only[0].right):
             return frozenset()
@@ -236,6 +236,8 @@ def _tells_a_side(tree: Expression) -> bool:
     """Whether a side of a given relation would be another one in a mirror along **i**."""
     match tree:
         case Quantity("velocity"):
+            return True
+        case Quantity("direction", (Name(),), None):
             return True
         case Quantity("angle" | "along" | "dot", arguments):
             own = [each for each in arguments if not _is_velocity(each)]

@@ -21,10 +21,10 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import NotPlannedError, together
-from restitution.planning.either_side import frame_on_one_side
+from restitution.planning.either_side import frame_on_one_side, write_sides
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
-from restitution.planning.impacts import whole_direction
+from restitution.planning.impacts import plain_direction, whole_direction
 from restitution.planning.radii import frame_by_places, is_by_places
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.vectors import velocity_given
@@ -71,8 +71,7 @@ def _beside_the_path(scene: Scene, number: int) -> Frame:
 def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
     """The direction by a vector of whole numbers, where there is one."""
     centres = Quantity("line_of_centres", (), number)
-    whole, _ = whole_direction(n)
-    tree = vector(*map(tree_of, whole))
+    tree = vector(*map(tree_of, plain_direction(n)))
     relation = Relation(((Link(centres, "parallel to", tree),),))
     if scene.desk.relation(line) == relation:
         return line
@@ -182,6 +181,8 @@ def write_wall(scene: Scene, wall: str) -> int:
     number = next((n for n, each in scene.model.frames.items() if each.wall == wall), None)
     if number is None or f"axis {number}" in scene.facts:
         raise NotPlannedError("the direction of a wall of the data")
+    if (sides := write_sides(scene, number)) is not None:
+        return sides
     frame = scene.frame(number)
     direction = Quantity("direction", (Name(wall),))
     (body,) = scene.spheres(number)

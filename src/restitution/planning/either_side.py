@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from restitution.components import Frame as Resolved
 from restitution.components import Model, model, protected_letters
-from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Link, Meaning, Move, Relation
+from restitution.explaining.derivation import Derivation, Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import (
     Degrees,
@@ -22,11 +22,13 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.planning.desk import Desk, NotPlannedError, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import whole_direction
+from restitution.planning.impacts import plain_direction
+from restitution.problem import trees
 from restitution.solve.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector
 
@@ -46,15 +48,17 @@ def on_one_side(
     if len(models) < 2 or len(numbers) != 1:
         return ()
     (number,) = numbers
-    own = [each for each in models if each.sign(each.frames[number].n.y) > 0]
+    own = [each for each in models if each.sign(_line(each.frames[number]).y) > 0]
     if 2 * len(own) != len(models):
         return ()
-    if any(each.sign(each.frames[number].n.x) <= 0 for each in own):
+    if any(each.sign(_line(each.frames[number]).x) <= 0 for each in own):
         return ()
-    given = _is_given(desk, number)
+    given = _is_given(desk, number, own[0].frames[number].wall)
     if given is not None:
         in_numbers = all(x.is_number for each in own for x in each.frames[number].n)
         return tuple(own) if in_numbers else ()
+    if any(_is_turned(facts, body) for body in desk.events[0].bodies):
+        return tuple(own)  # the change of velocity is known
     protected = protected_letters(part.part)
     turned = frozenset({number})
     return tuple(
@@ -63,16 +67,38 @@ def on_one_side(
     )
 
 
-def _angle(number: int) -> Quantity:
-    return Quantity("angle", (Quantity("line_of_centres", (), number), Unit("i")))
+def _is_turned(facts: Sequence[Fact], body: str) -> bool:
+    """Whether a speed and a deflection of a sphere are given."""
+    given = {
+        each.relation.only[0].left
+        for each in facts
+        if each.kind == "given" and len(each.relation.options) == 1
+        if each.relation.only[0].sign == "="
+    }
+    kinds = {
+        each.kind for each in given if isinstance(each, Quantity) and Name(body) in each.arguments
+    }
+    return {"speed", "deflection"} <= kinds
 
 
-def _is_given(desk: Desk, number: int) -> str | None:
+def _line(frame: Resolved) -> Vector:
+    """The direction whose side is open: of a wall its own, else of the line of centres."""
+    return frame.n if frame.wall is None else frame.t
+
+
+def _angle(number: int, wall: str | None) -> Quantity:
+    line = Quantity("line_of_centres", (), number) if wall is None else Name(wall)
+    return Quantity("angle", (line, Unit("i")))
+
+
+def _is_given(desk: Desk, number: int, wall: str | None) -> str | None:
     """The fact that gives the angle to **i**."""
+    asked = _angle(number, wall)
+    turned = replace(asked, arguments=tuple(reversed(asked.arguments)))
     for fact in desk.facts:
         if fact.kind == "given" and desk.holds(fact.id) and len(fact.relation.options) == 1:
             first = fact.relation.only[0]
-            if first.left == _angle(number) and first.sign == "=":
+            if first.left in (asked, turned) and first.sign == "=":
                 return fact.id
     return None
 
@@ -82,7 +108,7 @@ def angle_of_centres(scene: Scene, number: int) -> Expression | None:
     own = scene.model.frames[number]
     if own.angle is not None:
         return Letter(own.angle.name)
-    given = _is_given(scene.desk, number)
+    given = _is_given(scene.desk, number, own.wall)
     fact = scene.facts.get(f"axis {number}" if given is None else given)
     if fact is None:
         return None
@@ -94,21 +120,26 @@ def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
     """The frame of such a line of centres, by the angle that it makes with **i**."""
     own = scene.model.frames[number]
     centres = Quantity("line_of_centres", (), number)
-    given = _is_given(scene.desk, number)
-    if own.angle is None and given is None:
+    given = _is_given(scene.desk, number, own.wall)
+    if not scene.sided or (own.angle is None and given is None):
         return None
-    if own.angle is None:
-        return Frame(number, None, centres, None, own.n, own.n.turned_left(), (str(given),), 1)
-    meaning = Meaning(own.angle.name, _angle(number), angle="acute")
-    line = scene.desk.write(Move("let"), (), meaning)
-    return Frame(number, None, centres, None, own.n, own.n.turned_left(), (line,), 1)
+    told: Ref = str(given)
+    if own.angle is not None:
+        asked = _angle(number, own.wall)
+        turned = replace(asked, arguments=tuple(reversed(asked.arguments)))
+        if any(node == turned for tree in trees(scene.problem) for node in walk(tree)):
+            asked = turned  # as the question says it
+        meaning = Meaning(own.angle.name, asked, angle="acute")
+        told = scene.desk.write(Move("let"), (), meaning)
+    # Of a wall, the direction is into it.
+    n, sign = (own.n, 1) if own.wall is None else (-own.n, -1)
+    return Frame(number, own.wall, centres, None, n, n.turned_left(), (told,), sign)
 
 
-def write_other_side(scene: Scene, result: ItemResult, name: str, solutions: int) -> None:
+def write_other_side(scene: Scene, result: ItemResult, name: str) -> None:
     """What was found of a direction or a vector, or the same on the other side of **i**.
 
-    ``solutions`` is how many there are on one side. Raises NotPlannedError for other values that
-    differ from one side to the other.
+    Raises NotPlannedError for other values that differ from one side to the other.
     """
     end = scene.desk.ends[-1]
     if result.kind not in ("value", "vector", "direction") or end.item != name:
@@ -123,21 +154,23 @@ def write_other_side(scene: Scene, result: ItemResult, name: str, solutions: int
         relation = Relation(((link,), (replace(link, right=other),)))
         line = scene.desk.write(Move("define", "either-side", number), (end.line,), relation)
         scene.desk.ends[-1] = replace(end, line=line, answer=relation)
-    elif len(result.distinct) > solutions and len(end.answer.options) == 1:
+    elif len(result.distinct) > scene.sided and len(end.answer.options) == 1:
         raise NotPlannedError("a value that is another one on the other side")
 
 
 def write_sides(scene: Scene, number: int) -> int | None:
     """The two directions that a line of centres may have; None where they are not told so."""
     own = scene.model.frames[number]
-    if own.angle is None:
+    if not scene.sided:
         return None
-    centres = Quantity("line_of_centres", (), number)
+    line: Quantity = Quantity("line_of_centres", (), number)
+    if own.wall is not None:
+        line = Quantity("direction", (Name(own.wall),))
     frame = scene.frame(number)
-    (n, refs) = scene.put(own.n)
-    whole, _ = whole_direction(Vector(*map(tidy, n)))
+    (n, refs) = scene.put(_line(own))
+    whole = plain_direction(n)
     links = [
-        Link(centres, "parallel to", tree_of(each)) for each in (whole, Vector(whole.x, -whole.y))
+        Link(line, "parallel to", tree_of(each)) for each in (whole, Vector(whole.x, -whole.y))
     ]
     relation = Relation(((links[0],), (links[1],)))
     move = Move("define", "either-side", number)
@@ -166,7 +199,7 @@ def _meant(scene: Scene, subject: Expression) -> Expression:
 def _mirrored(scene: Scene, link: Link) -> Expression:
     """The right side of a link, mirrored along **i**."""
     match _meant(scene, link.left):
-        case Quantity("direction", (Name(),)):
+        case Quantity("direction", (Name(),), int()):
             return link.right.operand if isinstance(link.right, Negate) else Negate(link.right)
     value = scene.vector(link.right)
     return tree_of(Vector(value.x, -value.y))

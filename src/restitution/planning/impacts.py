@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -193,6 +193,37 @@ def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
     size = sp.sqrt(ratio.p**2 + ratio.q**2)
     sign = 1 if x.is_positive else -1
     return Vector(sign * sp.Integer(ratio.q), sign * sp.Integer(ratio.p)), size
+
+
+def plain_direction(direction: Vector) -> Vector:
+    """The shortest vector in a direction: of whole numbers, or with one root, if there is one."""
+    x, y = (tidy(sp.expand(each)) for each in direction)
+    if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
+        ratio = sp.Rational(x / y)
+        sign = 1 if y > 0 else -1
+        return Vector(sp.Integer(sign * ratio.p), sp.Integer(sign * ratio.q))
+    if y != 0 and (surd := sp.sympify(tidy(x / y), strict=True)).is_number:
+        part, root = surd.as_coeff_Mul()
+        if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
+            return _with_a_root(part, root, 1 if y > 0 else -1)
+    common = _content((x, y))
+    return Vector(tidy(x / common), tidy(y / common))
+
+
+def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
+    """A vector with the ratio of a rational number times a root, in its shorter form."""
+    p, q = sp.Integer(part.p), sp.Integer(part.q)
+    common = sp.gcd(p * root.base, q)
+    forms = [(p * root, q), (p * root.base / common, q * root / common)]
+    x, y = min(forms, key=lambda each: float(abs(each[0]) + abs(each[1])))
+    return Vector(sign * x, sign * y)
+
+
+def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
+    """The rational number that all terms of some numbers are multiples of."""
+    terms = [t for each in parts for t in sp.Add.make_args(sp.expand(each)) if t != 0]
+    factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
+    return sp.gcd_list(factors) if factors else sp.Integer(1)
 
 
 def _settled(scene: Scene, tree: Expression) -> Source | None:

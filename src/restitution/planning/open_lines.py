@@ -6,7 +6,6 @@ and the law of restitution, by scalar products with that change, is an equation 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -27,6 +26,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.frames import Frame
+from restitution.planning.impacts import plain_direction
 from restitution.planning.named_angles import letters_taken
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.solve.numbers import number_of
@@ -273,7 +273,7 @@ def _settle(
     put, refs = scene.put(change)
     centres = Quantity("line_of_centres", (), number)
     own = scene.model.frames[number]
-    plain = _plain(put)
+    plain = plain_direction(put)
     n = own.n if scene.model.sign(plain.dot(own.n)) > 0 else -own.n
     line = axis
     if refs:
@@ -294,34 +294,3 @@ def _settle(
     for body, ref in known.items():
         symbol = scene.model.components[number, body].symbol
         scene.desk.know(Letter(symbol.name), scene.model.final[symbol], (ref, line))
-
-
-def _plain(direction: Vector) -> Vector:
-    """A vector of whole numbers in a direction, where there is one."""
-    x, y = (tidy(sp.expand(each)) for each in direction)
-    if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
-        ratio = sp.Rational(x / y)
-        sign = 1 if y > 0 else -1
-        return Vector(sp.Integer(sign * ratio.p), sp.Integer(sign * ratio.q))
-    if y != 0 and (surd := sp.sympify(tidy(x / y), strict=True)).is_number:
-        part, root = surd.as_coeff_Mul()
-        if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
-            return _with_a_root(part, root, 1 if y > 0 else -1)
-    common = _content((x, y))
-    return Vector(tidy(x / common), tidy(y / common))
-
-
-def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
-    """A vector with the ratio of a rational number times a root, in its shorter form."""
-    p, q = sp.Integer(part.p), sp.Integer(part.q)
-    common = sp.gcd(p * root.base, q)
-    forms = [(p * root, q), (p * root.base / common, q * root / common)]
-    x, y = min(forms, key=lambda each: float(abs(each[0]) + abs(each[1])))
-    return Vector(sign * x, sign * y)
-
-
-def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
-    """The rational number that all terms of some numbers are multiples of."""
-    terms = [t for each in parts for t in sp.Add.make_args(sp.expand(each)) if t != 0]
-    factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
-    return sp.gcd_list(factors) if factors else sp.Integer(1)

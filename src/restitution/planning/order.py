@@ -386,7 +386,7 @@ class Solver:
                 case Quantity("velocity"):
                     self._take_velocity(given)
                     return (own,)
-                case Quantity("speed" | "direction", (Name(body),), int(event)):
+                case Quantity("speed" | "direction" | "deflection", (Name(body),), int(event)):
                     known = velocity_given(self.scene, body, event)
                     if known is not None and (event, body) in self.scene.model.components:
                         self._take_components(body, event)

@@ -196,12 +196,13 @@ def _drafts(
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
-        _write_items(scene, ways, last, one_side=len(one_side))
+        scene.sided = len(one_side)
+        _write_items(scene, ways, last)
         drafts.append(draft)
     return drafts
 
 
-def _write_items(scene: Scene, ways: dict[str, int], last: int, *, one_side: int) -> None:
+def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
     """Writes the items of a part, each in its way, or in the next one that goes.
 
     Raises NotPlannedError where one cannot be written in the ``last`` way.
@@ -221,7 +222,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int, *, one_side: int
                 if ways[name] == _NOTED:
                     write_unfinished(scene, solver, item, result, now, name)
                 else:
-                    _write_end(scene, solver, item, result, now, name, one_side)
+                    _write_end(scene, solver, item, result, now, name)
                 lines = scene.desk.lines
                 require_true(scene.model, lines[start:], lines, scene.desk.facts)
                 if solver.resort:
@@ -236,13 +237,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int, *, one_side: int
 
 
 def _write_end(
-    scene: Scene,
-    solver: Solver,
-    item: Item | Show,
-    result: ItemResult,
-    now: int,
-    name: str,
-    one_side: int,
+    scene: Scene, solver: Solver, item: Item | Show, result: ItemResult, now: int, name: str
 ) -> None:
     """The lines of one item and its end, or why it has none."""
 
@@ -252,8 +247,8 @@ def _write_end(
     if result.error is None:
         write_open_lines(scene)
         write()
-        if one_side:
-            write_other_side(scene, result, name, one_side)
+        if scene.sided:
+            write_other_side(scene, result, name)
     else:
         write_refusal(scene, solver, result, write, name)
 

@@ -525,7 +525,15 @@ def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
     """The components of a velocity in the directions of **i** and **j**."""
     frame = frame_after(scene, body, stage)
     if frame.across is None and frame.n.x != 0 and frame.n.y != 0:
-        whole = velocity_source(scene, body, stage)
+        along, across = parts(scene, body, stage, frame)
+        whole = (
+            Source(
+                Vector(*map(tidy, frame.n * along.value)),
+                together(along.refs, across.refs, frame.unit_free),
+            )
+            if across.value == 0
+            else velocity_source(scene, body, stage)
+        )
         return Source(whole.value.x, whole.refs), Source(whole.value.y, whole.refs)
     along, across = parts(scene, body, stage, frame)
     first, second = (along, across) if frame.n.x != 0 else (across, along)

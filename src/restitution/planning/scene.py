@@ -75,6 +75,8 @@ class Scene:
     frames: dict[int, Frame] = field(default_factory=dict)
     free: set[sp.Symbol] = field(default_factory=set)
     """Letters that an item leaves open, though facts tie them to others."""
+    sided: int = 0
+    """How many solutions there are beside **j**, where each has one mirrored along **i**."""
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None

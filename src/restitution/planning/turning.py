@@ -266,8 +266,7 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
             right = straight
         else:
             right = difference(straight, size) if sign > 0 else difference(size, straight)
-    known = velocity_source(scene, body, stage) if x.refs == y.refs else x
-    side = together(known.whole, nonzero(scene, x.value))
+    side = together(x.whole, nonzero(scene, x.value))
     return Ratio(line, letter, "tan", value, extent, side, right)
 
 

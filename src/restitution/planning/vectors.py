@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Ref
-from restitution.expression.tree import Expression, Name, Quantity, walk
-from restitution.planning.desk import together
-from restitution.planning.forms import tree_of, vector
+from restitution.explaining.derivation import Link, Move, Ref
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Name,
+    Quantity,
+    has_quantity,
+    walk,
+)
+from restitution.planning.desk import chain, together
+from restitution.planning.forms import negative, product, tree_of, vector
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
@@ -32,13 +42,72 @@ def velocity_given(
             ):
                 parts[kind] = each
     if len(parts) != 2:
-        return None
+        return turned_velocity(scene, body, number)
     angle = scene.scalar(parts["direction"].link.right)
     direction = Vector(tidy(sp.cos(angle)), tidy(sp.sin(angle)))
     size = scene.scalar(parts["speed"].link.right)
     refs = tuple(each.fact.id for each in parts.values())
     value = direction * size
     return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def turned_velocity(
+    scene: Scene, body: str, number: int
+) -> tuple[Expression, Vector, tuple[Ref, ...]] | None:
+    """A velocity by its size and by how far, and to which side, it is turned from **i**."""
+    quantities = [Quantity(kind, (Name(body),), number) for kind in ("speed", "deflection")]
+    found = [
+        next((e for e in scene.given if e.link.sign == "=" and e.link.left == each), None)
+        for each in quantities
+    ]
+    fact = scene.facts.get(f"velocity {body}")
+    fast, turned = found
+    if fast is None or turned is None or fact is None or scene.last_event(body, number - 1):
+        return None
+    early = scene.initial(body)
+    if early.value.y != 0 or scene.model.sign(early.value.x) <= 0:
+        return None
+    if any(has_quantity(each.link.right) for each in (fast, turned)):
+        return None
+    size, angle = (scene.scalar(each.link.right) for each in (fast, turned))
+    late = scene.model.branch.story.velocity(body, number)
+    side = _side(scene, body, number)
+    if angle.free_symbols or scene.unknown(size) or side is None:
+        return None
+    sign = scene.model.sign(late.y)
+    value = Vector(tidy(size * sp.cos(angle)), tidy(sign * size * sp.sin(angle)))
+    tree = tree_of(value)
+    line = scene.desk.write(
+        Move("define", "turned", number, (body,)),
+        together(fast.refs, turned.refs, side, early.refs),
+        chain(
+            Quantity("velocity", (Name(body),), number),
+            (_by_degrees(size, angle, sign) or tree, None),
+            (tree, "rearrange"),
+        ),
+    )
+    return tree, value, (line,)
+
+
+def _by_degrees(size: sp.Expr, angle: sp.Expr, sign: int) -> Expression | None:
+    """A vector by its size and an angle in degrees: ``2cos 60° i − 2sin 60° j``."""
+    degrees = angle * 180 / sp.pi
+    if not degrees.is_Integer or degrees % 90 == 0:
+        return None
+    turn = Degrees(Fraction(int(degrees)))
+    x, y = (product(tree_of(size), Apply(each, turn)) for each in ("cos", "sin"))
+    return vector(x, y if sign > 0 else negative(y))
+
+
+def _side(scene: Scene, body: str, number: int) -> tuple[Ref, ...] | None:
+    """What tells to which side a sphere is turned: a given fact, or that one side is taken."""
+    direction = Quantity("direction", (Name(body),), number)
+    for fact in scene.desk.facts:
+        if fact.kind == "given" and scene.desk.holds(fact.id) and len(fact.relation.options) == 1:
+            link = fact.relation.only[0]
+            if direction in (link.left, link.right) and link.sign in ("<", ">"):
+                return (fact.id,)
+    return () if scene.sided else None
 
 
 def common_velocity(given: GivenEquation) -> tuple[str, str, int] | None:
