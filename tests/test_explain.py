@@ -144,7 +144,7 @@ Newton's experimental law:
     component of 𝐯_P along 𝐣 = eu sin α                                       B1
 Impulse = change of momentum of P perpendicular to W:
     magnitude of the impulse = m(eu sin α + u sin α) = (1 + e)mu sin α     M1 A1
-Kinetic energy lost:
+Kinetic energy lost, by the component that changes:
     kinetic energy lost = ½m((u sin α)² − (eu sin α)²)
                         = ½mu²(1 − e²) sin²α                             M1 A1ft"""
 

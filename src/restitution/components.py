@@ -47,7 +47,7 @@ from restitution.vector import Vector
 from restitution.work import remembered
 
 # Letters for unknown components, in the order in which textbooks take them.
-_COMPONENTS = ("v", "w", "x", "y", "p", "q", "s", "z", "f", "g", "h", "b", "c", "d", "l", "n")
+_COMPONENTS = ("v", "w", "x", "z", "q", "s", "f", "g", "h", "b", "c", "d", "l", "n", "y", "p")
 _BEFORE = ("a", "b", "c", "d", "p", "q", "f", "g", "x", "y")
 
 
@@ -756,24 +756,24 @@ def _letters_of(problem: Problem) -> set[str]:
 def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
     """A letter for each component that an impact changes, the same in all parts."""
     spheres = {each.name for each in problem.spheres}
-    pool = [c for c in _COMPONENTS if c not in taken]
     given = _named_by_let(problem, spheres)
-    names: dict[tuple[int, str], str] = {}
-    used = 0
-    for number, step in enumerate(problem.events, 1):
-        if not isinstance(step, Impact):
-            continue
-        bodies = [b for b in (step.first, step.second) if b in spheres]
+    impacts = [(n, each) for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    struck = [(n, tuple(b for b in (e.first, e.second) if b in spheres)) for n, e in impacts]
+    of_spheres = [each for each in struck if len(each[1]) > 1]
+    pool = [c for c in _COMPONENTS if c not in taken]
+    names: dict[tuple[int, str], str] = dict(given)
+    if len(of_spheres) > 1:
+        # The same two letters at every impact of two spheres, with its number.
+        for order, (number, bodies) in enumerate(of_spheres, 1):
+            for letter, body in zip(pool[:2], bodies, strict=False):
+                names.setdefault((number, body), f"{letter}_{order}")
+        del pool[:2]
+    free = (c for c in pool if c not in names.values())
+    for number, bodies in (*of_spheres, *(each for each in struck if len(each[1]) < 2)):
         for body in bodies:
-            if (number, body) in given:
-                names[number, body] = given[number, body]
-            elif used < len(pool):
-                names[number, body] = pool[used]
-                used += 1
-            else:
-                names[number, body] = (
-                    f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"
-                )
+            if (number, body) not in names:
+                plain = f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"
+                names[number, body] = next(free, plain)
     return names
 
 

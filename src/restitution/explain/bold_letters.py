@@ -22,6 +22,8 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Negate,
+    Number,
     Polar,
     Quantity,
     Unit,
@@ -190,6 +192,8 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
 def _in_numbers(tree: Expression) -> Vector | None:
     """A direction with both components, in numbers or of length 1; None of any other."""
     nodes = list(walk(tree))
+    if all(isinstance(each, Degrees | Number | Negate | Binary) for each in nodes):
+        return _at(tree) if any(isinstance(each, Degrees) for each in nodes) else None
     if not any(isinstance(each, Unit) for each in nodes):
         return None
     if any(isinstance(each, Quantity | Polar | Degrees) for each in nodes):
@@ -204,6 +208,17 @@ def _in_numbers(tree: Expression) -> Vector | None:
         return value if tidy(sp.expand(value.dot(value))) == 1 else None
     size = sp.sqrt(tidy(sp.expand(value.dot(value))))
     return Vector(*(tidy(each / size) for each in value))
+
+
+def _at(tree: Expression) -> Vector | None:
+    """The direction at an angle from **i**, where its sine and its cosine are exact."""
+    try:
+        angle = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+    except RestitutionError:
+        return None
+    way = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
+    exact = not any(each.has(sp.sin, sp.cos, sp.pi) for each in way)
+    return way if exact and all(way) else None
 
 
 def _tree_of_unit(way: Vector) -> Expression:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from restitution.explain.bold_letters import Used
+from restitution.explain.data_angles import DataAngles
 from restitution.explain.ends import Ends
 from restitution.explain.explanation import Explanation
 from restitution.explain.introductions import Introductions
@@ -97,6 +98,7 @@ class _Writer:
         self.introductions = Introductions(derivation, self.naming)
         self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
+        self.angles = DataAngles(derivation, self.naming)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
@@ -134,6 +136,10 @@ class _Writer:
                 lets.append(line.relation)
                 continue
             yield from self._entered(line)
+            ratios = tuple(self.angles.before(line))
+            if ratios:
+                self.afresh()
+                yield Step("setting", sentences=ratios)
             if not waiting:
                 yield from self._recalled(line)
             if lets:

@@ -24,9 +24,11 @@ from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     has_quantity,
     walk,
@@ -39,6 +41,7 @@ from restitution.render.text import to_text
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
+_TANGENTS = frozenset({"tan", "tan-direction"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
 _VECTORS = ("velocity", "impulse")
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
@@ -135,6 +138,9 @@ class Rows:
         for n in range(len(sides_) - 1, 1, -1):
             if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
                 del sides_[n], signs[n - 1]
+        quotient = _quotient(line, links[0].right)
+        if quotient is not None and isinstance(sides_[1], lay.Number):
+            sides_[1:1], signs[:0] = [quotient], ["="]
         if self._towards(line, links, sides_):
             sides_[0] = self._away(links[0].left)
             sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
@@ -299,6 +305,14 @@ class Rows:
         said = "extremum.tends" if line.move.record == "approached" else "derived.for"
         reasons = tuple(say(said, place=each) for each in places)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+
+def _quotient(line: Line, tree: Expression) -> lay.Layout | None:
+    """The quotient of two components that are numbers, which is a decimal next."""
+    match tree:
+        case Binary("/", Number(above), Number(below)) if line.move.record in _TANGENTS:
+            return lay.Fraction(lay.Number(str(above)), lay.Number(str(below)))
+    return None
 
 
 def _has_function(tree: Expression) -> bool:

@@ -281,6 +281,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
+    "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
+    "given.sine": "An angle with sine {value} has cosine {cosine}.",
+    "given.cosine": "An angle with cosine {value} has sine {sine}.",
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
     "given.direction": (

@@ -1,0 +1,61 @@
+"""Angles of the data that are told by a ratio: their sines and cosines, before they are used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explain.naming import Naming
+from restitution.explaining.derivation import Derivation, Line
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import trees_of
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Apply, Expression, letters, walk
+from restitution.planning.forms import tree_of
+
+_ARCS = ("arctan", "arcsin", "arccos")
+
+
+class DataAngles:
+    """What is said of the angles of the data; each once."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._told: set[Expression] = set()
+
+    def before(self, line: Line) -> Iterator[Sentence]:
+        """The ratios of an angle in a velocity of which a line takes components."""
+        if line.move.id not in ("law", "define"):
+            return
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or fact.id.partition(" ")[0] != "velocity":
+                continue
+            for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
+                if not isinstance(node, Apply) or node.function not in _ARCS:
+                    continue
+                if node not in self._told and not letters(node.argument):
+                    self._told.add(node)
+                    yield from self._ratios(node)
+
+    def _ratios(self, arc: Apply) -> Iterator[Sentence]:
+        try:
+            value = sp.sympify(evaluate(arc.argument, sp.Symbol), strict=True)
+        except RestitutionError:
+            return
+        angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)
+        laid = self._naming.laid(arc.argument)
+        sine, cosine = (self._naming.laid(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
+        if arc.function == "arctan":
+            yield say("given.tangent", value=laid, sine=sine, cosine=cosine)
+        elif arc.function == "arcsin":
+            yield say("given.sine", value=laid, cosine=cosine)
+        else:
+            yield say("given.cosine", value=laid, sine=sine)
+
+
+__all__ = ["DataAngles"]
