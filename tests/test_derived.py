@@ -299,7 +299,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
             "two-coefficients",
             ["Let 𝐯_P be the velocity of P after the first impact."],
         ),
-        ("corner-of-120", ["component of 𝐯₂ away from BC = (√3/16)u"]),
+        ("corner-of-120", ["𝐯₂ · 𝐧 = −(√3/16)u"]),
         ("energy-inequality", ["≤ ½ × total kinetic energy before the impact"]),
         ("wall-by-angles", ["(the speed of P)"]),
         ("struck-ball", ["Components after the impact:", "𝐯_B · 𝐧 ="]),

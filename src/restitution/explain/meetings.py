@@ -11,6 +11,14 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Binary
 from restitution.problem import Meets, Show
 
+# That a wall is hit, or is not, as an inequality and as a comparison.
+_MEETINGS = {
+    ("condition", "towards"): "condition.towards",
+    ("condition", "away"): "condition.away",
+    ("meeting", "towards"): "meeting.towards",
+    ("meeting", "away"): "meeting.away",
+}
+
 
 def condition_of(relation: Meets, naming: Naming, *, inequality: bool) -> Sentence | None:
     """When bodies meet; None of two spheres that have not met before.
@@ -22,7 +30,7 @@ def condition_of(relation: Meets, naming: Naming, *, inequality: bool) -> Senten
         way = "towards" if relation.happens else "away"
         again = say("again") if relation.again else ""
         topic = "condition" if inequality else "meeting"
-        return say(f"{topic}.{way}", body=one, wall=other, again=again)
+        return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
     met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]
     if not met:
         return None

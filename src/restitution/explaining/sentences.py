@@ -279,6 +279,22 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
         "centres, in the direction at {axis} to {unit}, after the impact."
     ),
+    "collide-again.if": (
+        "{one} and {other} collide again if {first} gains on {second} along the line of centres:"
+    ),
+    "collide-again.unless": (
+        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
+        "line of centres:"
+    ),
+    "collide-again.why": (
+        "After an impact the spheres separate. They meet again only if the one behind, after "
+        "what happened in between, moves faster along the line than the one in front: it is "
+        "velocities with their signs that are compared, and not speeds."
+    ),
+    "meeting.towards": "{body} hits {wall}{again} if it moves towards {wall}.",
+    "meeting.away": "{body} does not hit {wall}{again} if it does not move towards {wall}.",
+    "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
+    "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
     "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
