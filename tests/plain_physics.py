@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import mpmath as mp
@@ -479,15 +480,16 @@ def compared(a: Any, operator: str, b: Any) -> bool:
     return bool(a > b or same)
 
 
-def relations(text: str) -> list[Any]:
+@cache
+def relations(text: str) -> tuple[Any, ...]:
     """Relations between letters, as they stand in a statement."""
     problem = parse(f"sphere Z: mass 1, at rest\ngiven {text}\n")
-    return [
+    return tuple(
         relation
         for _, step in problem.steps()
         if isinstance(step, p.Given)
         for relation in step.relations
-    ]
+    )
 
 
 EMPTY = p.Problem()
@@ -495,9 +497,16 @@ EMPTY = p.Problem()
 
 def value_of(text: str, letters: Mapping[str, Any] | None = None) -> Any:
     """The number, or the pair of numbers, that an expression of letters is."""
+    return World(EMPTY, letters or {}).value(expression(text), 0)
+
+
+@cache
+def expression(text: str) -> t.Expression:
+    """An expression of letters, as it stands in a statement."""
     problem = parse(f"sphere Z: mass 1, at rest\nfind {text}\n")
     (step,) = (step for _, step in problem.steps() if isinstance(step, p.Find))
-    return World(EMPTY, letters or {}).value(step.items[0].expression, 0)
+    item: Any = step.items[0]
+    return item.expression
 
 
 def true_of(text: str, letters: Mapping[str, Any]) -> bool:
