@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from restitution import parse, solve
-from restitution.solve.cosines import gathered, has_cosines
+from restitution.solve.cosines import gathered, has_cosines, without_cosines
 
 DEGREE = sp.pi / 180
 
@@ -117,3 +117,58 @@ def test_a_deflection_where_the_coefficient_is_a_letter() -> None:
         (letter,) = answer.value.free_symbols
         t = math.tan(float(answer.value.xreplace({letter: sp.Float(e)})))
         assert math.degrees(math.atan(t) + math.atan(e * t)) == pytest.approx(60)
+
+
+def _unit(turn: float) -> complex:
+    return complex(math.cos(turn), math.sin(turn))
+
+
+def _collided(u: complex, v: complex, masses: tuple[int, int], line: float) -> tuple[float, float]:
+    """The speed of the first sphere after an impact with e = ½, and the impulse."""
+    n = _unit(line)
+    approach = ((u - v) * n.conjugate()).real
+    impulse = 1.5 * approach / (1 / masses[0] + 1 / masses[1])
+    return abs(u - impulse / masses[0] * n), impulse
+
+
+@pytest.mark.parametrize(
+    ("before", "gap"),
+    [
+        # The spheres and their line of centres, and the fact with the same in floats
+        (
+            """sphere A: mass 2, velocity 5 at theta
+sphere B: mass 3, velocity 2 at 160°
+A hits B: along 20°, e = 1/2
+given speed(A) = 4""",
+            lambda x: (
+                _collided(5 * _unit(x), 2 * _unit(math.radians(160)), (2, 3), math.radians(20))[0]
+                - 4
+            ),
+        ),
+        (
+            """sphere A: mass 2, velocity 5 at 70°
+sphere B: mass 3, velocity 2 at 40°
+A hits B: along theta, e = 1/2
+given impulse = 2""",
+            lambda x: (
+                _collided(5 * _unit(math.radians(70)), 2 * _unit(math.radians(40)), (2, 3), x)[1]
+                - 2
+            ),
+        ),
+    ],
+)
+def test_an_angle_is_found_where_both_spheres_move_at_odd_angles(before: str, gap) -> None:
+    part = solve(parse(f"{before}\nfind theta")).parts[None]
+    (item,) = part.items
+    assert item.error is None
+    found = sorted(math.degrees(float(each.value)) for each in item.answers)
+    assert found == pytest.approx(_roots(gap))
+
+
+def test_cosines_are_left_out_of_a_polynomial_without_losing_a_root() -> None:
+    x, c = sp.Symbol("x"), sp.cos(20 * DEGREE)
+    lone = without_cosines(x**2 - 2 * c * x + sp.sqrt(2) * sp.sin(10 * DEGREE), x)
+    assert lone is not None
+    assert not has_cosines(lone)
+    root = complex(sp.N(c + sp.sqrt(c**2 - sp.sqrt(2) * sp.sin(10 * DEGREE))))
+    assert abs(complex(lone.subs(x, root))) < 1e-6

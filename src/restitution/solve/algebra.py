@@ -22,7 +22,7 @@ from restitution.errors import UnsupportedError
 from restitution.exact import denested
 from restitution.expression.enclosed import Enclosed
 from restitution.oracle.roles import Role
-from restitution.solve.cosines import gathered, has_cosines
+from restitution.solve.cosines import gathered, has_cosines, without_cosines
 from restitution.solve.neat import neat
 from restitution.solve.numbers import at, vanishes
 from restitution.solve.polynomials import (
@@ -750,11 +750,12 @@ def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
                 f"an equation of degree {top} with letters has no usable exact solution"
             )
         return _of_binomial(parts[0], parts[-1], top)
-    rational = norm(equation, x)
+    lone = without_cosines(equation, x) if has_cosines(equation) else None
+    rational = norm(equation if lone is None else lone, x)
     afford(isolating(rational, x))
     found = []
     for value, _ in sp.Poly(rational, x, domain="QQ").real_roots(multiple=False):
-        if degree(rational, x) == top or _is_root(parts, value):
+        if degree(rational, x) == top or (_may_be_root(parts, value) and _is_root(parts, value)):
             found.append(value)
     return found
 
@@ -773,6 +774,15 @@ def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:
     if power % 2:
         return [size if known > 0 else -size]
     return [size, -size]
+
+
+def _may_be_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
+    """Whether a polynomial is not told from zero by 20 digits at a number."""
+    x, total, size = value.evalf(20), sp.Float(0, 20), sp.Float(0, 20)
+    for each in parts:
+        c = each.evalf(20)
+        total, size = total * x + c, size * abs(x) + abs(c)
+    return bool(abs(total) <= size * sp.Float("1e-12"))
 
 
 def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:

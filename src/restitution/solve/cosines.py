@@ -13,11 +13,18 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.solve.polynomials import TooLargeError, afford, terms_in
+from restitution.solve.polynomials import (
+    TooLargeError,
+    afford,
+    coefficients,
+    resultant,
+    terms_in,
+)
 from restitution.work import remembered
 
 MOST_BASIS = 24
 """Fields of more dimensions than this are not reduced in: their sums would be the longer ones."""
+_MOST_CONJUGATES = 60
 # √2 = 2 cos 45°, √3 = 2 cos 30°, √5 = 4 cos 36° − 1, beside the q of the angles π/q.
 _SURDS = {2: 4, 3: 6, 5: 5}
 
@@ -52,6 +59,54 @@ def gathered(x: sp.Expr) -> sp.Expr:
     return found if sp.count_ops(found) < sp.count_ops(x) else x
 
 
+def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """A multiple of a polynomial in one letter in which only surds are left beside rationals.
+
+    It is the product of what the polynomial becomes where the angle of which all others are
+    multiples is any other with the same cosines. None where that would be too large, or where a
+    coefficient is no sum of products of cosines and surds.
+    """
+    parts = coefficients(x, symbol)
+    circle = _Circle(2 * _half_turns(parts))
+    size = int(sp.totient(circle.order)) // 2
+    if size > MOST_BASIS or size * (len(parts) - 1) > _MOST_CONJUGATES:
+        return None
+    cosine = sp.Dummy("c")
+    try:
+        split = [circle.split(each) for each in parts]
+    except _OtherError:
+        return None
+    whole = sp.Integer(0)
+    for power, each in zip(range(len(parts) - 1, -1, -1), split, strict=True):
+        for surds, total in each.items():
+            folded = [(c, min(k % circle.order, -k % circle.order)) for k, c in total.items()]
+            own = [
+                sp.Rational(c.numerator, c.denominator) * sp.chebyshevt(k, cosine)
+                for c, k in folded
+            ]
+            whole += surds * sp.Add(*own) * symbol**power
+    least = _of_cosine(circle.order, cosine)
+    reduced = sp.Poly(sp.expand(whole), cosine).rem(least)
+    return resultant(least.as_expr(), reduced.as_expr(), cosine)
+
+
+def _half_turns(numbers: Iterable[sp.Expr]) -> int:
+    """The least n for which π/n measures all angles, and those by which surds are cosines."""
+    atoms = [each for x in numbers for each in x.atoms(sp.sin, sp.cos)]
+    turns = [_turn(each) for each in atoms]
+    roots = {p.base for x in numbers for p in x.atoms(sp.Pow) if p.exp.is_Rational}
+    known = [q for p, q in _SURDS.items() if any(r.is_Integer and r % p == 0 for r in roots)]
+    return math.lcm(2, *known, *[each.denominator for each in turns if each is not None])
+
+
+def _of_cosine(order: int, cosine: sp.Symbol) -> sp.Poly:
+    """The polynomial of least degree of which the cosine of 2π over a whole number is a root."""
+    parts = _cyclotomic(order)
+    middle = len(parts) // 2
+    terms = [2 * parts[middle + k] * sp.chebyshevt(k, cosine) for k in range(1, middle + 1)]
+    return sp.Poly(sp.expand(parts[middle] + sp.Add(*terms)), cosine)
+
+
 def _turn(x: sp.Expr) -> Fraction | None:
     """The angle of a sine or cosine as a share of π, if it is a rational one."""
     share = x.args[0] / sp.pi
@@ -61,11 +116,7 @@ def _turn(x: sp.Expr) -> Fraction | None:
 def _shorter(number: sp.Expr) -> sp.Expr:
     if not has_cosines(number):
         return number
-    turns = [_turn(each) for each in number.atoms(sp.sin, sp.cos)]
-    roots = {each.base for each in number.atoms(sp.Pow) if each.exp.is_Rational}
-    known = [q for p, q in _SURDS.items() if any(r.is_Integer and r % p == 0 for r in roots)]
-    half = math.lcm(2, *known, *[each.denominator for each in turns if each is not None])
-    circle = _Circle(2 * half)
+    circle = _Circle(2 * _half_turns([number]))
     try:
         # Surds of other numbers stay factors of their own.
         parts = circle.split(number)
