@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 from functools import cache
 
 import pytest
+from planned import listed, statements
 
 from restitution.explain import explain, to_text
 from restitution.explaining.awarding import awarded, marks_of
@@ -13,7 +15,7 @@ from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
 from restitution.explaining.storing import from_json, to_json
-from restitution.language import parse
+from restitution.language import parse, read
 from restitution.oracle import Oracle
 from restitution.planning import order, planner
 from restitution.planning.desk import NotPlannedError
@@ -253,6 +255,31 @@ def test_equations_that_say_the_same_fix_nothing() -> None:
         lines=(*derivation.lines[: line.number - 1], turned, *derivation.lines[line.number - 1 :]),
     )
     assert "does-not-follow" in refusals(BLOW, whole, premises=(first, 99))
+
+
+# --- all statements ------------------------------------------------------------------------------
+
+WITHOUT_PLAN = sorted(statements().keys() - {each for each, good in listed().items() if good})
+SAMPLE = frozenset(random.Random(3).sample(WITHOUT_PLAN, min(8, len(WITHOUT_PLAN))))
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(each, marks=() if each in SAMPLE else pytest.mark.nightly)
+        for each in WITHOUT_PLAN
+    ],
+)
+def test_every_item_of_a_statement_has_an_end_or_a_note(name: str) -> None:
+    solution = solve(read(statements()[name]))
+    explanation = explain(solution)
+    for part in explanation.parts:
+        ends = {each.item for each in part.derivation.items}
+        noted = {each.item for each in part.derivation.notes}
+        asked = [each for each, own in part.derivation.asked.items() if own == part.label]
+        assert len(asked) == len(part.asked)
+        assert set(asked) <= ends | noted
+    assert to_text(explanation)
 
 
 # --- notes ----------------------------------------------------------------------------------------

@@ -45,5 +45,5 @@ def test_the_text_belongs_to_the_step(told) -> None:
     assert by["Newton's experimental law"].count("wall") >= 1
     impulses = {t for p, t in by.items() if p.startswith("Impulse = change of momentum")}
     assert len(impulses) == 3  # at a wall, between spheres, of a whole vector
-    assert about(say("solve.pair")) is None
+    assert about(say("derived.solve-this")) is None
     assert about(say("restitution.title")) == by["Newton's experimental law"]

@@ -226,7 +226,7 @@ def test_events_are_called_by_what_they_are() -> None:
 
 def test_equations() -> None:
     line = equation(from_tree(read_expression("2*3 + 3*(-2)")), from_sympy(2 * v + 3 * w))
-    assert to_text(line) == "2 × 3 + 3 × (−2) = 2v + 3w"
+    assert to_text(line) == "2 × 3 + 3(−2) = 2v + 3w"
     assert to_text(relation(0, "<", e, "<=", 1)) == "0 < e ≤ 1"
 
 

@@ -111,8 +111,9 @@ class Leads:
             return (say("given.fact", fact=told),)
         past = past_a_right_angle(facts[0].relation.only[0])
         if line.move.record == "perpendicular" and past is not None:
-            product = "negative" if past[2][0] == "<" else "positive"
-            return (say(f"given.{product}-product", fact=told),)
+            negative = past[2][0] == "<"
+            name = "given.negative-product" if negative else "given.positive-product"
+            return (say(name, fact=told),)
         nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:

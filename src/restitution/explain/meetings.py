@@ -27,8 +27,8 @@ def condition_of(relation: Meets, naming: Naming, *, inequality: bool) -> Senten
     """
     one, other = relation.first.name, relation.second.name
     if naming.bodies.get(other) == "wall":
-        way = "towards" if relation.happens else "away"
         again = say("again") if relation.again else ""
+        way = "towards" if relation.happens else "away"
         topic = "condition" if inequality else "meeting"
         return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
     met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]

@@ -301,6 +301,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
     "given.fact": "It is given that {fact}:",
+    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
+    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.and": "It is given that {fact}.",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"

@@ -28,8 +28,7 @@ _NODES = get_args(Expression)
 def trace(problem: Problem, stage: Stage) -> str:
     """A stage of a problem as text, one thing a line.
 
-    Raises UnsupportedError where a question has no derivation, with the reason, and whatever
-    telling or solving the problem raises.
+    Raises whatever telling or solving the problem raises.
     """
     match stage:
         case "tree":

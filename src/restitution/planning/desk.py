@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from restitution.errors import UnsupportedError
 from restitution.explaining.derivation import (
     Case,
     Event,
@@ -25,7 +26,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.trees import said
 from restitution.expression.tree import Expression
-from restitution.planning.forms import alike
+from restitution.planning.forms import UnwrittenError, alike
 
 # These moves start from the line that is cited first.
 _FROM_A_LINE = frozenset(
@@ -38,6 +39,10 @@ _FROM_A_LINE = frozenset(
 
 class NotPlannedError(Exception):
     """A question, or a shape of equation, for which there is no plan."""
+
+
+UNPLANNED = (NotPlannedError, UnwrittenError, UnsupportedError)
+"""What has no plan, what no line says, and what the story does not tell exactly."""
 
 
 # The moves that say what stands above once more.

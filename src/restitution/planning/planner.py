@@ -15,10 +15,9 @@ from restitution.planning import place_trees
 from restitution.planning.axes import found_frame
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
-from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
-from restitution.planning.forms import UnwrittenError
 from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.items import write_item
 from restitution.planning.open_lines import write_open_lines
@@ -60,7 +59,7 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         try:
             _require_plain(solution)
             desk = _write_part(solution, part, desk, partial)
-        except (NotPlannedError, UnwrittenError) as error:
+        except UNPLANNED as error:
             if not partial:
                 raise _not_planned(error) from error
             desk = _noted(problem, part, desk)
@@ -229,7 +228,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     require_followed(scene, lines[start:])
                 _require_closed(scene.desk, name)
                 written = True
-            except (NotPlannedError, UnwrittenError):
+            except UNPLANNED:
                 if ways[name] >= last:
                     raise
                 solver.back(standing)

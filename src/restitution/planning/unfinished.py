@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 
 from restitution.explaining.derivation import Line, Link, Meaning, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters, walk
 from restitution.planning.checking import require_true
-from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError, Source
 from restitution.planning.expressions import write_expression
-from restitution.planning.forms import UnwrittenError, tree_of
+from restitution.planning.forms import tree_of
+from restitution.planning.frames import Frame
+from restitution.planning.givens import write_given
 from restitution.planning.impacts import momentum, rebound, restitution, unchanged
 from restitution.planning.items import determine, goals
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of
 from restitution.planning.refusals import note_of
 from restitution.planning.roots import written_law
-from restitution.planning.scene import Scene
+from restitution.planning.scene import GivenEquation, Scene
 from restitution.problem import Item, Problem, Range, Show, Value, trees_of_relation
 from restitution.solve.solution import ItemResult
 
@@ -27,22 +30,33 @@ def write_unfinished(
 ) -> None:
     """Writes what an item speaks of, as far as there is a plan, and notes its answer."""
     trees = [staged(scene.problem, each, now) for each in _trees(item)]
-    premises: tuple[int, ...] = ()
-    # Of several solutions only the principles are the same.
-    for write in (_laws,) if scene.others else (_values, _components, _laws):
-        standing, start = solver.mark(), len(scene.desk.lines)
-        try:
-            premises = tuple(dict.fromkeys(write(scene, solver, trees)))
-            lines = scene.desk.lines
-            require_true(scene.model, lines[start:], lines, scene.desk.facts)
-            require_followed(scene, lines[start:])
-        except (NotPlannedError, UnwrittenError):
-            premises = ()
+    premises: list[int] = []
+    # Of several solutions only the equations are the same.
+    for ways in (_equations,) if scene.others else (_values, _components, _equations):
+        for way in ways(scene, solver, trees):
+            premises += _tried(scene, solver, way)
         if premises:
             break
-        solver.back(standing)
     claim = answer_of(scene.problem, item, result, now)
-    note_unwritten(scene.desk, result, name, premises, claim)
+    note_unwritten(scene.desk, result, name, tuple(dict.fromkeys(premises)), claim)
+
+
+Way = Callable[[], Iterable[int]]
+"""Writes lines, and gives the last of them. Raises NotPlannedError where there is no plan."""
+
+
+def _tried(scene: Scene, solver: Solver, write: Way) -> list[int]:
+    """The lines of a way in which each line follows; none of one that fails."""
+    standing, start = solver.mark(), len(scene.desk.lines)
+    try:
+        found = list(write())
+        lines = scene.desk.lines
+        require_true(scene.model, lines[start:], lines, scene.desk.facts)
+        require_followed(scene, lines[start:])
+    except UNPLANNED:
+        solver.back(standing)
+        return []
+    return found
 
 
 def require_followed(scene: Scene, lines: Iterable[Line]) -> None:
@@ -90,7 +104,7 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
                 asked = staged(problem, expression, now)
                 trees = [tree_of(each.value, angle=each.angle) for each in result.distinct]
                 return Relation(tuple((Link(asked, "=", each),) for each in trees))
-    except (NotPlannedError, UnwrittenError):
+    except UNPLANNED:
         pass
     return None
 
@@ -105,56 +119,71 @@ def _trees(item: Item | Show) -> Iterator[Expression]:
         yield item.subject.expression
 
 
-def _values(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[int]:
-    """The lines that say what the expressions come to."""
+def _values(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+    """What the expressions come to."""
     for tree in trees:
         if has_quantity(tree):
-            determine(scene, solver, tree)
-            yield write_expression(scene, tree)[0]
-        else:
-            yield from _found(scene, solver, tree)
+            yield partial(_value, scene, solver, tree)
 
 
-def _components(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[int]:
-    """The lines that say what everything is of which the quantities are made."""
+def _value(scene: Scene, solver: Solver, tree: Expression) -> Iterator[int]:
+    determine(scene, solver, tree)
+    yield write_expression(scene, tree)[0]
+
+
+def _components(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+    """What letters are, and everything of which the quantities are made."""
     for tree in trees:
-        yield from _found(scene, solver, tree)
-        for each in walk(tree):
-            if isinstance(each, Quantity):
-                own = goals(scene, each)
-                solver.determine(own)
-                for goal in own:
-                    yield from _lines(scene, scene.put(goal)[1])
+        for name in sorted(letters(tree)):
+            symbol = scene.model.unknowns.letter(name)
+            if symbol in scene.model.final:
+                yield partial(_goals, scene, solver, Letter(name))
+        yield from (
+            partial(_goals, scene, solver, e) for e in walk(tree) if isinstance(e, Quantity)
+        )
 
 
-def _found(scene: Scene, solver: Solver, tree: Expression) -> Iterator[int]:
-    """The lines that say what letters are that are worked out."""
-    for name in sorted(letters(tree)):
-        symbol = scene.model.unknowns.letter(name)
-        if symbol in scene.model.final:
-            solver.determine([symbol])
-            known = scene.desk.known(Letter(name))
-            yield from () if known is None else _lines(scene, known.refs)
+def _goals(scene: Scene, solver: Solver, tree: Expression) -> Iterator[int]:
+    for goal in goals(scene, tree):
+        solver.determine([goal])
+        yield from _lines(scene, scene.put(goal)[1])
 
 
-def _lines(scene: Scene, refs: Sequence[Ref]) -> Iterator[int]:
+def _lines(scene: Scene, refs: Iterable[Ref]) -> Iterator[int]:
     for each in refs:
         if isinstance(each, int) and not isinstance(scene.desk.line(each).relation, Meaning):
             yield each
 
 
-def _laws(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[int]:
-    """The principles of each impact."""
+def _equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+    """The principles of each impact, and what is given."""
     del solver, trees
     for number, own in sorted(scene.model.frames.items()):
-        frame = scene.frame(number)
         if own.wall is None:
-            for record, write in (("momentum", momentum), ("restitution", restitution)):
-                yield written_law(scene, record, number) or write(scene, frame)
+            yield partial(_law, scene, number, "momentum", momentum)
+            yield partial(_law, scene, number, "restitution", restitution)
         else:
             for body in scene.spheres(number):
-                yield from _lines(scene, unchanged(scene, body, frame).refs)
-                yield from _lines(scene, rebound(scene, body, frame).refs)
+                for write in (unchanged, rebound):
+                    yield partial(_at_a_wall, scene, number, body, write)
+    for each in scene.given:
+        yield partial(_given, scene, each)
+
+
+def _law(
+    scene: Scene, number: int, record: str, write: Callable[[Scene, Frame], int]
+) -> Iterator[int]:
+    yield written_law(scene, record, number) or write(scene, scene.frame(number))
+
+
+def _at_a_wall(
+    scene: Scene, number: int, body: str, write: Callable[[Scene, str, Frame], Source]
+) -> Iterator[int]:
+    yield from _lines(scene, write(scene, body, scene.frame(number)).refs)
+
+
+def _given(scene: Scene, given: GivenEquation) -> Iterator[int]:
+    yield write_given(scene, given)
 
 
 __all__ = ["note_unwritten", "require_followed", "write_unfinished"]
