@@ -386,12 +386,14 @@ class _Equation:
             if line is not None:
                 return line
         if len(lines) == 2:
+            squares = Move("square-add")
+            if self.judge.follows(squares, lines, self.relation):
+                return scene.desk.write(squares, lines, self.relation)
             for move in (Move("divide"), Move("combine")):
                 for pair in (lines, lines[::-1]):
                     line = self._by_pair(move, pair, known)
                     if line is not None:
                         return line
-        del scene
         raise NotPlannedError("an equation of several quantities")
 
     def _by_pair(self, move: Move, pair: Sequence[int], known: Sequence[Ref]) -> int | None:

@@ -132,6 +132,24 @@ def _by_its_letter(scene: Scene, asked: Quantity) -> Source | None:
     return None
 
 
+def _ratio_of_its_letter(
+    scene: Scene, function: str, asked: Quantity
+) -> tuple[int, Relation] | None:
+    """A ratio that stands in a line already, of an angle for which the working has a letter."""
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            tree = Apply(function, Letter(each.relation.letter))
+            source = scene.desk.known(tree)
+            line = None if source is None or len(source.refs) != 1 else source.refs[0]
+            if source is None or not isinstance(line, int):
+                return None
+            relation = scene.desk.relation(line)
+            if len(relation.options) > 1:
+                return line, relation
+            return line, chain(tree, (tree_of(source.value), None))
+    return None
+
+
 def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
     """The sign of a tangent; NotPlannedError where it is open whether the angle is obtuse."""
     if own.extent.startswith("0°") and "90°" in own.extent:
@@ -145,6 +163,9 @@ def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
 
 def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Relation]:
     """The line that gives a sine, cosine or tangent of an angle of the motion, and the answer."""
+    known = _ratio_of_its_letter(scene, function, quantity_of(scene, angle))
+    if known is not None:
+        return known
     own = _ratio(scene, quantity_of(scene, angle), function)
     if own is None:
         raise NotPlannedError(f"the {function} of a sum")
