@@ -83,6 +83,26 @@ P hits W: e = 1/2
 given speed(P) = 3
 find angle(W, i), direction(P), velocity(P), impulse(P), direction(W)
 """,
+    "a line of centres typed against the approach": """
+sphere A: mass 1, velocity 2i - 6j
+sphere B: mass 2, velocity i
+A hits B: along j, e = 1/2
+find line_of_centres, along(velocity(A), line_of_centres), across(velocity(B), line_of_centres)
+""",
+    "a deflection by an equal sphere at rest": """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: e = 1/2
+given deflection(A) = 30°
+find tan(angle(line_of_centres, i))
+""",
+    "squares of speeds": """
+sphere A, B: mass m
+sphere A: velocity u i
+sphere B: at rest
+A hits B: along phi, e = 1
+show speed(A)^2 + speed(B)^2 = u^2
+""",
     "a wall by the direction after it": """
 wall W
 sphere P: mass 2, velocity 6i + 2j
@@ -216,6 +236,12 @@ def test_the_side_of_a_deflection_is_told_or_taken() -> None:
     assert "W may slope to either side of 𝐢:" in printed(
         "a wall at an unknown angle on either side"
     )
+
+
+def test_the_sense_of_a_line_that_is_asked_is_that_of_the_statement() -> None:
+    text = printed("a line of centres typed against the approach")
+    assert "the line of centres is parallel to −𝐣" in text
+    assert "component of 𝐯_A along −𝐣 = " in text
 
 
 def test_newtons_law_takes_scalar_products_with_the_change_of_velocity() -> None:

@@ -47,6 +47,7 @@ from restitution.problem import (
 from restitution.problem import (
     Relation as Said,
 )
+from restitution.problem import trees as all_trees
 
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(
@@ -93,6 +94,17 @@ def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
     Nothing where two bodies meet for the first time.
     """
     return tuple(link for links in _Facts(problem)._links(relation, events) for link in links)
+
+
+def _is_about_the_sense(tree: Expression) -> bool:
+    """Whether a tree is a line of centres, or holds a component in its direction."""
+    return any(
+        isinstance(node, Quantity)
+        and node.kind in ("along", "across")
+        and isinstance(node.arguments[-1], Quantity)
+        and node.arguments[-1].kind == "line_of_centres"
+        for node in walk(tree)
+    )
 
 
 class _Facts:
@@ -393,8 +405,11 @@ class _Facts:
             yield self._fact(f"e {number}", Quantity("restitution", (), number), e, step.place)
             axis = Quantity("line_of_centres", (), number)
             if step.along is not None:
-                sign: Sign = "=" if step.along in (Unit("i"), Unit("j")) else "parallel to"
-                yield self._fact(f"axis {number}", axis, step.along, step.place, sign, "geometry")
+                along = step.along
+                if number == 1 and self._is_backwards(step):
+                    along = along.operand if isinstance(along, Negate) else Negate(along)
+                sign: Sign = "=" if along in (Unit("i"), Unit("j")) else "parallel to"
+                yield self._fact(f"axis {number}", axis, along, step.place, sign, "geometry")
             elif step.offset is not None:
                 centres = self._beside(step, number)
                 if centres is not None:
@@ -408,6 +423,30 @@ class _Facts:
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
+
+    def _is_backwards(self, step: Impact) -> bool:
+        """Whether a line of centres is typed against the approach, and its sense is asked for.
+
+        In a statement it leads from the first sphere to the second. So it does here, where a
+        component in its direction, or the direction itself, is asked or given.
+        """
+        if not any(_is_about_the_sense(tree) for tree in all_trees(self.problem)):
+            return False
+        velocities = [self._sphere(each).velocity for each in (step.first, step.second)]
+        told = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
+        nodes = (each for tree in told for each in walk(tree))
+        if len(told) != 3 or any(isinstance(each, Letter | Polar) for each in nodes):
+            return False
+        world = _world_of(self.problem)
+        way, *both = (world.value(each) for each in told)
+        if not hasattr(way, "x") or not any(hasattr(each, "x") for each in both):
+            return False
+        # Who is at rest has 0 for its velocity.
+        first, second = (_dot(world, way, each) if hasattr(each, "x") else each for each in both)
+        approach = first - second
+        if not (approach.above.is_ground and approach.below.is_ground) or approach.vanishes:
+            return False
+        return bool(approach.above.LC / approach.below.LC < 0)
 
     def _touching(self, step: Impact) -> Expression | None:
         """Both radii of spheres that begin at places, where nothing else tells how they meet."""

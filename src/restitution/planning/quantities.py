@@ -299,9 +299,11 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
     unit = Vector(tidy(wanted.x / size), tidy(wanted.y / size))
     own = parts(scene, body, stage, frame)
     shares = [tidy(each.dot(unit)) for each in (frame.n, frame.t)]
+    axis: tuple[Ref, ...] = ()
     if isinstance(direction, Quantity) and direction.kind == "line_of_centres" and -1 in shares:
-        # A statement means it from the first sphere to the second, a working as it was typed.
-        raise NotPlannedError("a component against the line of centres")
+        axis = _as_in_the_statement(scene, direction, wanted)
+    elif isinstance(direction, Quantity) and isinstance(frame.along, Unit):
+        axis = frame.refs
     used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
     right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
     value = tidy(sum(a.value * b for a, b in used))
@@ -310,10 +312,23 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
         for each in walk(direction)
         if isinstance(each, Name) and f"wall {each.name}" in scene.facts
     )
-    refs = together(*(a.refs for a, _ in used), frame.unit_free, walls)
+    refs = together(*(a.refs for a, _ in used), frame.unit_free, walls, axis)
     return Formula(
         Move("define", "component", stage or None, (body,)), _itself, quantity, right, value, refs
     )
+
+
+def _as_in_the_statement(scene: Scene, centres: Quantity, wanted: Vector) -> tuple[Ref, ...]:
+    """The fact that gives a line of centres, from the first sphere to the second.
+
+    Raises NotPlannedError where it has the other sense, as it was typed.
+    """
+    name = f"axis {centres.stage}"
+    fact = scene.facts.get(name)
+    told = None if fact is None else scene.model.story.direction(fact.relation.only[0].right, 0)
+    if told is None or scene.model.sign(told.dot(wanted)) <= 0:
+        raise NotPlannedError("a component against the line of centres")
+    return (name,)
 
 
 # --- angles ------------------------------------------------------------------------------------
