@@ -4,16 +4,32 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import browsing
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
+from statements import NAMES
 
 pytest_plugins = ["limits", "draws"]
 
 # A machine may be busy; what is awaited and does not come fails all the same.
 expect.set_options(timeout=30_000)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """All tests of one statement go to one process, which solves it once."""
+    for item in items:
+        params = (
+            item.callspec.params
+            if isinstance(item, pytest.Function) and hasattr(item, "callspec")
+            else {}
+        )
+        path, name = params.get("path"), params.get("name")
+        statement = path.stem if isinstance(path, Path) else name
+        if statement in NAMES:
+            item.add_marker(pytest.mark.xdist_group(statement))
 
 
 @pytest.fixture(scope="session")

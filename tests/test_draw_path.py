@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from statements import FILES, each_of, solved
 
 from restitution.draw import figure, scenes
 from restitution.draw.ink import ink, overlap, touched
@@ -23,19 +24,18 @@ from restitution.staging.planning import lay_out
 from restitution.staging.values import motion
 from restitution.vector import Vector
 
-ROOT = Path(__file__).parent.parent
-FILES = [
+PLANS = [
     path
-    for folder in ("src/restitution/examples", "tests/questions")
-    for path in sorted((ROOT / folder).glob("*.impact"))
+    for path in FILES
     if any(word in path.read_text() for word in ("\nwall ", "at (", "\npoint "))
 ]
+every = each_of(PLANS)
 
 
 @cache
 def drawn(path: Path) -> list[tuple[Story, Plan, Scene]]:
     """The pictures of a statement, with the stories that they tell."""
-    solution = solve(parse(path.read_text()))
+    solution = solved(path)
     found = []
     for part in solution.parts.values():
         for branch in part.branches[:2]:
@@ -72,9 +72,6 @@ def wall_of(plan: Plan, stop: Stop) -> Straight | None:
     """The straight wall of an impact: the nearest, as groups side by side have each its own."""
     own = [wall for wall in plan.walls if wall.name == stop.wall]
     return min(own, key=lambda w: size((w.start + w.end) / 2 - stop.contact), default=None)
-
-
-every = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 
 
 @every

@@ -6,8 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import pytest
-from test_answers import STATEMENTS
+from statements import FILES, each_of, solved
 
 from restitution.language import parse
 from restitution.problem import Find, Part, Problem, Show, Value
@@ -54,12 +53,10 @@ def with_several(path: Path) -> bool:
     return any(len(bounding(part)) > 1 for part in problem.parts)
 
 
-@pytest.mark.parametrize(
-    "path", [path for path in STATEMENTS if with_several(path)], ids=lambda path: path.stem
-)
+@each_of([path for path in FILES if with_several(path)])
 def test_each_alone_is_answered_as_all_together(path: Path) -> None:
-    problem = parse(path.read_text(encoding="utf-8"))
-    together = solve(problem)
+    together = solved(path)
+    problem = together.problem
     for part in problem.parts:
         places = bounding(part)
         if len(places) < 2:

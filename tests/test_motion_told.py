@@ -10,11 +10,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import statements
 import strategies
 from hypothesis import HealthCheck, assume, given, settings
+from statements import FILES, each_of
 from test_properties import tell
 
 import restitution as r
+from restitution import examples
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.export.player.data import is_hurried, of_told
 from restitution.expression import read_expression
@@ -27,13 +30,7 @@ from restitution.solve import Solution
 from restitution.staging import flights
 from restitution.vector import Vector
 
-ROOT = Path(__file__).parent.parent
-FILES = [
-    path
-    for folder in ("src/restitution/examples", "tests/questions")
-    for path in sorted((ROOT / folder).glob("*.impact"))
-]
-every = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+every = each_of(FILES)
 
 
 def solved(text: str) -> Solution:
@@ -44,7 +41,7 @@ def solved(text: str) -> Solution:
 def shown(path: Path) -> tuple[Solution | None, tuple[Told, ...], RestitutionError | None]:
     """The motions of a statement, or why there are none."""
     try:
-        solution = solved(path.read_text(encoding="utf-8"))
+        solution = statements.solved(path)
     except RestitutionError as error:
         return None, (), error
     try:
@@ -270,7 +267,7 @@ def test_exact_texts_are_the_numbers_beside_them(path):
 BLOWS = [path for path in FILES if " receives " in path.read_text(encoding="utf-8")]
 
 
-@pytest.mark.parametrize("path", BLOWS, ids=lambda path: path.stem)
+@each_of(BLOWS)
 def test_rounding_makes_no_pieces(path, monkeypatch):
     """Times and places come from a system of equations: its last bits differ by the machine."""
 
@@ -353,7 +350,7 @@ def test_a_distance_at_a_time_is_seen():
 
 
 def test_given_places_and_times_are_kept():
-    motion = only((ROOT / "src/restitution/examples/meeting-again.impact").read_text()).motion
+    motion = only(examples.text("meeting-again")).motion
     assert [hit.time for hit in motion.impacts] == pytest.approx([1, 7 / 3, 19 / 3])
     assert motion.at(3.0)["B"][0] == pytest.approx((10 - 2 / 3, 0))
 

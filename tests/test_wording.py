@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
+from statements import FILES, each_of
 from strategies import problems
 
 import restitution as r
@@ -37,12 +38,7 @@ from restitution.wording import (
 )
 
 ROOT = Path(__file__).parent
-FILES = [
-    *sorted((ROOT.parent / "src" / "restitution" / "examples").glob("*.impact")),
-    *sorted((ROOT / "questions").glob("*.impact")),
-]
 GOLDEN = sorted((ROOT / "wordings").glob("*.txt"))
-IDS = [each.stem for each in FILES]
 
 IMPACT = r"[A-Z]\w*(?: then)? (?:hits|collides with) [A-Z]"
 
@@ -84,7 +80,7 @@ def leaves(value: object, kind: type) -> list:
 # --- nothing lost ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_every_number_of_the_statement_is_told(path):
     asked = worded(path)
     said = {Fraction(each.digits) for each in leaves(asked, lay.Number)}
@@ -114,7 +110,7 @@ def numbers_in(line: str) -> list[Fraction]:
     ]
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_every_letter_and_name_of_the_statement_is_told(path):
     problem = parse(path.read_text(encoding="utf-8"))
     asked = question(problem)
@@ -139,7 +135,7 @@ def letters_of(tree: object) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_every_event_and_every_item_is_told(path):
     lines = lines_of(path)
     asked = worded(path)
@@ -214,7 +210,7 @@ def test_units_stand_behind_numbers(mass, velocity, facts, wanted):
 # --- good English ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_sentences_are_sentences(path):
     asked = worded(path)
     for each in sentences(asked):
@@ -263,7 +259,7 @@ def fragment(asked: Question) -> str:
     return re.sub(r"<!DOCTYPE html>|<meta[^>]*>", "", to_html(asked))
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_html_and_markdown_say_the_same(path):
     asked = worded(path)
     page = ET.fromstring(fragment(asked))

@@ -9,7 +9,8 @@ from itertools import product
 from pathlib import Path
 
 import pytest
-from test_wording import FILES, IDS, check_english, leaves, plain, sentences, worded
+from statements import FILES, each_of
+from test_wording import check_english, leaves, plain, sentences, worded
 
 from restitution.language import parse
 from restitution.render import layout as lay
@@ -205,7 +206,7 @@ def read_through(asked_question: Question) -> None:
             )
 
 
-@pytest.mark.parametrize("path", FILES, ids=IDS)
+@each_of(FILES)
 def test_what_is_printed_can_be_read(path: Path) -> None:
     read_through(worded(path))
 
