@@ -16,6 +16,14 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
     """
     last: Step | None = None
     for step in steps:
+        if (
+            last is not None
+            and last.kind == step.kind == "setting"
+            and not (last.rows or step.rows)
+        ):
+            # What letters stand for is said in one paragraph.
+            last = replace(last, sentences=(*last.sentences, *step.sentences))
+            continue
         wordless = step.rows and not step.title and not step.sentences
         joins = last is not None and (step.item == last.item or not step.marks)
         if last is not None and last.rows and wordless and joins:

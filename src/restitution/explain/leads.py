@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+import sympy as sp
+
+from restitution.exact import tidy
 from restitution.explain.factors import factor_cancelled
 from restitution.explain.flights import chord_title, flight_title
 from restitution.explain.meetings import condition_of
@@ -17,6 +20,7 @@ from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.trees import trees_of
+from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -31,6 +35,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
 
 TITLED = frozenset({"law", "define"})
@@ -107,6 +112,11 @@ class Leads:
         ):
             return (say("derived.since", facts=(told,)),)
         assert isinstance(line.relation, Relation)
+        match facts[0].relation.options[0][0], line.relation.only:
+            case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
+                line.move.record == "perpendicular" and is_zero(link.right)
+            ):
+                return (say("given.component", fact=told, axis=self._naming.laid(unit)),)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=told),)
         past = past_a_right_angle(facts[0].relation.only[0])
@@ -201,8 +211,8 @@ class Leads:
                 yield at
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
-            elif any(_is_offset(each) for each in given):
-                yield say("offset.vector")
+            elif (offset := next(filter(_is_offset, given), None)) is not None:
+                yield self._offset(offset)
             else:
                 yield say("given.data")
             return
@@ -256,6 +266,16 @@ class Leads:
                 yield say("derived.by", how=how)
         elif source is not None:
             yield from self._source(source)
+
+    def _offset(self, fact: Fact) -> Sentence:
+        """How an offset gives a line of centres: by the sine of the angle to the path."""
+        match fact.relation.only[0].right:
+            case Polar(_, Apply(_, sine)):
+                laid = self._naming.laid(sine)
+                value = self._naming.laid(tree_of(tidy(_value(sine))))
+                told = laid if laid == value else lay.Relation((laid, value), ("=",))
+                return say("offset.sine", sine=told)
+        raise ValueError(fact)
 
     def resolved(self, line: Line) -> Sentence | None:
         """What is said before components: of which time they are."""
@@ -366,6 +386,12 @@ class Leads:
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
+
+
+def _value(tree: Expression) -> sp.Expr:
+    """The value of a tree of letters that are positive."""
+    value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    return sp.sympify(value, strict=True)
 
 
 def _across(axis: Expression) -> Unit | None:

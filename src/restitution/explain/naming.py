@@ -312,9 +312,8 @@ class Naming:
                 return self._after(say("derived.speed", of=(body,)), tree, body)
             case Quantity("energy", bodies, stage):
                 words = self._energy(bodies)
-                if not self.several and stage and self._of_other_times(tree):
-                    after = say("event.after", event=say("event.only"))
-                    return say("derived.when", quantity=words, when=after)
+                if isinstance(stage, int) and stage and self._of_other_times(tree):
+                    return say("derived.when", quantity=words, when=self._plain_when(stage))
                 return self._after(words, tree, None)
             case Quantity("momentum", (Name(body),), _):
                 return self._after(say("derived.momentum", of=(body,)), tree, body)

@@ -16,9 +16,15 @@ from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
 
 _INDENT = 4
+# Where the right sides stand below a left side that is too long.
+_BELOW = 6
+# So many columns more than the shortest left side has are far.
+_APART = 28
 # Before these a line may end.
 _BREAKS = frozenset(("+", "−", "×", "·", "=", "≠", "<", "≤", ">", "≥", "≈", "or", "and"))
 _MARKS = 8
+# An equation among words that is no longer stands on one line.
+_SHORT = 30
 
 _BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
 _LETTERS = {bold(c): c for c in ascii_letters + digits}
@@ -118,6 +124,8 @@ def _unbroken(layout: Layout) -> str:
     if isinstance(layout, Relation):
         first, *rest = map(_unbroken, layout.operands)
         signs = zip(layout.signs, rest, strict=True)
+        if len(rest) == 1 and columns(first) + columns(rest[0]) <= _SHORT:
+            return f"{first}{NO_BREAK}{layout.signs[0]}{NO_BREAK}{rest[0]}"
         return " ".join([first, *(f"{sign}{NO_BREAK}{each}" for sign, each in signs)])
     return one_line(layout).replace(" ", NO_BREAK)
 
@@ -127,15 +135,26 @@ def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
     fitting = [
         columns(left)
         for row, left in zip(rows, lefts, strict=True)
-        if row.signs and _INDENT + columns(left) + _widest(row) <= width - _margin(row)
+        if row.signs and not _is_wide(row, columns(left), width)
     ]
-    room = max(fitting, default=_INDENT)
-    if any(row.signs and _INDENT + room + _widest(row) > width - _margin(row) for row in rows):
-        room = min(room, _INDENT + 4)
+    # One left side that is far longer than others does not push them aside.
+    near = min(fitting, default=_INDENT) + _APART
+    room = max((each for each in fitting if each <= near), default=_INDENT)
     lines: list[_Line] = []
+    own = room
     for row, left in zip(rows, lefts, strict=True):
-        lines += _row(row, left, room if row.signs else columns(left), width)
+        if row.operands[0] is not None:
+            # What does not fit beside the others goes on below its left side.
+            own = max(room, columns(left))
+            if _is_wide(row, own, width):
+                own = _BELOW
+        lines += _row(row, left, own if row.signs else columns(left), width)
     return lines
+
+
+def _is_wide(row: Row, room: int, width: int) -> bool:
+    """Whether a right side does not fit beside left sides of a width."""
+    return _INDENT + room + _widest(row) > width - _margin(row)
 
 
 def _margin(row: Row) -> int:

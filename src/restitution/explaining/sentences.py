@@ -157,8 +157,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
-    "offset.vector": (
-        "At the impact the centres are two radii apart, of which the offset is across the path:"
+    "offset.sine": (
+        "At the impact the centres are two radii apart, and the offset is the part of that across "
+        "the path. So the line of centres makes with the path an angle with sine {sine}, and it is "
+        "in the direction of the unit vector"
     ),
     "offset.why": (
         "At the impact the centres are two radii apart: the longest side of a right-angled "
@@ -311,6 +313,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
     "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
+    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.most": "A coefficient of restitution is at most 1:",

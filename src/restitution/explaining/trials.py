@@ -211,7 +211,7 @@ def on_either_side(derivation: Derivation) -> frozenset[int]:
     if told & {"axis", "wall", "position", "let"}:
         return frozenset()
     for body in event.bodies[:1] if event.wall else event.bodies:
-        fact = facts.get(f"velocity {body}")
+        fact = facts.get(" ".join(("velocity", body)))
         if fact is None or not _is_along_i(fact.relation.only[0].right):
             return frozenset()
     given = [each.relation for each in derivation.facts if each.kind in ("given", "earlier")]
