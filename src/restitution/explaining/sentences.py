@@ -313,8 +313,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
     "given.product": "It is given that {fact}, so the scalar product is zero:",
-    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
-    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.most": "A coefficient of restitution is at most 1:",
