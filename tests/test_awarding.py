@@ -21,6 +21,7 @@ from restitution.explaining.principles import RECORDS
 from restitution.explaining.storing import from_json
 from restitution.export.contract import derivations, with_derivations
 from restitution.language.reading import parse
+from restitution.planning.planner import plan
 from restitution.solve import solve
 
 FILES = sorted(FOLDER.glob("*.txt"))
@@ -151,6 +152,20 @@ find total_energy_lost
 a: 5 alpha = 20°
 b: 8 total_energy_lost(1) = 1/4 m u^2
 """,
+    # A time, and places, that the data tell.
+    "places": """
+wall W: along j, through (8, 0)
+sphere P: at (2, 0), velocity 3i
+P hits W: e = 1/3
+find position(P, at 4)
+---
+1 a | define straight-line 1 P | position P, velocity P | along(position(P, 1), j) = 0
+2 a | define straight-line 1 P | position P, velocity P | along(position(P, 1), i) = 8
+3 a | define straight-line 1 P | position P, velocity P | time(1) = 2
+4 a | law restitution-wall 1 P | velocity P, wall W, axis 1, e 1 | along(velocity(P, 1), i) = -1
+5 a | define straight-line 1 P | 1, 2, 3, 4 | position(P, at 4) = 6i
+a: 5 position(P, at 4) = 6i
+""",
     # From a place on a circular wall to the next: along a chord.
     "circle": """
 wall C: circle centre (0, 0) radius 1
@@ -217,15 +232,15 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("component-that-stays-zero", "speed-from-impulse", 4, "", "", ""),
     ("first-component-unchanged", "show-tangent", 3, "B1", "B1", "B1"),
     ("component-unchanged", "two-conditions", 10, "", "", ""),
-    ("second-of-two-again", "three-spheres", 11, "A1", "A1", "A1"),
-    ("first-of-two-again", "three-spheres", 10, "M1", "M1", "M1"),
     ("one-of-two-alone", "distance-afterwards", 3, "M1 A1", "M1 A1", "M1 A1"),
     ("first-of-two", "show-tangent", 4, "M1 A1", "M1 A1", "M1"),
     ("second-of-two", "show-tangent", 5, "M1 A1", "M1 A1", "M1 A1"),
+    ("first-of-two", "three-spheres", 10, "M1 A1", "M1 A1", "M1"),
+    ("second-of-two", "three-spheres", 11, "M1 A1", "M1 A1", "M1 A1"),
     ("impulse", "both-moving", 13, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
     ("principle-of-vectors", "unknown-wall", 2, "M1", "M1", "M1"),
-    ("solved-together", "show-tangent", 6, "DM1", "DM1", ""),
-    ("solved-together", "parallel-afterwards", 8, "DM1", "DM1", ""),
+    ("solved-together", "show-tangent", 6, "DM1 A1", "DM1 A1", ""),
+    ("put-together-with-a-law", "parallel-afterwards", 8, "DM1", "DM1", ""),
     ("another-value", "both-reversed", 6, "A1", "A1", "A1"),
     ("solved-again", "repeated", 11, "", "", ""),
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),
@@ -252,6 +267,9 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
     ("place-by-a-path", "on-its-way", 3, "M1", "M1", "M1"),
     ("time-or-place", "reaches-a-point", 4, "M1", "M1", "M1"),
+    ("place-that-stays", "places", 1, "", "", ""),
+    ("place-by-the-data", "places", 2, "", "", ""),
+    ("time-by-the-data", "places", 3, "B1", "B1", "B1"),
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
     ("chord", "circle", 1, "M1", "M1", "M1"),
@@ -309,7 +327,8 @@ def test_marks_agree_with_each_other(path, style: Style) -> None:  # type: ignor
             max(map(len, each.relation.options)) if hasattr(each.relation, "options") else 1
             for each in lines
         )
-        assert marks <= links + 1
+        principles = sum(each.move.record in ("momentum", "restitution") for each in lines)
+        assert marks <= links + principles + 1
 
 
 def test_without_a_root_to_reject_nothing_is_earned_for_it() -> None:
@@ -326,6 +345,47 @@ def test_awarding_changes_marks_alone_and_once() -> None:
     assert replace(awarded(derivation), lines=bare.lines) == bare
 
 
+def test_a_value_that_is_only_said_again_has_one_mark() -> None:
+    derivation = awarded(made_up("lettered"))
+    assert [line_of(derivation, each) for each in (5, 6)] == ["DM1", "A1"]
+    derivation = awarded(by_hand("three-spheres"))
+    # The speed is the component; what solved the laws before it keeps its own.
+    assert [line_of(derivation, each) for each in (5, 15)] == ["DM1 A1", "A1"]
+
+
+def test_the_other_of_two_values_does_not_follow_through() -> None:
+    text = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find velocity(A), velocity(B)
+find impulse
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    a, b, impulse = (written(derivation.line(e.line).marks) for e in derivation.items)  # type: ignore[union-attr]
+    assert (a, b, impulse) == ("A1", "A1", "M1 A1ft")
+
+
+def test_every_impact_earns_its_laws() -> None:
+    text = """
+sphere A, B: mass m
+sphere A: velocity u i
+sphere B: at rest
+wall W: along j
+part a
+A hits B: along i, e = 1/2
+B hits W: e = 1/3
+find speed(B)
+part b
+A hits B: along i, e = 1/2
+find speed(A)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    laws = [each for each in derivation.lines if each.move.record in ("momentum", "restitution")]
+    assert {each.move.event for each in laws} == {1, 3}
+    assert all(written(each.marks) in ("M1 A1", "M1 A1ft") for each in laws)
+
+
 def test_a_silent_line_earns_nothing() -> None:
     derivation = by_hand("show-tangent")
     silent = replace(
@@ -339,7 +399,7 @@ def test_a_silent_line_earns_nothing() -> None:
 
 def test_dependent_marks_name_the_methods_they_rest_on() -> None:
     derivation = awarded(by_hand("show-tangent"))
-    (solved,) = derivation.line(6).marks  # type: ignore[union-attr]
+    solved, _ = derivation.line(6).marks  # type: ignore[union-attr]
     assert solved.on == (4, 5) and solved.because == "mark.dependent"
 
 

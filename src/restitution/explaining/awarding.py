@@ -9,9 +9,11 @@ that fits a line says what it earns, in each style. Then, part by part:
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1.
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
-- A principle that an earlier part has used of the same bodies earns nothing again.
+- What an item's last line only says once more has its A1 there.
+- A principle that an earlier part has used at the same impact earns nothing again.
 - Of several solutions, methods count once, and each further one adds its answers.
-- A part has at most one mark more than it has lines; a link of a chain counts as a line.
+- A part has at most one mark more than it has lines; a link of a chain counts as a line, and a
+  principle, which is M1 A1, as two.
 """
 
 from __future__ import annotations
@@ -104,7 +106,7 @@ _CLOSING = (
 _ENERGIES = ("energy", "energy-ratio", "energy-lost", "total", "total-lost", "difference")
 
 RULES: tuple[Rule, ...] = (
-    # Principles. What an earlier part has used of the same bodies is no method again.
+    # Principles. What an earlier part has used at the same impact is no method again.
     _rule("repeated", ("law",), "", when=("repeated",)),
     _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
     _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
@@ -113,15 +115,14 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("first-component-unchanged", ("law",), "B", ("unchanged",), ("first-at-event",)),
     _rule("component-unchanged", ("law",), "", ("unchanged",)),
-    _rule("second-of-two-again", ("law",), "A", _PAIR, ("again", "second-of-several")),
-    _rule("first-of-two-again", ("law",), "M", _PAIR, ("again", "first-of-several")),
     _rule("one-of-two-alone", ("law",), "M A", _PAIR, ("alone",)),
     _rule("first-of-two", ("law",), "M A", _PAIR, ("first-of-several",), caie="M"),
     _rule("second-of-two", ("law",), "M A", _PAIR, ("second-of-several",)),
     _rule("impulse", ("law",), "M V", ("impulse",)),
     _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.
-    _rule("solved-together", ("combine", "put"), "M", when=("of-laws", "first"), caie=""),
+    _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
+    _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
     _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
@@ -155,8 +156,10 @@ RULES: tuple[Rule, ...] = (
     _rule("difference-of-angles", ("define",), "", ("difference",), ("of-angles", "on-the-way")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
-    _rule("data", ("define",), "", ("straight-line", *_ENERGIES), ("of-facts", "on-the-way")),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
+    _rule("time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time")),
+    _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
+    _rule("data", ("define",), "", _ENERGIES, ("of-facts", "on-the-way")),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),
     _rule("centres-two-radii-apart", ("define",), "A", ("beside",)),
@@ -282,8 +285,8 @@ class _Awarding:
                 one = line.move.id in ("law", "define")
                 own = [e for e in points[line.number] if e != "B" or not one]
                 points[line.number] = own + (["M", "A"] if lone else ["A"])
-                if line.move.record == "component" and _by_its_letter(self, line):
-                    for each in self.cited(line):
+                if _says_again(self, line):
+                    for each in self._solutions(line):
                         # The value is asked: it stands there already, under another name.
                         points[each.number] = [e for e in points[each.number] if e != "A"]
             if points[line.number]:
@@ -349,7 +352,14 @@ class _Awarding:
 
     def _room(self, part: str | None) -> int:
         """How many lines a part has."""
-        return sum(_length(each) for each in self.derivation.lines if self.part(each) == part)
+        own = [each for each in self.derivation.lines if self.part(each) == part]
+        return sum(map(_length, own)) + sum(each.move.record in _PAIR for each in own)
+
+    def _solutions(self, line: Line) -> Iterator[Line]:
+        """The lines among the premises of one, in its item, that solve principles together."""
+        for each in self.cited(line):
+            if each.item == line.item and each.number not in self.ends and _solves(self, each):
+                yield each
 
     # --- what a line rests on -------------------------------------------------------------------
 
@@ -388,7 +398,9 @@ class _Awarding:
                 break
             if [e.number for e in self.cited(each)] != [found.number]:
                 break
-            if _subject(each) is None or _subject(each) != _subject(found):
+            if _subject(each) != _subject(found) or _aligned(each) != _aligned(found):
+                break
+            if _subject(each) is None and _aligned(each) is None:
                 break
             found = each
         return found.number
@@ -423,8 +435,9 @@ class _Awarding:
         seen: set[int] = set()
         open_ = [line.number]
         while open_:
-            for each in self.cited(self.lines[open_.pop()]):
-                if each.number in seen:
+            number = open_.pop()
+            for each in self.cited(self.lines[number]):
+                if each.number in seen or self._is_solved_by(each, self.lines[number]):
                     continue
                 seen.add(each.number)
                 if each.item == line.item:
@@ -432,6 +445,12 @@ class _Awarding:
                 elif self._is_value(each) and self._earlier(each, line):
                     return True
         return False
+
+    def _is_solved_by(self, line: Line, other: Line) -> bool:
+        """Whether a line is the one of two values of which the other one is, in the same part."""
+        return self.part(line) == self.part(other) and bool(
+            _solves(self, other) & _solves(self, line)
+        )
 
     def _earlier(self, line: Line, than: Line) -> bool:
         last = len(self.order)
@@ -476,8 +495,25 @@ def _subject(line: Line) -> Expression | None:
     return sides[0]
 
 
+def _aligned(line: Line) -> tuple[Expression, str] | None:
+    """What a line says the direction of, and how; None for any other relation."""
+    if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
+        return None
+    link = line.relation.only[0]
+    return (link.left, link.sign) if link.sign.endswith(" to") else None
+
+
 def _letters(line: Line) -> frozenset[str]:
     return frozenset(name for tree in trees_of(line.relation) for name in letters(tree))
+
+
+def _says_again(work: _Awarding, line: Line) -> bool:
+    """Whether a line only puts together what stands already: a component, a velocity, a speed."""
+    if line.move.id != "define":
+        return False
+    if line.move.record == "component":
+        return _by_its_letter(work, line)
+    return line.move.record in ("assemble", "speed", "size")
 
 
 def _unequal(line: Line) -> bool:
@@ -495,14 +531,11 @@ def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
 
 
 def _repeated(work: _Awarding, line: Line) -> bool:
-    """An earlier part has the same principle for the same bodies; at a wall, at the same event."""
+    """An earlier part has the same principle for the same bodies at the same event."""
     move, part = line.move, work.part(line)
-    wall = work.walls.get(move.event or 0, False)
     return any(
-        each.move.id == "law"
-        and each.move.record == move.record
+        _is_law(each, (move.record or "",), move.event)
         and set(each.move.bodies) == set(move.bodies)
-        and (each.move.event == move.event or not (wall or move.record == "unchanged"))
         and work.part(each) != part
         for each in work.above(line)
     )
@@ -536,17 +569,6 @@ def _place_of_facts(work: _Awarding, line: Line) -> bool:
         case Quantity("along", (Quantity("position"), _)):
             return _of_facts(work, line) and any("contact" in str(e) for e in line.premises)
     return False
-
-
-def _again(work: _Awarding, line: Line) -> bool:
-    """The part has such a principle already, at another event."""
-    return any(
-        each.move.id == "law"
-        and _GROUPS.get(each.move.record or "") == "direction"
-        and each.move.event != line.move.event
-        and work.part(each) == work.part(line)
-        for each in work.above(line)
-    )
 
 
 _GROUPS: Mapping[str, str] = {
@@ -655,8 +677,8 @@ def _sought(work: _Awarding, line: Line) -> bool:
 
 
 def _of_facts(work: _Awarding, line: Line) -> bool:
-    """It rests on the statement alone."""
-    return not any(work.cited(line))
+    """It rests on the statement alone, and on what letters stand for."""
+    return all(isinstance(each.relation, Meaning) for each in work.cited(line))
 
 
 def _of_angles(work: _Awarding, line: Line) -> bool:
@@ -733,7 +755,6 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
     "first-at-event": _first_at_event,
     "read-off": _read_off,
-    "again": _again,
     "alone": lambda work, line: len(_alike(work, line)) == 1,
     "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
@@ -742,6 +763,10 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "of-angles": _of_angles,
     "place-of-facts": _place_of_facts,
     "another-chord": _another_chord,
+    "time": lambda work, line: getattr(_subject(line), "kind", None) == "time",
+    "a-place": lambda work, line: (
+        line.number not in work.ends and isinstance(_subject(line), Quantity)
+    ),
     "of-one-term": _of_one_term,
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),
