@@ -29,6 +29,7 @@ from restitution.work import remembered
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
+TWO = Number(Fraction(2))
 
 
 class UnwrittenError(Exception):

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.oracle import Oracle, compared
@@ -29,6 +30,7 @@ from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.expressions import outermost
 from restitution.planning.forms import (
     ONE,
+    TWO,
     ZERO,
     in_tangents,
     neat,
@@ -45,6 +47,7 @@ from restitution.planning.lines_between import (
     is_moving,
     write_equal_angles,
 )
+from restitution.planning.premises import background
 from restitution.planning.quantities import Formula, formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
@@ -197,11 +200,37 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         last = tree_of(in_tangents(neat(own.value)))
         relation = chain(first, (swept(own.right), None), (last, "rearrange"))
     elif own.move.record == "speed":
+        number = _of_one_component(scene, each, own, left, refs)
+        if number is not None:
+            return number
         right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
         relation = chain(square(left), (swept(right), None))
     else:
         relation = chain(own.of(left), (swept(own.right), None))
     return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
+
+
+def _of_one_component(
+    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+) -> int | None:
+    """A speed that is given, where only one component is not zero and its sense is certain."""
+    base = _one_component(own)
+    if base is None:
+        return None
+    relation = chain(left, (base, None))
+    names = letters(base) | letters(left)
+    premises = scene.judge.enough(
+        own.move, together(each.refs, refs, own.refs), relation, background(scene, names)
+    )
+    return None if premises is None else scene.desk.write(own.move, premises, relation)
+
+
+def _one_component(own: Formula) -> Expression | None:
+    """The component that is the speed; None where there are two."""
+    match own.right:
+        case Apply("sqrt", Binary("^", base, exponent)) if exponent == TWO:
+            return swept(base)
+    return None
 
 
 def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
@@ -289,6 +318,9 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     a, b = (formula(scene, one) for one in (left, other))
     if not all(isinstance(own.right, Apply) for own in (a, b)):
         return None
+    number = _of_two_components(scene, each, (a, b), other, factor)
+    if number is not None:
+        return number
     inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
     # The second speed stands in the line of the first: it has none that is printed.
     relation = chain(square(other), (inside[1], None))
@@ -297,6 +329,34 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     return scene.desk.write(
         a.move, together(each.refs, a.refs, (known,)), chain(right, (inside[0], None))
     )
+
+
+def _of_two_components(
+    scene: Scene,
+    each: GivenEquation,
+    pair: tuple[Formula, Formula],
+    other: Quantity,
+    factor: Expression,
+) -> int | None:
+    """Two speeds of one component each, of which the senses are certain."""
+    bases = [_one_component(own) for own in pair]
+    if bases[0] is None or bases[1] is None:
+        return None
+    names = letters(bases[0]) | letters(bases[1])
+    mark, (a, b) = scene.desk.mark(), pair
+    known = background(scene, names)
+    relation = chain(other, (bases[1], None))
+    refs = scene.judge.enough(b.move, b.refs, relation, known)
+    if refs is None:
+        return None
+    second = scene.desk.write(b.move, refs, relation, "silent")
+    right = bases[1] if factor == ONE else swept(product(factor, bases[1]))
+    relation = chain(right, (bases[0], None))
+    refs = scene.judge.enough(a.move, together(each.refs, a.refs, (second,)), relation, known)
+    if refs is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(a.move, refs, relation)
 
 
 def product_without(tree: Expression, factor: Expression) -> Expression | None:
