@@ -443,8 +443,16 @@ class _Awarding:
                 if each.item == line.item:
                     open_.append(each.number)
                 elif self._is_value(each) and self._earlier(each, line):
-                    return True
+                    if not self._is_of_data(each):
+                        return True
         return False
+
+    def _is_of_data(self, line: Line) -> bool:
+        """Whether a line, and all above it, rest on the data alone."""
+        return all(
+            isinstance(each.relation, Meaning) or self._is_of_data(each)
+            for each in self.cited(line)
+        )
 
     def _is_solved_by(self, line: Line, other: Line) -> bool:
         """Whether a line is the one of two values of which the other one is, in the same part."""
