@@ -448,8 +448,8 @@ class _Awarding:
         return False
 
     def _is_of_data(self, line: Line) -> bool:
-        """Whether a line, and all above it, rest on the data alone."""
-        return all(
+        """Whether a line is a component of the data, or one that stays what it is by these."""
+        return line.move.record in ("unchanged", "component") and all(
             isinstance(each.relation, Meaning) or self._is_of_data(each)
             for each in self.cited(line)
         )

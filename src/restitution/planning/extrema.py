@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import Line, Link, Meaning, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
@@ -343,7 +343,30 @@ class _Extremum:
     def _plain(self, line: int) -> int | None:
         """A bound that what a line says shows at once."""
         pool = [line, *self._known(*self._names(self._value(line)))]
-        return self.judge.write((Move("sign"),), pool, self._relation)
+        whole = self._shortened(line)
+        bound = self.judge.write((Move("sign"),), pool, self._relation)
+        if bound is None and whole is not None:
+            self.scene.desk.lines[line - 1] = whole
+            bound = self.judge.write((Move("sign"),), pool, self._relation)
+        return bound
+
+    def _shortened(self, line: int) -> Line | None:
+        """A line as it is defined alone, where what it comes to has not been used yet.
+
+        Squares show a bound, which what they come to does not. Returns the line as it was.
+        """
+        desk = self.scene.desk
+        own = desk.line(line)
+        links = desk.relation(line).only
+        used = any(line in each.premises for each in desk.lines)
+        if len(links) < 2 or used or own.move.id != "define":
+            return None
+        first = Relation((links[:1],))
+        refs = self.judge.needed(own.move, own.premises, first)
+        if refs is None:
+            return None
+        desk.lines[line - 1] = replace(own, premises=refs, relation=first)
+        return own
 
 
 def _is_angle(tree: Expression) -> bool:
