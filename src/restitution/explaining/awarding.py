@@ -442,9 +442,12 @@ class _Awarding:
                 seen.add(each.number)
                 if each.item == line.item:
                     open_.append(each.number)
-                elif self._is_value(each) and self._earlier(each, line):
-                    if not self._is_of_data(each):
-                        return True
+                elif (
+                    self._is_value(each)
+                    and self._earlier(each, line)
+                    and not self._is_of_data(each)
+                ):
+                    return True
         return False
 
     def _is_of_data(self, line: Line) -> bool:
