@@ -152,6 +152,24 @@ find total_energy_lost
 a: 5 alpha = 20°
 b: 8 total_energy_lost(1) = 1/4 m u^2
 """,
+    # What the laws say of a component, and what is given.
+    "both": """
+sphere A: mass 3m, velocity p i
+sphere B: mass 2m, velocity -q i
+A hits B: along i, e = 1/4
+given velocity(A) = -1/2 velocity(A, 0)
+find q/p
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, mass B, 1, 2 | 3m p - 2m q = 3m v + 2m w
+4 a | law restitution 1 A B | e 1, 1, 2 | w - v = 1/4 (p + q)
+5 a | combine w | 3, 4 | v = (p - q)/2
+6 a | define component 1 A | given 1, velocity A, axis 1, 1 | v = -p/2
+7 a | put | 5, 6 | (p - q)/2 = -p/2
+8 a | rearrange | 7 | q/p = 2
+a: 8 q/p = 2
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -241,6 +259,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("principle-of-vectors", "unknown-wall", 2, "M1", "M1", "M1"),
     ("solved-together", "show-tangent", 6, "DM1 A1", "DM1 A1", ""),
     ("put-together-with-a-law", "parallel-afterwards", 8, "DM1", "DM1", ""),
+    ("two-values-of-a-letter", "both", 7, "DM1", "DM1", "DM1"),
     ("another-value", "both-reversed", 6, "A1", "A1", "A1"),
     ("solved-again", "repeated", 11, "", "", ""),
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),

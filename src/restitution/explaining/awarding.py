@@ -123,6 +123,7 @@ RULES: tuple[Rule, ...] = (
     # Solving.
     _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
     _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
+    _rule("two-values-of-a-letter", ("put",), "M", when=("of-one-letter",)),
     _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
@@ -669,6 +670,12 @@ def _solved_before(work: _Awarding, line: Line) -> list[Line]:
     ]
 
 
+def _of_one_letter(work: _Awarding, line: Line) -> bool:
+    """Two lines say what one letter is: what they say is equal."""
+    subjects = [_subject(e) for e in work.cited(line) if isinstance(e.relation, Relation)]
+    return len(subjects) >= 2 and isinstance(subjects[0], Letter) and subjects[0] == subjects[1]
+
+
 def _sought(work: _Awarding, line: Line) -> bool:
     """The part asks for the coefficient that the line holds."""
     asked = {
@@ -782,6 +789,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),
     "first": lambda work, line: not _solved_before(work, line),
+    "of-one-letter": _of_one_letter,
     "another": lambda work, line: len(_solved_before(work, line)) == 1,
     "on-the-way": lambda work, line: line.number not in work.ends,
     "justified": lambda work, line: line.item in work.justify,

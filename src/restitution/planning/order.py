@@ -15,7 +15,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Route
+from restitution.explaining.derivation import Link, Meaning, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning import paths, place_trees, rounds, separations
 from restitution.planning.axes import take_impulse
@@ -384,7 +384,8 @@ class Solver:
                     take_blow(self.scene, body.name, event)  # type: ignore[union-attr]
                     return (own,)
                 case Quantity("velocity"):
-                    self._take_velocity(given)
+                    if not self._component_is_given(given):
+                        self._take_velocity(given)
                     return (own,)
                 case Quantity("speed" | "direction" | "deflection", (Name(body),), int(event)):
                     known = velocity_given(self.scene, body, event)
@@ -476,6 +477,39 @@ class Solver:
         )
         scene.desk.know(Letter(letters[0].name), letters[1], (line,))
         return True
+
+    def _component_is_given(self, given: GivenEquation) -> bool:
+        """A component that stands by the laws is what is given: an equation for a letter in it."""
+        scene = self.scene
+        for (number, body), component in scene.model.components.items():
+            if given.link.left != Quantity("velocity", (Name(body),), number):
+                continue
+            known = scene.desk.known(Letter(component.symbol.name))
+            source = _given_after(scene, "along", body, scene.frame(number))
+            if known is None or source is None:
+                return False
+            value, refs = scene.put(known.value)
+            other = scene.put(scene.frame(number).letter_sign * source.value)[0]
+            open_ = scene.unknown(value - other)
+            if len(open_) != 1:
+                return False
+            frame, letter = scene.frame(number), Letter(component.symbol.name)
+            lets = (
+                each.number
+                for each in scene.desk.lines
+                if isinstance(each.relation, Meaning) and each.relation.letter == letter.name
+            )
+            read = scene.judge.write(
+                (Move("define", "component", number, (body,)),),
+                (*source.whole, *frame.refs, *lets),
+                chain(letter, (tree_of(other), None)),
+            )
+            if read is None:
+                return False
+            relation = chain(tree_of(value), (tree_of(other), None))
+            line = scene.judge.write((Move("put"),), (*known.refs, read, *refs), relation)
+            return line is not None and self._closes(line, *open_)
+        return False
 
     def _take_velocity(self, given: GivenEquation) -> None:
         """The components of a velocity that is given are known from now on."""
