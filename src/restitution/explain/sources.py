@@ -155,7 +155,7 @@ class Sources:
             return Source("solve", () if cited == [above] else tuple(cited))
         if move in _SILENT:
             return None
-        if cited and self._splits(line, cited[0]):
+        if cited and isinstance(line.premises[0], int) and self._splits(line, cited[0]):
             first = above == cited[0]
             again = above in self._lines and self._splits(self._lines[above], cited[0])
             named = () if first or again else tuple(cited)

@@ -656,9 +656,29 @@ def _rearrange(step: Step, line: Link) -> bool:
         return _with_factor_known(step, line)
     return any(
         _same_direction(step, line, each)
+        or _is_squared(step, line, each)
         or _matches(step, line, _expected(step, each, Rules(step.world)), each.sign)
         for each in _flat(base.only)
         if each.sign != "≈"
+    )
+
+
+def _is_squared(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line has the squares of both sides: of a root, and of what is positive."""
+    if line.sign != "=" or base.sign != "=":
+        return False
+    sides = [(base.left, base.right), (base.right, base.left)]
+    if not any(isinstance(a, Apply) and a.function in ("sqrt", "abs") for a, _ in sides):
+        return False
+    values = [step.world.value(each) for link in (base, line) for each in (link.left, link.right)]
+    if not all(isinstance(each, Quotient) for each in values):
+        return False
+    a, b, c, d = values
+    if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
+        return False
+    return all(
+        isinstance(tree, Apply) or step.signs.of(x) == 1  # type: ignore[arg-type]
+        for tree, x in ((base.left, a), (base.right, b))
     )
 
 

@@ -81,15 +81,20 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     return line, final
 
 
-def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
-    """The size of a vector, by its components."""
+def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...], list[sp.Expr]]:
+    """The components of a vector of which the size is taken, and the line that says the vector."""
     if isinstance(asked.argument, Quantity):
         source = _value_of(scene, asked.argument)
         refs = () if source is None else source.refs
     else:
         refs = (write_expression(scene, asked.argument)[0],)
     put, _ = scene.put(inside)
-    parts = [tidy(expanded(each)) for each in put]
+    return refs, [tidy(expanded(each)) for each in put]
+
+
+def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
+    """The size of a vector, by its components."""
+    refs, parts = size_of(scene, asked, inside)
     final = tree_of(tidy(sp.sqrt(expanded(sum(each**2 for each in parts)))))
     moving = [each for each in parts if each != 0]
     if len(moving) < 2:

@@ -27,7 +27,7 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
-from restitution.planning.expressions import outermost
+from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
     ONE,
     TWO,
@@ -37,6 +37,7 @@ from restitution.planning.forms import (
     product,
     square,
     swept,
+    total,
     tree_of,
 )
 from restitution.planning.given_momenta import write_impulse
@@ -120,6 +121,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if not has_quantity(own.right) and not place_trees.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))
     match own.left:
+        case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
+            return _size(scene, each, own.left)
         case Apply("tan", Quantity("angle" | "deflection") as angle) if not has_quantity(own.right):
             if angle.kind == "deflection":
                 _decided(scene, angle)
@@ -150,6 +153,17 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
     ):
         raise NotPlannedError("to which side a sphere turns is open")
     return scene.desk.write(own.move, premises, relation)
+
+
+def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
+    """The size of a vector that is given, by its components."""
+    if has_quantity(each.link.right):
+        raise NotPlannedError("a size as a multiple of another quantity")
+    inside = scene.value(size.argument)
+    refs, parts = size_of(scene, size, inside)
+    root = Apply("sqrt", total(square(tree_of(each)) for each in parts if each != 0))
+    relation = chain(swept(root), (each.link.right, None))
+    return scene.desk.write(Move("put"), together(each.refs, refs), relation)
 
 
 def _is_right(scene: Scene, own: Link) -> bool:
@@ -199,6 +213,8 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         first = left.argument if plain else own.of(left)  # type: ignore[union-attr]
         last = tree_of(in_tangents(neat(own.value)))
         relation = chain(first, (swept(own.right), None), (last, "rearrange"))
+    elif own.move.record == "product":
+        return _scalar_product(scene, each, own, left, refs)
     elif own.move.record == "speed":
         number = _of_one_component(scene, each, own, left, refs)
         if number is not None:
@@ -208,6 +224,18 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     else:
         relation = chain(own.of(left), (swept(own.right), None))
     return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
+
+
+def _scalar_product(
+    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+) -> int:
+    """A scalar product that is given: the velocities are put into it."""
+    pool = together(each.refs, refs, own.refs)
+    relation = chain(swept(own.right), (left, None))
+    premises = scene.judge.enough(Move("put"), (each.fact.id, *pool), relation)
+    if premises is None:
+        raise NotPlannedError("a scalar product that is given")
+    return scene.desk.write(Move("put"), premises, relation)
 
 
 def _of_one_component(
