@@ -38,6 +38,12 @@ def _square(body: str, stage: int) -> str:
     return f"({_c(body, stage)}^2 + {_s(body, stage)}^2)"
 
 
+def _squares(body: str, stage: int) -> tuple[str, str, str]:
+    """The square of a speed: as such, by its components, as a scalar product."""
+    velocity = f"velocity({body}, {stage})"
+    return f"speed({body}, {stage})^2", _square(body, stage), f"dot({velocity}, {velocity})"
+
+
 @dataclass(frozen=True)
 class Record:
     """A principle, a definition or an identity.
@@ -332,7 +338,11 @@ DEFINITIONS = (
     Record(
         "energy-ratio",
         "definition",
-        ("energy(X, 1)/energy(X, 0) = speed(X, 1)^2/speed(X, 0)^2",),
+        tuple(
+            f"energy(X, 1)/energy(X, 0) = {late}/{early}"
+            for late in _squares("X", 1)
+            for early in _squares("X", 0)
+        ),
         gives=("energy",),
         cost=1.2,
         marks=("M",),

@@ -41,7 +41,7 @@ from restitution.planning.ratios import (
 )
 from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
-from restitution.planning.square_roots import root_taken
+from restitution.planning.square_roots import is_square_of_sum, root_taken
 from restitution.vector import Vector
 
 Shape = Callable[[Scene, int, sp.Symbol], Source | None]
@@ -53,7 +53,9 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     symbol = _unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
-    number = multiplied_out(scene, root_taken(scene, number, symbol), symbol)
+    number = root_taken(scene, number, symbol)
+    if not is_square_of_sum(scene, number, symbol):
+        number = multiplied_out(scene, number, symbol)
     for shape in SHAPES:
         try:
             source = shape(scene, number, symbol)

@@ -49,7 +49,7 @@ from restitution.planning.lines_between import (
     write_equal_angles,
 )
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula, formula
+from restitution.planning.quantities import Formula, formula, squares
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.ties import write_tie
@@ -359,6 +359,35 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     )
 
 
+def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
+    others = [
+        node
+        for node in walk(each.link.right)
+        if isinstance(node, Quantity) and node.kind == "energy"
+    ]
+    if len(others) != 1 or len(left.arguments) != 1 or others[0].arguments != left.arguments:
+        return None
+    (other,), (name,) = others, left.arguments
+    factor = product_without(each.link.right, other)
+    if factor is None or not isinstance(name, Name):
+        return None
+    stages = [left.stage, other.stage]
+    if not all(isinstance(stage, int) for stage in stages):
+        return None
+    (a, _, a_refs), (b, _, b_refs) = (
+        squares(scene, name.name, scene.last_event(name.name, stage))
+        for stage in stages  # type: ignore[arg-type]
+    )
+    right = b if factor == ONE else swept(product(factor, b))
+    relation = chain(swept(a), (right, None))
+    move = Move("define", "energy-ratio", max(stages), (name.name,))  # type: ignore[type-var]
+    refs = scene.judge.enough(
+        move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
+    )
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
 def _of_two_components(
     scene: Scene,
     each: GivenEquation,
@@ -403,8 +432,9 @@ def product_without(tree: Expression, factor: Expression) -> Expression | None:
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = each.link
-    if isinstance(own.left, Quantity) and own.left.kind == "speed":
-        number = _of_two_speeds(scene, each, own.left)
+    if isinstance(own.left, Quantity) and own.left.kind in ("speed", "energy"):
+        write = _of_two_speeds if own.left.kind == "speed" else _of_two_energies
+        number = write(scene, each, own.left)
         if number is not None:
             return number
     refs: list[Ref] = []

@@ -254,7 +254,7 @@ class Solver:
                 *(each.candidate for each in self.paths.values()),
                 *(each.candidate for each in self.rounds.values()),
             )
-            if own.id not in self.used
+            if own.id not in self.used and not self._holds(own)
         ]
         put = [scene.with_values(each)[0] for each in goals]
         unknowns = frozenset(
@@ -274,6 +274,12 @@ class Solver:
         if self._taken_at is None or self._taken_at[0] != known:
             self._taken_at = known, points(self.scene.model)
         return self._taken_at[1]
+
+    def _holds(self, own: Candidate) -> bool:
+        """Whether an equation tells nothing new: with what is known it holds of itself."""
+        put = [self.scene.with_values(each)[0] for each in own.residuals]
+        changed = all(a is not b for a, b in zip(put, own.residuals, strict=True))
+        return changed and all(expanded(each) == 0 for each in put)
 
     def _move(self, own: Candidate) -> Move:
         """The principle, or the definition, that an equation of a route is."""
@@ -426,6 +432,8 @@ class Solver:
             if given is None or len(open_) != 1:
                 continue
             (symbol,) = open_
+            if self._is_of_either_sense(own, symbol, left):
+                continue
             if self._is_value(given) and self._take_value(given, symbol):
                 return (own,)
             if symbol in self._letters or self._is_value(given):
@@ -433,6 +441,22 @@ class Solver:
                 if number is not None and self._closes(number, symbol):
                     return (own,)
         return None
+
+    def _is_of_either_sense(
+        self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
+    ) -> bool:
+        """Whether a fact gives the square of a component for which both laws are still to come.
+
+        By the laws its sense is known, or shown in letters.
+        """
+        if symbol not in self._letters:
+            return False
+        number, _ = self._letters[symbol]
+        ids = {each.id for each in left}
+        if not {f"momentum {number}", f"restitution {number}"} <= ids:
+            return False
+        put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
+        return any(sp.diff(each, symbol, 2) != 0 for each in put)
 
     def _closes(self, number: int, symbol: sp.Symbol) -> bool:
         """Solves a line for its unknown, if there is a way now; there may be one later."""

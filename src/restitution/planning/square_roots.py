@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 
 import sympy as sp
 
@@ -15,10 +15,10 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    children,
     letters,
-    walk,
 )
-from restitution.planning.forms import TWO, product, square, swept, tree_of
+from restitution.planning.forms import TWO, product, swept, tree_of
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
@@ -40,44 +40,78 @@ def root_taken(scene: Scene, number: int, symbol: sp.Symbol) -> int:
 def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     """The unknown stands in the square of one sum: that is made the subject, and its root taken."""
     link = scene.desk.last_link(number)
-    sums = {
-        each.left
-        for side in (link.left, link.right)
-        for each in walk(side)
-        if _is_square(each) and symbol.name in letters(each)
-    }
+    sums = {base for side in (link.left, link.right) for base in _sums(side, symbol.name)}
     if len(sums) != 1:
         return None
     (base,) = sums
-    whole = square(base)
-    if not (isinstance(base, Binary) and base.op in ("+", "-")):
-        return None
     x = sp.Dummy(real=True)
-    sides = [rebuilt(each, _replace(whole, Letter("_square"))) for each in (link.left, link.right)]
+    sides = [rebuilt(each, _replace(base, Letter("_sum"))) for each in (link.left, link.right)]
     if any(symbol.name in letters(each) for each in sides):
         return None
-    left, right = (scene_value(scene, each, {"_square": x}) for each in sides)
+    left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
     gap = sp.expand(left - right)
-    if not gap.is_polynomial(x) or sp.degree(gap, x) != 1:
+    if not gap.is_polynomial(x):
         return None
-    value = tidy(-gap.coeff(x, 0) / gap.coeff(x, 1))
-    root = tidy(sp.sqrt(value))
-    if scene.model.sign(scene_value(scene, base).xreplace(_found(scene))) < 0:
+    power = int(sp.degree(gap, x))
+    if power not in (2, 4) or any(gap.coeff(x, n) != 0 for n in range(1, power)):
+        return None
+    whole = Binary("^", base, Number(Fraction(power)))
+    value = tidy(-gap.coeff(x, 0) / gap.coeff(x, power))
+    root = tidy(sp.root(value, power))
+    if scene.model.sign(scene_value(scene, base).xreplace(dict(scene.model.final))) < 0:
         root = -root
-    if root.atoms(sp.Abs) or any(not each.exp.is_Integer for each in root.atoms(sp.Pow)):
+    plain = all(_is_plain(each) for each in root.atoms(sp.Pow))
+    if symbol in value.free_symbols or root.atoms(sp.Abs) or not plain:
         return None
     squared = Relation(((Link(whole, "=", tree_of(value)),),))
+    mark = scene.desk.mark()
     own = number if scene.desk.relation(number) == squared else _write(scene, number, squared)
     if own is None:
         return None
     taken = _write(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
-    if taken is None and own != number:
-        scene.desk.lines.pop()
-    return taken
+    if taken is None and own != number and (root.is_Rational or power != 2):
+        scene.desk.back(mark)
+        return None
+    return taken or own
 
 
-def _found(scene: Scene) -> dict[Any, Any]:
-    return dict(scene.model.final)
+def is_square_of_sum(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
+    """Whether a line says what the square of a sum with the unknown is: its roots are read off."""
+    match scene.desk.last_link(number):
+        case Link(Binary("^", Binary("+" | "-") as base, Number(power)), "=", right):
+            if power != 2:
+                return False
+            return symbol.name in letters(base) and symbol.name not in letters(right)
+    return False
+
+
+def _sums(tree: Expression, name: str) -> Iterator[Expression]:
+    """The smallest sums in which a letter stands."""
+    if not (isinstance(tree, Binary) and tree.op in ("+", "-")):
+        for each in children(tree):
+            yield from _sums(each, name)
+        return
+    terms = list(_terms(tree))
+    inside = [list(_sums(each, name)) for each in terms]
+    if any(name in letters(a) and not b for a, b in zip(terms, inside, strict=True)):
+        yield tree
+    else:
+        for each in inside:
+            yield from each
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case _:
+            yield tree
+
+
+def _is_plain(power: sp.Expr) -> bool:
+    """Whether it is a power of letters, or the root of a whole number."""
+    return bool(power.exp.is_Integer or power.base.is_Integer)
 
 
 def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
