@@ -135,6 +135,8 @@ class Desk:
     cases: list[Case] = field(default_factory=list)
     others: list[Route] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
+    shown: list[int] = field(default_factory=list)
+    """Equations between letters that were to be shown: they are quoted from then on."""
     item: str | None = None
     part: str | None = None
     splits: tuple[tuple[int, int], ...] = ()
@@ -236,6 +238,7 @@ class Desk:
             cases=list(self.cases),
             others=list(self.others),
             notes=list(self.notes),
+            shown=list(self.shown),
             _sources={each: list(own) for each, own in self._sources.items()},
             _parts=dict(self._parts),
         )
@@ -280,6 +283,7 @@ class Desk:
         self._parts = dict(mark.parts)
         self.splits = mark.splits
         del self.others[mark.others :]
+        self.shown = [each for each in self.shown if each <= mark.lines]
 
 
 @dataclass(frozen=True)

@@ -106,6 +106,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):
+        quoted = _quoted(scene, each, own.left)
+        if quoted is not None:
+            return quoted
         if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
             return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
         if own.left.kind == "deflection" and not has_quantity(own.right):
@@ -132,6 +135,26 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         case Quantity("angle") if isinstance(own.right, Quantity) and own.right.kind == "angle":
             return write_equal_angles(scene, each)
     return _of_several(scene, each)
+
+
+_QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+
+
+def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
+    """What is given of a quantity that stands in letters already: the two are equal."""
+    if quantity.kind not in _QUOTED or has_quantity(each.link.right):
+        return None
+    known = scene.desk.known(quantity)
+    if known is None or not scene.unknown(known.value):
+        return None
+    value, refs = scene.put(known.value)
+    right, more = scene.put(scene.scalar(each.link.right))
+    tree = each.link.right if not more else tree_of(right)
+    relation = chain(tree, (tree_of(value), None))
+    premises = scene.judge.enough(
+        Move("put"), (*known.refs, *each.refs), relation, together(refs, more)
+    )
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
 def _in_cosines(each: GivenEquation) -> GivenEquation:
@@ -465,6 +488,12 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             if not isinstance(node.stage, int):
                 if node.kind == "angle":
                     raise NotPlannedError("a relation with angles")
+                continue
+            known = scene.desk.known(node) if node.kind in _QUOTED else None
+            if known is not None and not isinstance(known.value, Vector):
+                value, more = scene.put(known.value)
+                values[node] = tree_of(value)
+                refs += [*known.refs, *more]
                 continue
             made = formula(scene, node)
             if made.left != node:

@@ -7,7 +7,7 @@ unknown and it holds no letter that is asked; else it is the last equation of it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -48,6 +48,7 @@ from restitution.planning.vectors import common_velocity, velocity_given
 from restitution.work import remembered
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
+_SHOWN = "shown "
 
 
 @dataclass(frozen=True)
@@ -253,6 +254,7 @@ class Solver:
                 *(self._of_given(each) for each in scene.given),
                 *(each.candidate for each in self.paths.values()),
                 *(each.candidate for each in self.rounds.values()),
+                *self._shown(),
             )
             if own.id not in self.used and not self._holds(own)
         ]
@@ -275,6 +277,13 @@ class Solver:
             self._taken_at = known, points(self.scene.model)
         return self._taken_at[1]
 
+    def _shown(self) -> Iterator[Candidate]:
+        """The equations that were to be shown: they cost less than what they come of."""
+        for number in self.scene.desk.shown:
+            if self.scene.desk.holds(number):
+                gap = residual(self.scene, number)
+                yield Candidate(f"{_SHOWN}{number}", 0.3, (gap,))
+
     def _holds(self, own: Candidate) -> bool:
         """Whether an equation tells nothing new: with what is known it holds of itself."""
         put = [self.scene.with_values(each)[0] for each in own.residuals]
@@ -284,6 +293,8 @@ class Solver:
     def _move(self, own: Candidate) -> Move:
         """The principle, or the definition, that an equation of a route is."""
         law = self._law(own)
+        if own.id.startswith(_SHOWN):
+            return Move("put")
         if law is None:
             return move_of(self.givens[own.id])
         record = "restitution-wall" if law.kind == "wall" else law.kind
@@ -732,6 +743,8 @@ class Solver:
             return paths.write_path(self.scene, self.paths[own.id])
         if own.id in self.rounds:
             return rounds.write_round(self.scene, self.rounds[own.id])
+        if own.id.startswith(_SHOWN):
+            return int(own.id.removeprefix(_SHOWN))
         if law is None:
             return None
         if law.kind in _LAWS:

@@ -53,6 +53,10 @@ _LAST: tuple[Move, ...] = (
 )
 
 
+# What later items take as it is shown, and do not work out again.
+_QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+
+
 def write_show(
     scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
 ) -> None:
@@ -66,6 +70,21 @@ def write_show(
     with Claims(scene, solver) as claims:
         line, relation = _line(claims, item, now)
     scene.desk.end(name, line, relation, shown=True)
+    _quotable(scene, line, relation)
+
+
+def _quotable(scene: Scene, line: int, relation: Relation) -> None:
+    """What is shown is known from here on: the value of a quantity, or an equation of letters."""
+    if len(relation.options) != 1 or len(relation.only) != 1 or relation.only[0].sign != "=":
+        return
+    (link,) = relation.only
+    if has_quantity(link.right) or scene.desk.last_link(line) != link:
+        return
+    match link.left:
+        case Quantity(kind, _, int()) if kind in _QUOTED:
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case left if not has_quantity(left) and not scene.lets_in(link):
+            scene.desk.shown.append(line)
 
 
 def _of_subject(scene: Scene, solver: Solver, item: Show, now: int, name: str) -> None:
