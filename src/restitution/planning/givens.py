@@ -26,7 +26,7 @@ from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
-from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
     ONE,
@@ -142,19 +142,29 @@ _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 
 def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
     """What is given of a quantity that stands in letters already: the two are equal."""
-    if quantity.kind not in _QUOTED or has_quantity(each.link.right):
+    turned = quantity.kind in ("angle", "deflection")
+    if (quantity.kind not in _QUOTED and not turned) or has_quantity(each.link.right):
         return None
-    known = scene.desk.known(quantity)
+    known = scene.desk.known(Apply("tan", quantity) if turned else quantity)
     if known is None or not scene.unknown(known.value):
         return None
     value, refs = scene.put(known.value)
     right, more = scene.put(scene.scalar(each.link.right))
+    if turned and (more or right == sp.pi / 2):
+        return None
     tree = each.link.right if not more else tree_of(right)
+    tree = tree_of(tidy(sp.tan(right))) if turned else tree
     relation = chain(tree, (tree_of(value), None))
+    names = letters(scene.desk.last_link(_line_of(known)).right)
+    lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
-        Move("put"), (*known.refs, *each.refs), relation, together(refs, more)
+        Move("put"), (*known.refs, *each.refs), relation, together(lets, refs, more)
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _line_of(known: Source) -> int:
+    return next(each for each in known.refs if isinstance(each, int))
 
 
 def _in_cosines(each: GivenEquation) -> GivenEquation:

@@ -169,7 +169,8 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     """A letter by which the statement calls a quantity."""
     quantity = fact.relation.only[0].left
     if not isinstance(quantity, Quantity):
-        raise NotPlannedError("a letter for an expression of quantities")
+        _named_expression(scene, asked, fact, name)
+        return
     known = scene.desk.known(asked)
     if known is not None:
         (line,) = (each for each in known.refs if isinstance(each, int))
@@ -179,6 +180,25 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     own = formula(scene, quantity)
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
+
+
+def _named_expression(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
+    """A letter by which the statement calls an expression: what that is worth."""
+    expression = fact.relation.only[0].left
+    known = scene.desk.known(expression)
+    if known is not None:
+        value, refs = scene.put(known.value)
+        refs, tree = together(known.refs, refs), tree_of(value)
+    elif has_quantity(expression):
+        line, tree = write_expression(scene, expression)
+        refs = (line,)
+    else:
+        raise NotPlannedError("a letter for an expression of letters")
+    relation = chain(asked, (tree, None))
+    premises = scene.judge.enough(Move("put"), refs, relation, (fact.id,))
+    if premises is None:
+        raise NotPlannedError("a letter for an expression of quantities")
+    scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
 
 
 def _of_letters(scene: Scene, asked: Expression, name: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
 
@@ -67,10 +68,48 @@ def write_show(
     if item.subject is not None:
         _of_subject(scene, solver, item, now, name)
         return
-    with Claims(scene, solver) as claims:
-        line, relation = _line(claims, item, now)
+    standing = solver.mark()
+    for free in (_printed_letters(scene, item, now), frozenset[sp.Symbol]()):
+        try:
+            with Claims(scene, solver) as claims:
+                scene.free |= free
+                own = _facts_about(scene, item, now) - solver.used if free else frozenset()
+                solver.used |= own
+                line, relation = _line(claims, item, now)
+                solver.used -= own
+            break
+        except NotPlannedError:
+            if not free:
+                raise
+            solver.back(standing)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
+
+
+def _printed_letters(scene: Scene, item: Show, now: int) -> frozenset[sp.Symbol]:
+    """Letters in which a quantity is to be shown, though facts of the part say what they are."""
+    match item.relation:
+        case Compare(operators=("=",), figures=None):
+            (link,) = links_of(scene.problem, item.relation, now)
+        case _:
+            return frozenset()
+    left, right = scene.opened(link).left, scene.opened(link).right
+    if not has_quantity(left) or has_quantity(right):
+        return frozenset()
+    names = letters(right)
+    return frozenset(each for each in scene.model.final if each.name in names)
+
+
+def _facts_about(scene: Scene, item: Show, now: int) -> frozenset[str]:
+    """The given facts that speak of the quantity that is to be shown: it is not shown by these."""
+    assert isinstance(item.relation, Compare)
+    (link,) = links_of(scene.problem, item.relation, now)
+    shown = set(_quantities(scene.opened(link).left))
+    return frozenset(
+        each.fact.id
+        for each in scene.given
+        if shown & {q for side in (each.link.left, each.link.right) for q in _quantities(side)}
+    )
 
 
 def _quotable(scene: Scene, line: int, relation: Relation) -> None:
@@ -82,6 +121,8 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
         return
     match link.left:
         case Quantity(kind, _, int()) if kind in _QUOTED:
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Apply("tan", Quantity("angle" | "deflection", _, int() | None)):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case left if not has_quantity(left) and not scene.lets_in(link):
             scene.desk.shown.append(line)
@@ -323,6 +364,15 @@ class _Equation:
         refs += self._between_letters()
         return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
 
+    def _known(self, names: AbstractSet[str]) -> tuple[Ref, ...]:
+        """What may be cited of letters: their ranges, and what the statement lets them be."""
+        facts = self.scene.facts
+        lets = {name: facts[f"let {name}"] for name in sorted(names) if f"let {name}" in facts}
+        inside = {
+            name for each in lets.values() for name in letters(each.relation.only[0].left)
+        } | {name for each in lets.values() for name in letters(each.relation.only[0].right)}
+        return (*(each.id for each in lets.values()), *self.judge.known(names | inside))
+
     def _between_letters(self) -> list[Ref]:
         """The given equations between letters."""
         return [
@@ -363,13 +413,13 @@ class _Equation:
         defined = self.judge.write((own.move,), pool, Relation(((Link(left, "=", right),),)))
         if defined is None:
             return None
-        known = self.judge.known(letters(right) | letters(self.link.right))
+        known = self._known(letters(right) | letters(self.link.right))
         return self._last([defined, *extra, *known])
 
     def _defined(self, own: Formula, start: Expression, pool: Sequence[Ref]) -> int | None:
         """The printed form as the last link of the definition, or as a line under it."""
         left, right = self.link.left, self.link.right
-        known = self.judge.known(letters(start) | letters(right))
+        known = self._known(letters(start) | letters(right))
         if start == right:
             return self.judge.write((own.move,), pool, self.relation, own.refs)
         first = Link(left, "=", start)
@@ -398,7 +448,7 @@ class _Equation:
                 facts += claims.worths.data_of(each)
                 continue
             lines.append(claims.worths.quantity(each))
-        known = self.judge.known(letters(self.link.left) | letters(self.link.right))
+        known = self._known(letters(self.link.left) | letters(self.link.right))
         for first in lines:
             rest = [each for each in lines if each != first]
             line = self._last([first, *rest, *facts, *known])

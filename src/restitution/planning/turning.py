@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
 )
 from restitution.planning.angles import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
@@ -37,7 +38,7 @@ from restitution.planning.lines_between import (
 )
 from restitution.planning.named_angles import ANGLES, letter_of, ratio_line, tangent_line
 from restitution.planning.polynomials import expanded
-from restitution.planning.premises import nonzero, sign_known
+from restitution.planning.premises import background, nonzero, sign_known
 from restitution.planning.quantities import (
     Formula,
     body_and_stage,
@@ -115,11 +116,10 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         named: tuple[Ref, ...] = ()
         if isinstance(right, Binary) and isinstance(right.right, Letter):
             named = (range_of(scene, right.right.name),)  # of 90° − α
-        line = scene.desk.write(
-            Move("inverse"),
-            together((own.line, own.extent), own.side, named),
-            chain(Letter(own.letter), (right, None)),
-        )
+        refs = together((own.line, own.extent), own.side, named)
+        relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
+        refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
+        line = scene.desk.write(move, refs, relation)
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
 
