@@ -359,7 +359,7 @@ class _Extremum:
         own = desk.line(line)
         links = desk.relation(line).only
         used = any(line in each.premises for each in desk.lines)
-        if len(links) < 2 or used or own.move.id != "define":
+        if len(links) < 2 or used or own.move.record not in ("energy", "total"):
             return None
         first = Relation((links[:1],))
         refs = self.judge.needed(own.move, own.premises, first)

@@ -26,7 +26,7 @@ from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
-from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
     ONE,
@@ -155,16 +155,13 @@ def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None
     tree = each.link.right if not more else tree_of(right)
     tree = tree_of(tidy(sp.tan(right))) if turned else tree
     relation = chain(tree, (tree_of(value), None))
-    names = letters(scene.desk.last_link(_line_of(known)).right)
+    lines = [each for each in known.refs if isinstance(each, int)]
+    names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
     lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
         Move("put"), (*known.refs, *each.refs), relation, together(lets, refs, more)
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
-
-
-def _line_of(known: Source) -> int:
-    return next(each for each in known.refs if isinstance(each, int))
 
 
 def _in_cosines(each: GivenEquation) -> GivenEquation:
@@ -405,16 +402,15 @@ def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int |
     factor = product_without(each.link.right, other)
     if factor is None or not isinstance(name, Name):
         return None
-    stages = [left.stage, other.stage]
-    if not all(isinstance(stage, int) for stage in stages):
+    stages = [each.stage for each in (left, other) if isinstance(each.stage, int)]
+    if len(stages) != 2:
         return None
     (a, _, a_refs), (b, _, b_refs) = (
-        squares(scene, name.name, scene.last_event(name.name, stage))
-        for stage in stages  # type: ignore[arg-type]
+        squares(scene, name.name, scene.last_event(name.name, stage)) for stage in stages
     )
     right = b if factor == ONE else swept(product(factor, b))
     relation = chain(swept(a), (right, None))
-    move = Move("define", "energy-ratio", max(stages), (name.name,))  # type: ignore[type-var]
+    move = Move("define", "energy-ratio", max(stages), (name.name,))
     refs = scene.judge.enough(
         move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
     )

@@ -16,7 +16,7 @@ import sympy as sp
 from restitution.components import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Route
-from restitution.expression.tree import Letter, Name, Quantity
+from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning import paths, place_trees, rounds, separations
 from restitution.planning.axes import take_impulse
 from restitution.planning.blows import write_blows
@@ -39,7 +39,7 @@ from restitution.planning.impacts import (
 )
 from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, one_fraction
-from restitution.planning.roots import written_law
+from restitution.planning.roots import senses, written_law
 from restitution.planning.routes import Candidate, Point, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.systems import solve_together
@@ -460,8 +460,20 @@ class Solver:
 
         By the laws its sense is known, or shown in letters.
         """
-        if symbol not in self._letters:
+        link = self.givens[own.id].link
+        kinds = {
+            each.kind
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Quantity)
+        }
+        if symbol not in self._letters or not kinds & {"speed", "energy", "angle"}:
             return False
+        facts = self.scene.facts
+        for ref in senses(self.scene, symbol):
+            told = ref in facts and facts[ref].relation.only[0].sign in ("<", "<=", ">", ">=")
+            if told or str(ref).startswith("sense"):
+                return False
         number, _ = self._letters[symbol]
         ids = {each.id for each in left}
         if not {f"momentum {number}", f"restitution {number}"} <= ids:

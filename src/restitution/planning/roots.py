@@ -213,9 +213,9 @@ def _rejected(
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
-    senses = _senses(scene, symbol)
-    if senses:
-        refs = scene.judge.enough(move, (line,), relation, (*senses, *own))
+    told = senses(scene, symbol)
+    if told:
+        refs = scene.judge.enough(move, (line,), relation, (*told, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
@@ -310,7 +310,7 @@ def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
     """Facts about the sense, or the range, of what a letter is, and what introduces the letter."""
     refs: list[Ref] = []
     bodies = {body for (_, body), each in scene.model.components.items() if each.symbol == symbol}

@@ -69,7 +69,7 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if own is None:
         return None
     taken = _write(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
-    if taken is None and own != number and (root.is_Rational or power != 2):
+    if taken is None and own != number and power != 2:
         scene.desk.back(mark)
         return None
     return taken or own
@@ -96,8 +96,7 @@ def _sums(tree: Expression, name: str) -> Iterator[Expression]:
     if any(name in letters(a) and not b for a, b in zip(terms, inside, strict=True)):
         yield tree
     else:
-        for each in inside:
-            yield from each
+        yield from (base for own in inside for base in own)
 
 
 def _terms(tree: Expression) -> Iterator[Expression]:

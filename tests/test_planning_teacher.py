@@ -1,0 +1,252 @@
+"""The way in which a teacher goes: laws first, roots of both sides, results quoted once shown."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+from answers import _differs
+
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.expression.writing import write_expression
+from restitution.language.reading import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+PAIR = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+"""
+SLANTING = """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, velocity -i + 2j
+A hits B: along i + j, e = 1/2
+find velocity(A), velocity(B)
+"""
+
+
+@cache
+def planned(text: str) -> Derivation:
+    """The working of a statement; the follower and the answers are asked first."""
+    problem = parse(text)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert [str(each) for each in follow(derivation, Oracle(roles(problem)))] == []
+    ends = {each.item: each for each in derivation.items}
+    for (part, item), end in zip(solution.items(), ends.values(), strict=True):
+        plain = item.kind == "value" and len(item.answers) == 1 and not item.answers[0].angle
+        if plain:
+            (links,) = end.answer.options
+            told = write_expression(links[-1].right)
+            assert _differs(item, told, dict(part.roles)) is None, told
+    return derivation
+
+
+def said(text: str) -> list[str]:
+    """What the lines of a working say, but for those that introduce a letter."""
+    lines = planned(text).lines
+    return [write_relation(e.relation) for e in lines if e.move.id != "let"]  # type: ignore[arg-type]
+
+
+# --- roots of both sides -------------------------------------------------------------------------
+
+
+def test_a_speed_of_one_component_is_not_squared() -> None:
+    told = said(PAIR + "given speed(B) = 1/2 u cos(alpha)\nfind e")
+    assert "1/2 u cos(alpha) = 1/3 (1 + e) u cos(alpha)" in told
+    assert not any("^2" in each for each in told)
+
+
+def test_speeds_of_one_component_each_are_equal_without_squares() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+sphere C: mass k m, at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+given speed(C) = 3/4 speed(B, 1)
+find k
+"""
+    told = said(text)
+    assert not any("^2" in each for each in told)
+
+
+@pytest.mark.parametrize(
+    ("fact", "lines"),
+    [
+        ("speed(A) = sqrt(109)/12 u", ("(1 - 2e)^2 = ",)),
+        ("energy(A) = 109/144 energy(A, 0)", ("(1 - 2e)^2 = ",)),
+    ],
+)
+def test_the_square_of_a_sum_is_not_multiplied_out(fact: str, lines: tuple[str, ...]) -> None:
+    text = PAIR.replace("at alpha", "at 60°") + f"given {fact}\nfind e"
+    told = said(text)
+    for start in lines:
+        assert any(each.startswith(start) for each in told)
+    assert not any("e^2" in each for each in told)
+
+
+def test_a_power_has_its_root_taken_at_once() -> None:
+    text = """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along i
+B hits C: along i
+given energy(C) = 81/256 energy(A, 0)
+find e
+"""
+    told = said(text)
+    assert told[-3:] == ["(1 + e)^4 = 81/16", "1 + e = 3/2", "e = 1/2"]
+
+
+def test_a_ratio_of_energies_of_one_body_is_one_of_speeds_squared() -> None:
+    wall = "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 1/3\n"
+    derivation = planned(wall + "given energy(P) = 2/3 energy(P, 0)\nfind theta")
+    (line,) = (each for each in derivation.lines if each.move.record == "energy-ratio")
+    assert write_relation(line.relation) == (  # type: ignore[arg-type]
+        "(1/3 u sin(theta))^2 + (u cos(theta))^2 = 2/3 u^2"
+    )
+
+
+# --- order ---------------------------------------------------------------------------------------
+
+
+def test_laws_come_before_a_fact_that_leaves_a_sense_open() -> None:
+    lines = planned(PAIR + "given speed(B) = 1/2 u cos(alpha)\nfind e").lines
+    kinds = [each.move.record or each.move.id for each in lines]
+    assert kinds.index("momentum") < kinds.index("restitution") < kinds.index("speed")
+
+
+@pytest.mark.parametrize("more", ["energy_lost", "angle(velocity(B), line_of_centres)"])
+def test_a_second_velocity_is_of_its_components_where_these_are_wanted(more: str) -> None:
+    records = [each.move.record for each in planned(SLANTING.strip() + f", {more}").lines]
+    assert "momentum-vector" not in records
+    assert records.count("assemble") == 2
+
+
+@pytest.mark.parametrize("more", ["speed(B)", "energy(B)", "impulse(A), total_energy_lost"])
+def test_a_second_velocity_by_momentum_is_used_as_a_vector(more: str) -> None:
+    lines = planned(SLANTING.strip() + f", {more}").lines
+    (after,) = (n for n, each in enumerate(lines) if each.move.record == "momentum-vector")
+    assert not any(each.move.record == "component" for each in lines[after:])
+    assert not any(
+        write_relation(e.relation).startswith("w = ") for e in lines if e.move.id != "let"
+    )  # type: ignore[arg-type]
+
+
+# --- facts ----------------------------------------------------------------------------------------
+
+
+def test_a_velocity_that_is_given_beside_the_laws_is_an_equation() -> None:
+    text = """
+sphere A: mass 3m, velocity p i
+sphere B: mass 2m, velocity -q i
+A hits B: along i, e = 1/4
+given velocity(A) opposite to i
+find range of q/p
+part b
+given velocity(A) = -1/2 velocity(A, 0)
+find q/p, speed(B)/q
+"""
+    told = said(text)
+    assert "v = -p/2" in told and "(p - q)/2 = -p/2" in told and "q/p = 2" in told
+
+
+def test_a_scalar_product_that_is_given() -> None:
+    text = """
+sphere A: mass 3, velocity 5i + 2j
+sphere B: mass 1, velocity -3i + 4j
+A hits B: along i
+given dot(velocity(A), velocity(B, 0)) = 5
+find e
+"""
+    assert "-3v + 2*4 = 5" in said(text)
+
+
+def test_the_size_of_a_difference_of_velocities_that_is_given() -> None:
+    text = (
+        PAIR.replace("at alpha", "at 60°")
+        + """
+given abs(velocity(A) - velocity(B)) = 9/10 u
+find e
+"""
+    )
+    assert "(e u/2)^2 + (sqrt(3) u/2)^2 = (9/10 u)^2" in said(text)
+
+
+# --- quoting --------------------------------------------------------------------------------------
+
+
+def test_a_quantity_that_was_shown_is_quoted() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+part a
+show energy_lost = 1/4 m u^2 (1 - e^2) cos^2(alpha)
+part b
+given e = 1/2
+find energy_lost/energy(0)
+part c
+given energy_lost = 1/8 energy(0), alpha = 45°
+find e
+"""
+    derivation = planned(text)
+    records = [each.move.record for each in derivation.lines]
+    assert records.count("energy-lost") == 1
+    (shown,) = (end.line for end in derivation.items if end.shown)
+    assert sum(shown in each.premises for each in derivation.lines) == 2
+
+
+def test_an_equation_that_was_shown_is_quoted() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given velocity(A) perpendicular to velocity(A, 0)
+part a
+show tan^2(alpha) = (3e - 1)/4
+part b
+given e = 2/3
+find alpha
+"""
+    derivation = planned(text)
+    assert [each.move.record for each in derivation.lines].count("perpendicular") == 1
+
+
+def test_what_is_shown_before_a_fact_is_shown_in_letters() -> None:
+    text = """
+let t = tan(alpha)
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/4
+show tan(deflection(P)) = 5t/(4 - t^2)
+find t
+given deflection(P) = 45°
+"""
+    derivation = planned(text)
+    told = said(text)
+    assert "tan(deflection(P, 1)) = 5t/(4 - t^2)" in told
+    assert "1 = 5tan(alpha)/(4 - tan^2(alpha))" in told
+    assert derivation.items[-1].answer.only[0].left == derivation.items[-1].answer.only[-1].left
+
+
+def test_letters_for_expressions_in_sequence() -> None:
+    text = """
+let c = cos(alpha)
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let V = speed(B)/u
+show V = 2/3 (1 + e) c
+given V = c
+find e
+"""
+    assert "V = 2/3 (1 + e) c" in said(text)
+    assert said(text)[-1] == "e = 1/2"
