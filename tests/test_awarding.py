@@ -286,7 +286,6 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
     ("place-by-a-path", "on-its-way", 3, "M1", "M1", "M1"),
     ("time-or-place", "reaches-a-point", 4, "M1", "M1", "M1"),
-    ("place-that-stays", "places", 1, "", "", ""),
     ("place-by-the-data", "places", 2, "", "", ""),
     ("time-by-the-data", "places", 3, "B1", "B1", "B1"),
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
