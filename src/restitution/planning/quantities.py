@@ -90,15 +90,14 @@ def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
 
 
 def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
-    """A velocity that is known as a vector: after a blow, or as no components tell it."""
+    """A velocity that is known as a vector: after a blow, or by a line, in a slanting frame."""
     velocity = Quantity("velocity", (Name(body),), stage)
     if not stage:
         return None
     if stage in scene.model.frames:
         if not scene.frame(stage).is_slanted:
             return None
-        told = scene.desk.known(velocity)
-        return None if told is None or _by_components(scene, told) else told
+        return scene.desk.known(velocity)
     known = blown(scene, body, stage)
     value, refs = scene.put(known.value)
     if (
@@ -111,20 +110,6 @@ def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     relation = chain(velocity, (tree_of(Vector(*map(tidy, value))), None))
     line = scene.desk.write(Move("put"), (*known.refs, *refs), relation)
     return scene.desk.know(velocity, value, (line,))
-
-
-def _by_components(scene: Scene, source: Source) -> bool:
-    """Whether the line of a velocity puts it together of its components along a slanting line."""
-    below: list[Ref] = [*source.refs]
-    while below:
-        ref = below.pop()
-        if isinstance(ref, int):
-            own = scene.desk.line(ref)
-            if own.move.record == "assemble" and len(own.premises) > 2:
-                return True
-            if own.move.id in ("rearrange", "put"):
-                below += own.premises[:1]
-    return False
 
 
 def _of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
