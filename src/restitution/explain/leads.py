@@ -15,7 +15,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import past_a_right_angle, tie_of
-from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
@@ -236,7 +236,8 @@ class Leads:
             yield say("derived.along-axis", body=body, axis=self._naming.laid(none))
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
-            yield say("so")
+            apart = self._apart(line) if line.move.record == "perpendicular" else None
+            yield say("so") if apart is None else apart
             return
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()
@@ -290,6 +291,24 @@ class Leads:
         if event is None:
             return None
         return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _apart(self, line: Line) -> Sentence | None:
+        """Who moves across the line of centres, and who along it, where that is a right angle."""
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        cited = [each for ref in refs if (each := self._derivation.line(ref)) is not None]
+        meanings = {e.relation.letter: e.relation for e in cited if isinstance(e.relation, Meaning)}
+        still: dict[str, str] = {}
+        for each in cited:
+            match each.relation:
+                case Relation(((Link(left, "=", right),),)) if is_zero(right):
+                    if isinstance(left, Letter) and left.name in meanings:
+                        left = meanings[left.name].quantity
+                    match left:
+                        case Quantity(kind, (Quantity("velocity", (Name(body),), _), _)):
+                            still[kind] = body
+        if set(still) != {"along", "across"}:
+            return None
+        return say("derived.apart", one=still["along"], other=still["across"])
 
     def _of_the_story(self, line: Line) -> Sentence | None:
         """What has to be for there to be such an impact, where that is what a line says."""

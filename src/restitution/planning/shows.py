@@ -152,6 +152,9 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             return _to_figures(claims, links_of(scene.problem, item.relation, now)[0])
         case Compare(operators=("=",)):
             (link,) = links_of(scene.problem, item.relation, now)
+            match link:
+                case Link(Quantity("angle", pair), _, Degrees(value)) if value == 90:
+                    return _tied(claims, "perpendicular", pair, Relation(((link,),)))
             if isinstance(link.left, Quantity) and _is_angle_in_numbers(link):
                 claims.worths.determine(link.left)
                 line = angle_line(scene, link.left)
@@ -245,9 +248,17 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
     if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
         return _common_direction(claims, relation, link)
     record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
+    return _tied(claims, record, (link.left, link.right), Relation(((link,),)))
+
+
+def _tied(
+    claims: Claims, record: str, pair: Sequence[Expression], own_relation: Relation
+) -> tuple[int, Relation]:
+    """That two directions are parallel, or at right angles, by the components of velocities."""
+    scene = claims.scene
     moving = [
         body_and_stage(scene, each)
-        for each in (link.left, link.right)
+        for each in pair
         if isinstance(each, Quantity) and each.kind == "velocity"
     ]
     if not moving:
@@ -261,7 +272,6 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
             refs += claims.worths.component(kind, body, stage, frame).whole
     refs += [f"wall {each.name}" for each in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
-    own_relation = Relation(((link,),))
     line = claims.judge.write(
         (move,), together(r for r in refs if claims.worths.exists(r)), own_relation
     )
