@@ -330,3 +330,42 @@ def test_velocities_before_by_letters_for_their_components(statement: str, last:
 )
 def test_bodies_that_are_struck_by_blows_alone(statement: str, last: str) -> None:
     assert answers(working(statement))[-1] == last
+
+
+AIMED = """
+sphere A: mass m, at (0, 0), velocity u at alpha, radius {radius}
+sphere B: mass m, at {there}, at rest, radius {radius}
+A hits B: along {line}, e = 1/2
+find tan(alpha)
+"""
+
+
+@pytest.mark.parametrize(
+    ("radius", "there", "line", "place", "tangent"),
+    [
+        ("5", "(40, 30)", "4i + 3j", "40i + 30j - 10((4i + 3j)/5) = 32i + 24j", "3/4"),
+        ("5", "(40, 20)", "-4i - 3j", "40i + 20j + 10((-4i - 3j)/5) = 32i + 14j", "7/16"),
+        ("r", "(8r, 6r)", "j", "8r i + 6r j - 2r j = 8r i + 4r j", "1/2"),
+        ("1", "(8, 2)", "-30°", "8i + 2j - 2(sqrt(3)/2 i - 1/2 j) = (8 - sqrt(3)) i + 3j", None),
+    ],
+)
+def test_who_is_sent_has_to_come_two_radii_before_the_other(
+    radius: str, there: str, line: str, place: str, tangent: str | None
+) -> None:
+    derivation = working(AIMED.format(radius=radius, there=there, line=line))
+    assert f"position(A, 1) = {place} [rearrange]" in said(derivation)
+    if tangent is not None:
+        assert answers(derivation) == [f"tan(alpha) = {tangent}"]
+
+
+def test_who_is_sent_without_a_radius_comes_to_the_place_of_the_other() -> None:
+    derivation = working(
+        """
+        sphere A: mass m, at (0, 0), velocity u at alpha
+        sphere B: mass m, at (5, 2), at rest
+        A hits B: along i, e = 1/2
+        find tan(alpha)
+        """
+    )
+    assert answers(derivation) == ["tan(alpha) = 2/5"]
+    assert "5(u sin(alpha)) = 2(u cos(alpha))" in said(derivation)

@@ -6,6 +6,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk
 
 
@@ -20,7 +21,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         return say("flight.time") if one else say("flight.time-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
-    if event is not None and _is_meeting(event, line):
+    if event is not None and _is_meeting(event, line) and _speaks_of_a_time(derivation, line):
         first, second = event.bodies
         return say("flight.meet", one=first, other=second)
     if _tells_a_time(derivation, line):
@@ -54,6 +55,13 @@ def _is_place(tree: Expression) -> bool:
         case Quantity("along" | "across", (Quantity("position"), _)):
             return True
     return False
+
+
+def _speaks_of_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a time is in a line, or is put into it."""
+    assert isinstance(line.relation, Relation)
+    nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+    return any(map(is_time, nodes)) or _tells_a_time(derivation, line)
 
 
 def _by_the_way(derivation: Derivation, line: Line) -> bool:

@@ -403,6 +403,11 @@ class Naming:
         kind, _, number = fact.id.partition(" ")
         event = self.events.get(int(number)) if kind == "contact" else None
         match fact.relation.only[0]:
+            case Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), _)) if (
+                event is not None
+            ):
+                one, other = event.bodies
+                return say("touch.place", one=one, other=other)
             case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
                 event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
             ):

@@ -12,8 +12,12 @@ from restitution.explain.sources import Sources
 from restitution.explaining.derivation import Derivation, Event, Line, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Number, Quantity, Unit
+from restitution.expression.tree import Expression, Number, Pair, Quantity, Unit, is_zero
 from restitution.render import layout as lay
+
+
+def _parts(tree: Expression) -> tuple[Expression, ...]:
+    return (tree.x, tree.y) if isinstance(tree, Pair) else (tree,)
 
 
 class Staying:
@@ -99,7 +103,7 @@ class Staying:
         return any(
             fact is not None
             and fact.id.partition(" ")[0] == "velocity"
-            and fact.relation.only[0].right == Number(Fraction(0))
+            and all(is_zero(each) for each in _parts(fact.relation.only[0].right))
             for fact in facts
         )
 

@@ -324,7 +324,7 @@ class _Facts:
         if met & {first.name, second.name} or not isinstance(self.radius, Expression):
             return None
         if step.along not in (Unit("i"), Unit("j")):
-            return None
+            return self._beside_on_a_slant(step, theirs, places)
         if all(isinstance(each, Pair) for each in places):
             part = "x" if step.along == Unit("i") else "y"
             side = self._sign(Binary("-", *(getattr(each, part) for each in reversed(places))))
@@ -335,6 +335,30 @@ class _Facts:
         if side is None:
             return None
         apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), step.along)
+        return Binary("-" if side > 0 else "+", theirs, apart)
+
+    def _beside_on_a_slant(
+        self, step: Impact, theirs: Expression, places: list[Any]
+    ) -> Expression | None:
+        """Where the first centre is by the second, on a line at an angle or along a vector.
+
+        It comes from its side of the second, so that the way between their places tells the sense.
+        """
+        match step.along:
+            case Degrees() | Negate(Degrees()):
+                unit: Expression = Polar(Number(Fraction(1)), step.along)
+            case Pair() | Binary() as vector:
+                unit = Binary("/", vector, Apply("abs", vector))
+            case _:
+                return None
+        if not all(isinstance(each, Pair) for each in places) or self.radius is None:
+            return None
+        first, second = places
+        way = Pair(_difference(second.x, first.x), _difference(second.y, first.y))
+        side = self._sign(Quantity("dot", (way, unit)))
+        if side is None:
+            return None
+        apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), unit)
         return Binary("-" if side > 0 else "+", theirs, apart)
 
     def _approach(self, first: Any, second: Any, axis: Expression) -> int | None:

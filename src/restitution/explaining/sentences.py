@@ -303,8 +303,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
     "given.fact": "It is given that {fact}:",
-    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
-    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.and": "It is given that {fact}.",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
@@ -312,6 +310,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.component": (
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
+    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
+    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
@@ -334,6 +334,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "place of the one is that of the other, and two radii along the line of centres."
     ),
     "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
+    "touch.place": (
+        "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
+    ),
     "contact.wall": "{body} is then on the line of {wall}:",
     "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",

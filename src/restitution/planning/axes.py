@@ -25,6 +25,7 @@ from restitution.planning.either_side import frame_on_one_side, write_sides
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.impacts import plain_direction, whole_direction
+from restitution.planning.premises import background
 from restitution.planning.radii import frame_by_places, is_by_places
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.vectors import velocity_given
@@ -223,7 +224,10 @@ def write_axis(scene: Scene, number: int) -> int:
         own, _ = whole_direction(own)
         move = Move("rearrange")
     relation = Relation(((Link(centres, told.sign, tree_of(tuple(map(tidy, own)))),),))
-    return scene.desk.write(move, together((fact.id,), refs), relation)
+    premises = together((fact.id,), refs)
+    names = {each.name for x in own for each in sp.sympify(x, strict=True).free_symbols}
+    enough = scene.judge.enough(move, premises, relation, background(scene, names))
+    return scene.desk.write(move, premises if enough is None else enough, relation)
 
 
 # --- impulses that are given --------------------------------------------------------------------

@@ -21,19 +21,23 @@ from restitution.planning.desk import chain, together
 from restitution.planning.flights import swept_product
 from restitution.planning.forms import difference, product, swept, tree_of
 from restitution.planning.place_trees import AXES, place_tree, time_tree
-from restitution.planning.places import coordinate, flight_time, leg_along
+from restitution.planning.places import coordinate, flight_time, leg_along, write_touch
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
     axis_for,
+    contact_of,
     last_move,
     of_contact_tree,
+    offset_at,
+    partner_of,
+    rests,
     standing,
     value_of_coordinate,
     value_of_velocity,
     velocity,
 )
-from restitution.problem import Arrival
+from restitution.problem import Arrival, Impact
 from restitution.solve.quantities import quantity as quantity_of
 from restitution.vector import Vector
 
@@ -98,19 +102,51 @@ def paths(scene: Scene) -> Iterator[Path]:
         aimed = striker(scene, number)
         if aimed is not None and (own := _aim(scene, aimed, number)) is not None:
             yield own
-        if not isinstance(step, Arrival):
+        body = _who_goes(scene, number)
+        if body is None:
             continue
-        body = step.body
         since = last_move(scene, body, number)
         if scene.model.story.place(body, since) is None or _by_a_circle(scene, body, number):
             continue
-        if any(of_contact_tree(scene, body, number, axis) is None for axis in AXES):
+        told = all(of_contact_tree(scene, body, number, axis) is not None for axis in AXES)
+        if not told and isinstance(step, Arrival):
             continue
-        place, end = (scene.value(place_tree(body, each)) for each in (since, number))
+        place, end = scene.value(place_tree(body, since)), _end_of(scene, body, number)
         gap = Vector(end.x - place.x, end.y - place.y)
         residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
         if scene.unknown(residual):
             yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)))
+
+
+def _who_goes(scene: Scene, number: int) -> str | None:
+    """Who comes to a place that is known: a point, or where another body is at rest."""
+    step = scene.model.happening(number).step
+    if isinstance(step, Arrival):
+        return step.body
+    if not isinstance(step, Impact) or step.second not in scene.model.story.spheres:
+        return None
+    if circle_of(scene, number) is not None or striker(scene, number) is not None:
+        return None
+    if not any(True for _ in contact_of(scene, number)):
+        return None
+    pairs = ((step.first, step.second), (step.second, step.first))
+    return next(
+        (
+            body
+            for body, other in pairs
+            if rests(scene, other, number) and f"position {other}" in scene.facts
+        ),
+        None,
+    )
+
+
+def _end_of(scene: Scene, body: str, number: int) -> Vector:
+    """The place to which a body comes: of another that rests there, by that."""
+    other = partner_of(scene, body, number)
+    if other is None:
+        return Vector(*scene.value(place_tree(body, number)))
+    there = scene.vector(scene.facts[f"position {other}"].relation.only[0].right)
+    return there + Vector(*(offset_at(scene, body, number, axis) for axis in AXES))
 
 
 def _by_a_circle(scene: Scene, body: str, number: int) -> bool:
@@ -146,6 +182,8 @@ def write_path(scene: Scene, path: Path) -> int:
     since = last_move(scene, body, number)
     if striker(scene, number) == body:
         write_aim(scene, number)
+    if partner_of(scene, body, number) is not None:
+        write_touch(scene, body, number)
     for axis, other in (AXES, AXES[::-1]) if scene.speaks_of_times else ():
         pace = value_of_velocity(scene, body, since, axis)
         first = value_of_coordinate(scene, body, since, axis)

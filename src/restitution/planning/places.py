@@ -19,7 +19,8 @@ from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added, divisor_refs, slope, time_quotient
-from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of
+from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of, vector
+from restitution.planning.impacts import whole_direction
 from restitution.planning.place_trees import (
     AXES,
     Axis,
@@ -223,6 +224,46 @@ def _know_place(scene: Scene, body: str, stage: int, value: Vector, number: int)
     for axis, each in zip(AXES, value, strict=True):
         scene.desk.know(coordinate_tree(body, stage, axis), each, (number,))
     return scene.desk.know(place_tree(body, stage), value, (number,))
+
+
+def write_touch(scene: Scene, body: str, number: int) -> None:
+    """Where a body is when it touches another one that rests, where their centres are apart."""
+    other = partner_of(scene, body, number)
+    own = next(contact_of(scene, number), None)
+    if other is None or own is None or scene.desk.known(place_tree(body, number)) is not None:
+        return
+    gap = Vector(*(offset_at(scene, body, number, axis) for axis in AXES))
+    if not any(gap) or own.left != place_tree(body, number):
+        return
+    theirs = spot(scene, other, number)
+    assert isinstance(own.right, Binary)
+    apart, refs = scene.put(gap)
+    way = _both_radii(scene, own.right.right, apart)
+    value = tidied(scene, theirs.value + apart)
+    line = scene.desk.write(
+        Move("fact"),
+        together((f"contact {number}",), theirs.refs, refs),
+        chain(
+            place_tree(body, number),
+            (swept(Binary(own.right.op, tree_of(theirs.value), way)), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    _know_place(scene, body, number, value, line)
+
+
+def _both_radii(scene: Scene, told: Expression, apart: Vector) -> Expression:
+    """The way from one centre to another that it touches: two radii times a unit vector."""
+    match told:
+        case Binary("*", both, unit):
+            size, _ = scene.put(scene.scalar(both))
+            direction = scene.vector(unit)
+            whole, length = whole_direction(direction)
+            tree = vector(*map(tree_of, whole))
+            return product(
+                tree_of(size), tree if length == 1 else Binary("/", tree, tree_of(length))
+            )
+    return tree_of(apart)
 
 
 def spot(scene: Scene, body: str, stage: int) -> Source:
