@@ -342,7 +342,7 @@ class Reasons:
         except (RestitutionError, TypeError, ValueError):
             return
         share = sp.factor(value / most)
-        if not share.free_symbols or sp.fraction(share)[1].free_symbols:
+        if not share.free_symbols or sp.fraction(share)[1].free_symbols or share.has(sp.zoo):
             return
         if any(not each.exp.is_Integer for each in share.atoms(sp.Pow)):
             return
