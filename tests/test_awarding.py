@@ -281,7 +281,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
-    ("angle-by-a-difference", "equal-elastic", 11, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
+    ("angle-by-a-difference", "equal-elastic", 10, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
     ("place-by-a-path", "on-its-way", 3, "M1", "M1", "M1"),

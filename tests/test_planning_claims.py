@@ -342,7 +342,7 @@ def test_an_angle_has_its_letter_before_its_tangent() -> None:
     derivation = plan(
         solve(parse(EQUAL.format(e=", e = 1/3") + "find maximum of deflection(A) over alpha"))
     )
-    lines = [each for each in derivation.lines if each.move.record == "tan-deflection"]
+    lines = [each for each in derivation.lines if each.move.record == "sum-of-angles"]
     assert [write_relation(each.relation)[:10] for each in lines] == ["tan(delta)"]
 
 

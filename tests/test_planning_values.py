@@ -19,7 +19,7 @@ from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.desk import chain
 from restitution.planning.forms import alike
 from restitution.planning.planner import plan
 from restitution.solve import solve
@@ -294,17 +294,6 @@ def test_a_direction_in_the_other_quadrant_is_refused() -> None:
     )
     reasons = {each.line for each in follow(wrong, oracle) if each.reason == "does-not-follow"}
     assert line.number in reasons
-
-
-def test_to_which_side_a_sphere_turns_is_not_guessed() -> None:
-    with pytest.raises(NotPlannedError, match=r"either side|turns"):
-        _planned("""
-sphere A: mass m, velocity u at 45°
-sphere B: mass k m, velocity u j
-A hits B: along i
-given deflection(A) = 45°, deflection(B) = 30°
-find k, e
-""")
 
 
 def test_products_that_differ_in_brackets_are_alike() -> None:

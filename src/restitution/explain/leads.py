@@ -15,7 +15,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import past_a_right_angle, tie_of
-from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Ref, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
@@ -23,6 +23,7 @@ from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -89,10 +90,16 @@ class Leads:
                 for own in (each.relation.only[0],)
                 if tie_of(own) is not None or past_a_right_angle(own) is not None
             ]
+        if line.move.record in ("sum", "difference"):
+            # An angle of the data is a value too.
+            facts = [each for each in facts if any(map(has_quantity, trees_of(each.relation)))]
         if len(facts) != 1:
             return ()
         self._given |= {each.id for each in facts}
         told = self._naming.fact(facts[0])
+        along = self._moving_along(line)
+        if along is not None and line.move.record == "tan":
+            return (say("given.fact-along", fact=told, body=along),)
         match facts[0].relation.options[0][0]:
             case Link(Quantity("velocity", _, _), "=", right) if isinstance(told, lay.Layout):
                 resolved = self.resolved(line) if line.move.record == "component" else None
@@ -145,6 +152,8 @@ class Leads:
             return None
         if record.id == "parallel" and _read_off(line) is not None:
             return None
+        if self._turned(line) is not None or self._along_the_line(line) is not None:
+            return None
         event = self._naming.events.get(line.move.event or 0)
         bodies = line.move.bodies or (() if event is None else event.bodies)
         assert isinstance(line.relation, Relation)
@@ -157,7 +166,7 @@ class Leads:
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
-            case "perpendicular", _ if not is_zero(last.right):
+            case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
         if name is None:
             return None
@@ -239,6 +248,10 @@ class Leads:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
             yield say("so") if apart is None else apart
             return
+        turned = self._turned(line) or self._along_the_line(line)
+        if turned is not None:
+            yield turned
+            return
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()
         if factor is not None and known:
@@ -259,7 +272,7 @@ class Leads:
         if needed is not None:
             yield needed
         elif line.move.id == "identity" and line.move.record in _BY:
-            how = say(_BY[line.move.record])
+            how = say(self._identity(line))
             equations = () if source is None else self._numbers(source)
             if equations:
                 yield say("derived.by-from", how=how, equations=equations)
@@ -277,6 +290,92 @@ class Leads:
                 told = laid if laid == value else lay.Relation((laid, value), ("=",))
                 return say("offset.sine", sine=told)
         raise ValueError(fact)
+
+    def _identity(self, line: Line) -> str:
+        """The name of an identity: of a tangent that of a sum, or of a difference."""
+        name = _BY[line.move.record or ""]
+        base = next(filter(None, map(self._cited, line.premises)), None)
+        if line.move.record != "sum-of-angles" or base is None:
+            return name
+        assert isinstance(line.relation, Relation)
+        link = line.relation.options[0][0]
+        ratios = {e.function for e in (*walk(link.left), *walk(link.right)) if isinstance(e, Apply)}
+        if ratios != {"tan"}:
+            return name
+        if not isinstance(base.relation, Relation):
+            return name
+        whole = base.relation.options[0][0]
+        for side in (whole.right, whole.left):
+            form = _form_of(side) if isinstance(side, Binary) else ""
+            if form in ("sum", "difference"):
+                return f"derived.tangent-of-{form}"
+        return name
+
+    def _turned(self, line: Line) -> Sentence | None:
+        """How an angle is made of two others; None of a line that makes none."""
+        event = self._naming.events.get(line.move.event or 0)
+        if line.move.record not in ("sum", "difference") or event is None:
+            return None
+        assert isinstance(line.relation, Relation)
+        first = line.relation.options[0][0]
+        if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
+            return None
+        body = line.move.bodies[0]
+        if event.wall:
+            return say("turned-wall.sum", body=body, wall=event.bodies[1])
+        for each in walk(first.right):
+            meaning = self._naming.meanings.get(each.name) if isinstance(each, Letter) else None
+            match None if meaning is None else meaning.quantity:
+                case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
+                    return say("turned.from", body=body, axis=self._naming.laid(axis))
+        form = _form_of(first.right)
+        alone = len(line.move.bodies) == 1
+        if not alone:
+            return say(f"between.{_BETWEEN[form]}", bodies=line.move.bodies)
+        if form == "square":
+            name = "turned.square" if self._ends_square(line) else "turned.from-square"
+            return say(name, body=body)
+        return say(f"turned.{_TURNED[form]}", body=body)
+
+    def _squares(self, line: Line) -> bool:
+        """Whether a line rests on a right angle between a velocity and a fixed direction."""
+        lets = (each.relation for each in map(self._cited, line.premises) if each is not None)
+        return any(
+            isinstance(each, Meaning)
+            and isinstance(each.quantity, Quantity)
+            and each.quantity.kind == "angle"
+            and not all(
+                isinstance(e, Quantity) and e.kind == "velocity" for e in each.quantity.arguments
+            )
+            for each in lets
+        )
+
+    def _cited(self, ref: Ref) -> Line | None:
+        return self._derivation.line(ref) if isinstance(ref, int) else None
+
+    def _along_the_line(self, line: Line) -> Sentence | None:
+        """That a body moves along the line of centres, where an angle to it is one to that."""
+        body = self._moving_along(line)
+        return None if body is None else say("between.line", body=body)
+
+    def _moving_along(self, line: Line) -> str | None:
+        """The body that moves along the line of centres, of two between which an angle is."""
+        if line.move.record != "tan" or len(line.move.bodies) != 2:
+            return None
+        for each in filter(None, map(self._cited, line.premises)):
+            match each.relation:
+                case Relation(((Link(left, "="), *_) as links,)) if is_zero(links[-1].right):
+                    match left:
+                        case Quantity("along" | "across", (Quantity("velocity", (Name(body),)), _)):
+                            return body
+        return None
+
+    def _ends_square(self, line: Line) -> bool:
+        """Whether a line rests on one by which a component is zero after the impact."""
+        relations = (each.relation for each in filter(None, map(self._cited, line.premises)))
+        return any(
+            isinstance(each, Relation) and is_zero(each.options[0][-1].right) for each in relations
+        )
 
     def resolved(self, line: Line) -> Sentence | None:
         """What is said before components: of which time they are."""
@@ -411,6 +510,36 @@ def _value(tree: Expression) -> sp.Expr:
     """The value of a tree of letters that are positive."""
     value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     return sp.sympify(value, strict=True)
+
+
+# How an angle is made of two to the line of centres, and what is said of it.
+_TURNED = {"difference": "on", "rest of sum": "back", "straight": "straight"}
+_BETWEEN = {
+    "sum": "opposite-sides",
+    "difference": "one-side",
+    "rest of sum": "opposite-senses",
+    "rest of difference": "both-opposite",
+    "square": "square-same",
+    "square and more": "square-opposite",
+    "straight": "right",
+}
+
+
+def _form_of(angle: Expression) -> str:
+    """The form in which an angle is written by others."""
+    straight, right = Degrees(Fraction(180)), Degrees(Fraction(90))
+    match angle:
+        case Degrees():
+            return "straight"
+        case Binary("+" | "-" as sign, left, other) if right in (left, other):
+            return "square" if sign == "-" else "square and more"
+        case Binary("+", Binary("-", left, _), _) if left == straight:
+            return "rest of difference"
+        case Binary("+"):
+            return "sum"
+        case Binary("-", Binary("-", left, _), _) if left == straight:
+            return "rest of sum"
+    return "difference"
 
 
 def _across(axis: Expression) -> Unit | None:

@@ -1,4 +1,4 @@
-"""Definitions worked out for an event and its bodies: energies, ties, places, deflections."""
+"""Definitions worked out for an event and its bodies: energies, ties, places."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from fractions import Fraction
 from typing import Any
 
 from restitution.explaining.algebra import Plane
-from restitution.explaining.derivation import Event, Link, Sign
-from restitution.explaining.senses import oriented
+from restitution.explaining.derivation import Event, Link, Relation, Sign, whole_of
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
+from restitution.explaining.turnings import turnings
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -266,41 +266,6 @@ def _squared(tree: Expression) -> Expression:
     return Binary("^", tree, Number(Fraction(2)))
 
 
-def _deflections(step: Step, event: Event | None) -> Iterator[Link]:
-    """A deflection by the angles to the line of centres before and after, by the components.
-
-    Who goes on in the same sense along it turns by their difference, who goes back by what is
-    left of 180°.
-    """
-    body = next(iter(step.move.bodies), None)
-    if event is None or body not in event.bodies:
-        return
-    before, after = event.number - 1, event.number
-    rules = step.rules()
-    c, d = (
-        rules.put_into(
-            step.world.value(settled(_component("along", body, stage, event), step.setting.events))
-        )
-        for stage in (before, after)
-    )
-    if isinstance(c, Plane) or isinstance(d, Plane):
-        return
-    a, b = (
-        Quantity("angle", (Quantity("velocity", (Name(body),), stage), axis_of(event)))
-        for stage in (before, after)
-    )
-    turned = Quantity("deflection", (Name(body),), event.number)
-    onward = oriented(step, step.world.reduced(c * d)) if c.above and d.above else 1
-    if onward == -1:
-        half = Degrees(Fraction(180))
-        yield Link(turned, "=", Binary("-", Binary("-", half, a), b))
-    elif onward == 1:
-        wider = step.world.reduced(c * c - d * d)
-        sign = 1 if wider.vanishes else oriented(step, wider)
-        if sign is not None:
-            yield Link(turned, "=", Binary("-", b, a) if sign == 1 else Binary("-", a, b))
-
-
 def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
     """The square of a speed: by components of an event, by the vector, or as it is."""
     velocity = Quantity("velocity", (Name(body),), stage)
@@ -431,7 +396,7 @@ def _named_angles(step: Step) -> Iterator[Link]:
         for each in step.links
         if each.sign == "=" and isinstance(each.right, Letter) and isinstance(each.left, Quantity)
     }
-    for link in step.links:
+    for link in _wholes(step):
         if link.left in named:
             yield Link(named[link.left], link.sign, link.right)
 
@@ -491,6 +456,16 @@ def ties(
         yield Link(_cross(left, right), "=", ZERO)
 
 
+def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
+    """Whether a line is cited by which the scalar product of two directions is zero."""
+    products = [
+        settled(Quantity("dot", e), step.setting.events) for e in ((left, right), (right, left))
+    ]
+    return any(
+        link.left in products and link.sign == "=" and link.right == ZERO for link in _wholes(step)
+    )
+
+
 def _cross(left: Expression, right: Expression) -> Expression:
     x, y = (tuple(Quantity("dot", (each, _unit(axis))) for axis in "ij") for each in (left, right))
     return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
@@ -512,6 +487,43 @@ def _between_directions(step: Step, event: Event | None) -> Iterator[Link]:
                 sizes = Binary("*", Apply("abs", p), Apply("abs", q))
                 cosine = Binary("/", Quantity("dot", (p, q)), sizes)
                 yield Link(Apply("cos", angle), "=", cosine)
+                yield from _by_product_and_speeds(step, angle, a, b)
+            case Quantity("deflection", (Name() as body,), int(stage)):
+                early, late = (
+                    settled(Quantity("velocity", (body,), each), step.setting.events)
+                    for each in (stage - 1, stage)
+                )
+                yield from _by_product_and_speeds(step, angle, early, late)
+
+
+def _by_product_and_speeds(
+    step: Step, angle: Expression, one: Expression, other: Expression
+) -> Iterator[Link]:
+    """The cosine of an angle between velocities, where lines give their product and both sizes."""
+    wholes = {link.left: link.right for link in _wholes(step) if link.sign == "="}
+    product = next(
+        (e for e in (Quantity("dot", (one, other)), Quantity("dot", (other, one))) if e in wholes),
+        None,
+    )
+    sizes = [
+        wholes.get(replace(each, kind="speed"))
+        for each in (one, other)
+        if isinstance(each, Quantity) and each.kind == "velocity"
+    ]
+    if product is not None and len(sizes) == 2 and None not in sizes:
+        a, b = sizes
+        assert a is not None
+        assert b is not None
+        yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", a, b)))
+
+
+def _wholes(step: Step) -> Iterator[Link]:
+    """What is cited without alternatives, each chain from its first side to its last."""
+    for each in step.cited:
+        if isinstance(each.relation, Relation) and len(each.relation.options) == 1:
+            whole = whole_of(each.relation.only)
+            if whole is not None:
+                yield whole
 
 
 def _pointing(step: Step, tree: Expression) -> Expression:
@@ -527,7 +539,7 @@ def _pointing(step: Step, tree: Expression) -> Expression:
 
 
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
-    "difference": _deflections,
+    "difference": turnings,
     "total": _total,
     "total-lost": _total_lost,
     "momentum-of": _momentum_of_all,

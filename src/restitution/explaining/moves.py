@@ -18,6 +18,7 @@ from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, 
 from restitution.explaining.definitions import (
     WORKED_OUT,
     ZERO,
+    is_no_product,
     nothing,
     places,
     tie_of,
@@ -453,6 +454,8 @@ def _is_tie(step: Step, line: Link) -> bool:
         ahead = step.residual(along, rules)
         if not isinstance(ahead, Quotient) or oriented(step, ahead) != 1 or ahead.vanishes:
             return False
+    if tie[2] == "perpendicular to" and is_no_product(step, *tie[:2]):
+        return True
     for link in ties(step, event, *tie):
         own = step.setting.settled(link)
         before, after = step.residual(own), step.residual(own, rules)

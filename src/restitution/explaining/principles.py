@@ -397,9 +397,9 @@ DEFINITIONS = (
     Record(
         "difference",
         "definition",
-        # A deflection is that of two angles; which of them is the greater, the components tell.
+        # Of angles to the line of centres: how they are put together, the components tell.
         ("energy_lost(1) = energy(0) - energy(1)",),
-        gives=("deflection", "energy_lost"),
+        gives=("deflection", "angle", "energy_lost"),
         cost=2,
         marks=("M",),
     ),

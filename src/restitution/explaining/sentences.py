@@ -231,6 +231,53 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned-wall.mistakes": (
         "Usual mistake: giving the angle of rebound alone, or the difference of the two."
     ),
+    "turned-wall.sum": (
+        "{body} turns through the sum of the angles that its path makes with {wall} before and "
+        "after:"
+    ),
+    "turned.on": (
+        "{body} goes on along the line of centres, so it turns through the difference of its "
+        "angles to that line:"
+    ),
+    "turned.back": (
+        "{body} is sent back along the line of centres, so it turns through 180° less both its "
+        "angles to that line:"
+    ),
+    "turned.square": (
+        "{body} leaves at right angles to the line of centres, so it turns through 90° less its "
+        "first angle to that line:"
+    ),
+    "turned.from-square": (
+        "{body} comes at right angles to the line of centres, so it turns through 90° less its "
+        "new angle to that line:"
+    ),
+    "turned.straight": "{body} is sent straight back along the line of centres:",
+    "turned.from": (
+        "{body} turns through the difference of the angles that its velocities make with {axis}:"
+    ),
+    "between.line": "{body} moves along the line of centres:",
+    "between.opposite-sides": (
+        "{bodies:and} move to opposite sides of the line of centres, the same way along it:"
+    ),
+    "between.one-side": (
+        "{bodies:and} move to the same side of the line of centres, the same way along it:"
+    ),
+    "between.opposite-senses": (
+        "{bodies:and} move to the same side of the line of centres, opposite ways along it:"
+    ),
+    "between.both-opposite": (
+        "{bodies:and} move to opposite sides of the line of centres, opposite ways along it:"
+    ),
+    "between.right": (
+        "One of {bodies:and} moves along the line of centres, the other at right angles to it:"
+    ),
+    "between.square-same": (
+        "One of {bodies:and} moves at right angles to the line of centres, both to the same side:"
+    ),
+    "between.square-opposite": (
+        "One of {bodies:and} moves at right angles to the line of centres, the other to the "
+        "opposite side:"
+    ),
     "turned.why": (
         "The angle of deflection lies between the direction before, continued, and the "
         "direction after: by how much the path has turned. It is found by scalar product, or "
@@ -302,6 +349,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
+    "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
     "given.direction": (
@@ -515,6 +563,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",
     "derived.half-angle": "by the formulae for the half angle",
+    "derived.tangent-of-sum": "by the formula for the tangent of a sum",
+    "derived.tangent-of-difference": "by the formula for the tangent of a difference",
     "derived.sum-of-angles": "by the formulae for a sum of angles",
     "derived.complement": "by the complement of the angle",
     "derived.called": "the {quantity}",

@@ -376,10 +376,23 @@ class Step:
                 given = Unit("i") if origin is None else origin
                 if self._is_up_to(world, angle, sp.pi):
                     yield Quantity("angle", (velocity, given)), angle
-                if self._is_up_to(world, angle, sp.pi / 2):
-                    for axis, direction in world.directions.items():
-                        if direction == given:
-                            yield Quantity("angle", (velocity, axis)), angle
+                for axis, direction in world.directions.items():
+                    own = self._from_a_line(world, angle, given, direction)
+                    if own is not None:
+                        yield Quantity("angle", (velocity, axis)), own
+
+    def _from_a_line(
+        self, world: World, angle: Expression, given: Expression, line: Expression
+    ) -> Expression | None:
+        """The angle of up to 90° to a line, of what is turned by an angle from a direction."""
+        if given not in (line, Negate(line)) and Negate(given) != line:
+            units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
+            if not all(isinstance(each, Unit) for each in units):
+                return None
+            angle = Binary("-", Degrees(Fraction(90)), angle)
+        straight = Degrees(Fraction(180))
+        forms = (angle, Binary("-", straight, angle), Negate(angle), Binary("+", straight, angle))
+        return next((each for each in forms if self._is_up_to(world, each, sp.pi / 2)), None)
 
     def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:
         """Whether an angle of the data is from zero to a bound, as angles of directions are."""

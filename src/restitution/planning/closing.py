@@ -190,9 +190,10 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None
     if not scene.model.identically_zero(right - value):
         return None
-    last = tree_of(value, as_it_is=True)
-    if link.right != last and link.right != tree_of(value) and not isinstance(value, sp.atan):
-        relation = chain(link.left, (tree_of(value), None))
+    angle = _is_angle(scene, symbol.name)
+    forms = [tree_of(value, angle=angle, as_it_is=each) for each in (True, False)]
+    if link.right not in forms and not isinstance(value, sp.atan):
+        relation = chain(link.left, (forms[1], None))
         number = scene.desk.write(Move("rearrange"), (number,), relation)
     return known_as(scene, symbol, value, number)
 
@@ -268,7 +269,10 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         if poly.degree() != 1:
             continue
         value = tidy(-poly.nth(0) / poly.nth(1))
-        line = rearranged(scene, number, _quotient(symbol, poly, value))
+        root = _quotient(symbol, poly, value)
+        if _is_angle(scene, symbol.name):
+            root = chain(Letter(symbol.name), (tree_of(value, angle=True), None))
+        line = rearranged(scene, number, root)
         if line is not None:
             return known_as(scene, symbol, value, line)
     return _by_identity(scene, number, symbol)

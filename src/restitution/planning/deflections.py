@@ -31,6 +31,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.frames import Frame
+from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import background
 from restitution.planning.quantities import Formula, cosine
@@ -56,8 +57,10 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         return _at_right_angles(scene, each, name.name, event, early, late)
     if frame.wall is not None:
         line = given_at_a_wall(scene, each, name.name, frame, angle)
-        if line is not None:
-            return line
+    else:
+        line = given_turn(scene, each)
+    if line is not None:
+        return line
     (c, s), (d, t) = early, late
     cross = c.value * t.value - s.value * d.value
     trees = [tree_of(own.value) for own in (c, s, d, t)]

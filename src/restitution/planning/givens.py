@@ -41,6 +41,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.given_momenta import write_impulse
+from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import scene_value
 from restitution.planning.lines_between import (
     angle_of_lines,
@@ -113,6 +114,10 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
         if own.left.kind == "deflection" and not has_quantity(own.right):
             return write_deflection(scene, each)
+        if own.left.kind == "angle" and not has_quantity(own.right):
+            line = given_turn(scene, each)
+            if line is not None:
+                return line
         if own.left.kind == "velocity":
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
@@ -127,6 +132,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
             return _size(scene, each, own.left)
         case Apply("tan", Quantity("angle" | "deflection") as angle) if not has_quantity(own.right):
+            line = given_turn(scene, each)
+            if line is not None:
+                return line
             if angle.kind == "deflection":
                 _decided(scene, angle)
             return _tangent(scene, each, formula(scene, angle))

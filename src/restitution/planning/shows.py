@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.components import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.expression.tree import (
     Apply,
@@ -32,7 +32,7 @@ from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.deflections import cosine_of_deflection
-from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, product, square, swept, tree_of
 from restitution.planning.order import Solver
@@ -56,6 +56,8 @@ _LAST: tuple[Move, ...] = (
 
 # What later items take as it is shown, and do not work out again.
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+_LAST_LINKS: tuple[MoveId | None, ...] = (None, "rearrange", "identity")
 
 
 def write_show(
@@ -395,6 +397,9 @@ class _Equation:
 
     def _of_one(self, quantity: Quantity) -> int | None:
         claims = self.claims
+        line = self._turned(quantity)
+        if line is not None:
+            return line
         own = claims.worths.formula(quantity)
         match self.link.left:
             case Apply("cos", _) if quantity.kind == "deflection":
@@ -405,6 +410,34 @@ class _Equation:
             if line is not None:
                 return line
         return None
+
+    def _turned(self, angle: Quantity) -> int | None:
+        """The tangent of an angle between two velocities, by their angles to one line."""
+        match self.link.left:
+            case Apply("tan", Letter() | Quantity("deflection" | "angle")):
+                pass
+            case _:
+                return None
+        mark = self.claims.worths.mark()
+        line = self.claims.worths.turned(angle, by_letter=True)
+        if line is None:
+            return None
+        desk, (left, right) = self.scene.desk, (self.link.left, self.link.right)
+        own = desk.line(line)
+        first = desk.relation(line).only[0].right
+        named = self.claims.worths.name_of(angle)
+        pool = (*own.premises, *named, *self.judge.known(letters(first) | letters(right)))
+        for by in _LAST_LINKS:
+            printed = chain(left, (first, None), (right, by))
+            refs = self.judge.needed(own.move, pool, printed, own.premises)
+            if refs is not None and own.number == len(desk.lines):
+                desk.lines.pop()
+                return desk.write(own.move, refs, printed)
+        names = self.judge.known(letters(first) | letters(right))
+        found = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
+        if found is None:
+            self.claims.worths.back(mark)
+        return found
 
     def _by_definition(
         self, own: Formula, left: Expression, extra: tuple[Ref, ...], pool: Sequence[Ref]
@@ -438,13 +471,13 @@ class _Equation:
         if number is None:
             return None
         for by in ("rearrange", "identity"):
-            chain = Relation(((first, Link(start, "=", right, by)),))
+            relation = Relation(((first, Link(start, "=", right, by)),))
             move = replace(own.move)
-            if by == "identity" or self.judge.follows(move, pool, chain):
-                refs = self.judge.needed(move, [*pool, *known], chain, own.refs)
+            if by == "identity" or self.judge.follows(move, pool, relation):
+                refs = self.judge.needed(move, [*pool, *known], relation, own.refs)
                 if refs is not None:
                     self.scene.desk.back(mark)
-                    return self.scene.desk.write(move, refs, chain)
+                    return self.scene.desk.write(move, refs, relation)
         return self._last([number, *known])
 
     # --- several --------------------------------------------------------------------------------

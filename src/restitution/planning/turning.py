@@ -46,7 +46,10 @@ from restitution.planning.quantities import (
     in_the_plane,
     velocity_source,
 )
+from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
 from restitution.planning.scene import Scene
+from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.turns import turns_of
 from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.vector import Vector
 
@@ -104,22 +107,9 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     line = None
     if asked.kind == "direction":
         line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
-    own = _ratio(scene, asked) if line is None else None
-    if line is not None:
-        pass
-    elif own is None:
-        line = _by_sum(scene, asked)
-    else:
-        if own.function == "tan" and own.angle is None:
-            _sign_of_tangent(scene, own)
-        right = own.angle or _angle_of(own)
-        named: tuple[Ref, ...] = ()
-        if isinstance(right, Binary) and isinstance(right.right, Letter):
-            named = (range_of(scene, right.right.name),)  # of 90° − α
-        refs = together((own.line, own.extent), own.side, named)
-        relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
-        refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
-        line = scene.desk.write(move, refs, relation)
+    if line is None:
+        own = _ratio(scene, asked)
+        line = own if isinstance(own, int) else _by_inverse(scene, own)
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
 
@@ -150,6 +140,20 @@ def _ratio_of_its_letter(
     return None
 
 
+def _by_inverse(scene: Scene, own: Ratio) -> int:
+    """The line of an angle by its ratio."""
+    if own.function == "tan" and own.angle is None:
+        _sign_of_tangent(scene, own)
+    right = own.angle or _angle_of(own)
+    named: tuple[Ref, ...] = ()
+    if isinstance(right, Binary) and isinstance(right.right, Letter):
+        named = (range_of(scene, right.right.name),)  # of 90° − α
+    refs = together((own.line, own.extent), own.side, named)
+    relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
+    refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
+    return scene.desk.write(move, refs, relation)
+
+
 def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
     """The sign of a tangent; NotPlannedError where it is open whether the angle is obtuse."""
     if own.extent.startswith("0°") and "90°" in own.extent:
@@ -167,7 +171,7 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
     if known is not None:
         return known
     own = _ratio(scene, quantity_of(scene, angle), function)
-    if own is None:
+    if isinstance(own, int):
         raise NotPlannedError(f"the {function} of a sum")
     tree = Apply(function, Letter(own.letter))
     if own.function == function:
@@ -184,7 +188,7 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
     return line, chain(tree, (tree_of(value), None))
 
 
-def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | None:
+def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | int:
     match asked:
         case Quantity("deflection", (Name(body),), int(event)):
             return _deflection(scene, body, event, asked, wanted)
@@ -373,10 +377,15 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
     return Apply(function, tree)
 
 
-def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio:
+def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The angle between two velocities, by their tangents or their scalar product."""
     pair = [body_and_stage(scene, each) for each in asked.arguments]
     in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
+    turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None
+    if turned is None and wanted == "tan":
+        turned = _by_turn(scene, asked, wanted)
+    if turned is not None:
+        return turned
     if wanted == "tan" or (wanted is None and not in_numbers):
         try:
             own = formula(scene, asked)
@@ -417,11 +426,17 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
 
 
-def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio:
+def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio | int:
     """An angle between two vectors that are known, by their scalar product."""
-    letter, meaning = letter_of(scene, asked)
     a, b = (each.value for each in sources)
     right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    if is_long(right):
+        if value == 0 and (line := write_right_angle(scene, asked)) is not None:
+            return line
+        own = _by_cosine(scene, asked)
+        if own is not None:
+            return own
+    letter, meaning = letter_of(scene, asked)
     refs = together((meaning,), *(each.whole for each in sources))
     line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
@@ -432,8 +447,8 @@ def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity)
 
 def _deflection(
     scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None
-) -> Ratio | None:
-    """The cosine or tangent of a deflection; None at a wall, where two angles are added."""
+) -> Ratio | int:
+    """The cosine or tangent of a deflection; the line of one that is made of two angles."""
     if event not in scene.model.frames:
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
@@ -447,7 +462,19 @@ def _deflection(
     refs = together(*(each.whole for each in (*early, *late)), names)
     a, b = (Vector(*(each.value for each in own)) for own in (early, late))
     dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
+    if frame.wall is None and wanted is None and scene.model.identically_zero(cross):
+        straight = _by_turn(scene, asked, wanted)
+        if straight is not None:
+            return straight
     square_ = scene.model.identically_zero(dot)
+    if square_ and frame.wall is None and wanted is None:
+        line = write_right_angle(scene, asked)
+        if line is not None:
+            return line
+    if wanted == "cos" and frame.wall is None:
+        own_ratio = _by_cosine(scene, asked)
+        if own_ratio is not None:
+            return own_ratio
     if square_ or wanted == "cos" or scene.model.identically_zero(cross):
         if frame.wall is not None:
             refs = together(*(each.refs for each in (*early, *late)))
@@ -461,7 +488,7 @@ def _deflection(
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
     if frame.wall is not None and wanted is None:
-        return None
+        return _by_sum(scene, asked)
     if frame.wall is not None and wanted == "tan":
         number = tangent_at_a_wall(scene, asked, frame)
         if number is not None:
@@ -476,9 +503,40 @@ def _deflection(
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
         return _by_scalar(scene, move, sources, asked)
+    turned = _by_turn(scene, asked, wanted)
+    if turned is not None:
+        return turned
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+
+
+def _by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine of an angle between two velocities by lines for their product and both speeds."""
+    line = write_cosine(scene, asked)
+    if line is None:
+        return None
+    letter, _ = letter_of(scene, asked)
+    value = tidy(scene.scalar(scene.desk.last_link(line).right))
+    return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+
+
+def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int | None:
+    """An angle of two to the line of centres: its line in numbers, in letters its tangent."""
+    mark = scene.desk.mark()
+    for turn in turns_of(scene, asked):
+        line = write_turn(scene, turn, angle_line) if wanted is None else None
+        if line is not None:
+            return line
+        letter, _ = letter_of(scene, asked)
+        line = write_turn_tangent(scene, turn, Letter(letter))
+        if line is not None:
+            break
+        scene.desk.back(mark)
+    else:
+        return None
+    value = tidy(scene.scalar(scene.desk.last_link(line).right))
+    return Ratio(line, letter, "tan", value, _RANGES["deflection"].format(letter))
 
 
 def _is_nested(square_: sp.Expr) -> bool:
@@ -541,18 +599,11 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
 
 def _by_its_ratio(scene: Scene, given: Source) -> Source:
     """An angle of which a ratio is given, by the inverse of that."""
-    fact = scene.ratio_facts.get(str(given.value))
-    if fact is None:
+    if str(given.value) not in scene.ratio_facts:
         return given
-    (link,) = fact.relation.only
-    assert isinstance(link.left, Apply)
-    right = Apply(f"arc{link.left.function}", link.right)
-    line = scene.desk.write(
-        Move("inverse"),
-        (fact.id, range_of(scene, str(given.value))),
-        chain(Letter(str(given.value)), (right, None)),
-    )
-    return Source(scene.scalar(right), together(given.refs, (line,)))
+    line = inverse_of_data(scene, str(given.value))
+    value = scene.scalar(scene.desk.last_link(line).right)
+    return Source(value, together(given.refs, (line,)))
 
 
 def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:

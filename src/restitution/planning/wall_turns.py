@@ -5,25 +5,23 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.derivation import Move
 from restitution.expression.tree import (
     Apply,
     Binary,
     Degrees,
-    Expression,
     Letter,
     Name,
     Polar,
     Quantity,
 )
-from restitution.planning.angles import write_other_ratio
 from restitution.planning.desk import chain, together
-from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
+from restitution.planning.forms import swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.named_angles import letter_of, tangent_line
-from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.turn_lines import Term, by_tangents, term_of_data
 
 
 def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
@@ -60,48 +58,12 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
         chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
     )
     subject = Apply("tan", Letter(turned))
-    found = _by_tangents(scene, number, line, angle, letter, subject)
+    value = scene.desk.last_link(line).right
+    terms = (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
+    found = by_tangents(scene, number, "sum", terms, subject)
     if found is None:
         scene.desk.back(mark)
     return found
-
-
-def _by_tangents(
-    scene: Scene, number: int, line: int, angle: Letter, letter: str, turned: Expression
-) -> int | None:
-    """The tangent of a sum of two angles, of which a line gives the tangent of the second."""
-    tangents: list[Expression] = [Apply("tan", angle), Apply("tan", Letter(letter))]
-    quotient = Binary("/", Binary("+", *tangents), difference(ONE, product(*tangents)))
-    identity = Move("identity", "sum-of-angles")
-    known = background(scene, {angle.name})
-    asked = isinstance(turned, Apply)
-    relation = chain(turned, (quotient, None)) if asked else chain(quotient, (turned, None))
-    refs = scene.judge.enough(identity, (number,), relation, known)
-    if refs is None:
-        return None
-    number = scene.desk.write(identity, refs, relation)
-    first, premises = _known_tangent(scene, angle) if asked else (tangents[0], ())
-    values = [first, scene.desk.last_link(line).right]
-    quotient = Binary("/", total(values), difference(ONE, swept(product(*values))))
-    if asked:
-        final = tree_of(tidy(scene.scalar(quotient)))
-        relation = chain(turned, (quotient, None), (final, "rearrange"))
-    else:
-        relation = chain(quotient, (turned, None))
-    refs = scene.judge.enough(Move("put"), (number, line, *premises), relation, known)
-    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
-
-
-def _known_tangent(scene: Scene, angle: Letter) -> tuple[Expression, tuple[Ref, ...]]:
-    """The tangent of an angle: its value with the line of it, where the angle was worked out."""
-    tangent = Apply("tan", angle)
-    symbol = scene.model.unknowns.letter(angle.name)
-    if symbol not in scene.model.final or symbol in scene.free:
-        return tangent, ()
-    if scene.desk.known(tangent) is None:
-        write_other_ratio(scene, symbol, "tan")
-    known = scene.desk.known(tangent)
-    return (tangent, ()) if known is None else (tree_of(known.value), known.refs)
 
 
 def given_at_a_wall(
@@ -144,7 +106,9 @@ def given_at_a_wall(
     premises = scene.judge.enough(move, told, relation)
     if premises is not None:
         number = scene.desk.write(move, premises, relation)
-        found = _by_tangents(scene, number, line, angle, letter, tree_of(tidy(sp.tan(turned))))
+        value = scene.desk.last_link(line).right
+        terms = (Term(angle, Apply("tan", angle)), Term(Letter(letter), value, (line,)))
+        found = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
         if found is not None:
             return found
     scene.desk.back(mark)

@@ -29,9 +29,12 @@ from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.forms import square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, scene_value
+from restitution.planning.named_angles import letter_of
 from restitution.planning.order import Solver, Standing
 from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
 from restitution.planning.scene import Scene
+from restitution.planning.turn_lines import write_turn_tangent
+from restitution.planning.turns import turns_of, velocities_of
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -169,13 +172,7 @@ class Worths:
 
     def formula(self, quantity: Quantity) -> Formula:
         """The definition of a quantity, with the components in it known."""
-        if quantity.kind == "deflection" and isinstance(quantity.stage, int):
-            (body,) = quantity.arguments
-            stages = (quantity.stage - 1, quantity.stage)
-            for stage in stages:
-                self.determine(Quantity("velocity", (body,), stage))
-        else:
-            self.determine(quantity)
+        self._determine_angle(quantity)
         return formula(self.scene, quantity)
 
     def angle(self, angle: Quantity) -> int:
@@ -190,12 +187,12 @@ class Worths:
             return self.quantity(angle)
 
     def _tangent(self, tangent: Expression) -> int | None:
-        """The line in force that says what a tangent is."""
+        """The line in force that says what a tangent is: the last, if there are several."""
         desk = self.scene.desk
         return next(
             (
                 each.number
-                for each in desk.lines
+                for each in reversed(desk.lines)
                 if isinstance(each.relation, Relation)
                 and len(each.relation.options) == 1
                 and each.relation.only[0].sign == "="
@@ -217,6 +214,41 @@ class Worths:
                     return self.judge.write(NAMED, [line, each.number], relation)
         return None
 
+    def turned(self, angle: Quantity, by_letter: bool) -> int | None:
+        """The tangent of an angle between two velocities, by their angles to the line of centres.
+
+        None where it is no such angle, or these are not told.
+        """
+        if velocities_of(self.scene, angle) is None:
+            return None
+        self._determine_angle(angle)
+        for turn in turns_of(self.scene, angle):
+            if by_letter and not self.name_of(angle):
+                self.letter_for(angle)
+            named = self.name_of(angle)
+            subject: Expression = Letter(letter_of(self.scene, angle)[0]) if named else angle
+            line = write_turn_tangent(self.scene, turn, subject)
+            if line is not None:
+                return line
+        return None
+
+    def name_of(self, angle: Quantity) -> tuple[Ref, ...]:
+        """What gives an angle its letter: a fact, or a line; () where it has none."""
+        for fact in self.scene.desk.facts:
+            if fact.id.startswith("let ") and fact.relation.only[0].left == angle:
+                return (fact.id,)
+        lets = (e for e in self.scene.desk.lines if isinstance(e.relation, Meaning))
+        return tuple(e.number for e in lets if e.relation.quantity == angle)[:1]  # type: ignore[union-attr]
+
+    def _determine_angle(self, angle: Quantity) -> None:
+        """Writes the lines by which the components are known that make an angle."""
+        if angle.kind == "deflection" and isinstance(angle.stage, int):
+            (body,) = angle.arguments
+            for stage in (angle.stage - 1, angle.stage):
+                self.determine(Quantity("velocity", (body,), stage))
+        else:
+            self.determine(angle)
+
     def quantity(self, quantity: Quantity, by_letter: bool = False) -> int:
         """Writes what a quantity is worth, and returns the number of the line.
 
@@ -230,6 +262,9 @@ class Worths:
             tangent = self._tangent(Apply("tan", quantity)) or self._of_letter(quantity)
             if tangent is not None:
                 return tangent
+            line = self.turned(quantity, by_letter)
+            if line is not None:
+                return line
         own = self.formula(quantity)
         left, extra = self.named(own, quantity)
         if by_letter and not extra:

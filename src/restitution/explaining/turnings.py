@@ -1,0 +1,130 @@
+"""The angle between two velocities at an impact, by their angles to the line of centres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from restitution.explaining.algebra import Plane, Quotient
+from restitution.explaining.derivation import Event, Link
+from restitution.explaining.senses import oriented
+from restitution.explaining.step import Step
+from restitution.explaining.trees import settled
+from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Quantity, Unit
+
+_STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (180, 90, 0))
+
+# A body, and the event after which its velocity is meant.
+Moving = tuple[str, int]
+
+
+def turnings(step: Step, event: Event | None) -> Iterator[Link]:
+    """A deflection, and the angle between two velocities before an impact or after it.
+
+    Both velocities are seen from the line of centres. They point the same way along it or not, and
+    lie on one side of it or on both, as the components tell: so the angles to it are added, or
+    taken from each other, or from 180°. A velocity stays on its side in an impact.
+    """
+    if event is None or not set(step.move.bodies) <= set(event.bodies):
+        return
+    before, after = event.number - 1, event.number
+    pairs: list[tuple[Moving, Moving]]
+    match step.move.bodies:
+        case (body,):
+            pairs = [((body, before), (body, after))]
+        case (first, second):
+            pairs = [((first, each), (second, each)) for each in (before, after)]
+        case _:
+            return
+    for one, other in pairs:
+        velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
+        subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
+        if one[0] == other[0]:
+            subjects.append(Quantity("deflection", (Name(one[0]),), event.number))
+        for angle in (_between(step, event, one, other), _from_a_unit(step, event, one, other)):
+            if angle is not None:
+                yield from (Link(each, "=", angle) for each in subjects)
+
+
+def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
+    """The angle between two velocities; None where what is cited leaves it open."""
+    a, b, c, d = (
+        _component(step, event, kind, each) for each in (one, other) for kind in ("along", "across")
+    )
+    if a is None or b is None or c is None or d is None:
+        return None
+    p, q = (_to_the_line(event, each, *own) for each, own in ((one, (a, b)), (other, (c, d))))
+    square = _RIGHT in (p, q)
+    onward = 1 if square else _sign(step, a * c)
+    beside = 1 if _NONE in (p, q) or one[0] == other[0] else _sign(step, b * d)
+    if onward is None or beside is None:
+        return None
+    if onward == 1 and beside == -1:
+        return Binary("+", p, q)
+    if onward == -1 and beside == 1:
+        return Binary("-", Binary("-", _STRAIGHT, p), q)
+    # The greater angle less the other one, or what that leaves of a straight one.
+    if p == _RIGHT or q == _NONE:
+        wider: int | None = 1
+    elif q == _RIGHT or p == _NONE:
+        wider = -1
+    elif one[0] == other[0]:
+        wider = _sign(step, c * c - a * a)
+    else:
+        wider = _sign(step, b * b * c * c - d * d * a * a)
+    if wider is None:
+        return None
+    high, low = (p, q) if wider == 1 else (q, p)
+    if onward == 1:
+        return Binary("-", high, low)
+    return Binary("+", Binary("-", _STRAIGHT, high), low)
+
+
+def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
+    """The angle by which one body turns, by the angles of up to 180° to **i** or **j**.
+
+    Along a line of centres in that direction the component falls as the angle grows.
+    """
+    unit = step.world.directions.get(_axis(event))
+    sense = 1
+    if isinstance(unit, Negate):
+        unit, sense = unit.operand, -1
+    if one[0] != other[0] or not isinstance(unit, Unit):
+        return None
+    c, d = (_component(step, event, "along", each) for each in (one, other))
+    falls = None if c is None or d is None else _sign(step, c - d)
+    if falls is None:
+        return None
+    early, late = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), unit))
+        for body, stage in (one, other)
+    )
+    return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _axis(event: Event) -> Quantity:
+    return Quantity("line_of_centres", (), event.number)
+
+
+def _component(step: Step, event: Event, kind: str, moving: Moving) -> Quotient | None:
+    """A component in a direction of the impact, with what is cited put in."""
+    body, stage = moving
+    tree = Quantity(kind, (Quantity("velocity", (Name(body),), stage), _axis(event)))
+    value = step.rules().put_into(step.world.value(settled(tree, step.setting.events)))
+    return None if isinstance(value, Plane) else step.world.reduced(value)
+
+
+def _to_the_line(event: Event, moving: Moving, along: Quotient, across: Quotient) -> Expression:
+    """The angle of a velocity to the line of centres, of up to 90°."""
+    if along.vanishes:
+        return _RIGHT
+    if across.vanishes:
+        return _NONE
+    body, stage = moving
+    return Quantity("angle", (Quantity("velocity", (Name(body),), stage), _axis(event)))
+
+
+def _sign(step: Step, value: Quotient) -> int | None:
+    """The sign of what components make, 1 where it is nothing; None where it is open."""
+    own = step.world.reduced(value)
+    return 1 if own.vanishes else oriented(step, own)

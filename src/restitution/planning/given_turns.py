@@ -1,0 +1,164 @@
+"""A deflection, or an angle between two velocities, that is given: as an equation in components."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, Quantity
+from restitution.planning.desk import chain, together
+from restitution.planning.forms import ZERO, swept, tree_of
+from restitution.planning.named_angles import letter_of
+from restitution.planning.premises import background
+from restitution.planning.quantities import formula
+from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.turn_lines import by_tangents, made_of_angles, terms_of
+from restitution.planning.turns import NONE, RIGHT, STRAIGHT, Direction, Turn, turns_of
+
+
+def given_turn(scene: Scene, each: GivenEquation) -> int | None:
+    """The equation of an angle between two velocities that is given, or its tangent.
+
+    None where it is not made of two angles to one line.
+    """
+    match each.link.left:
+        case Quantity() as asked:
+            ratio = False
+        case Apply("tan", Quantity() as asked):
+            ratio = True
+        case _:
+            return None
+    mark = scene.desk.mark()
+    for turn in turns_of(scene, asked):
+        line = _by_ratio(scene, each, turn) if ratio else _by_angle(scene, each, turn)
+        if line is not None:
+            return line
+        scene.desk.back(mark)
+    return None
+
+
+def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
+    value, refs = scene.put(scene.scalar(each.link.right))
+    given = together(each.refs, refs)
+    told = [side.angle for side in (turn.first, turn.second)]
+    right = each.link.right if not refs else tree_of(value, angle=True)
+    mark = scene.desk.mark()
+    if not value.free_symbols:
+        line = _one_angle(scene, each, turn, right, value)
+        if line is not None:
+            return line
+        scene.desk.back(mark)
+    if None not in told:
+        relation = chain(turn.made_of(*told), (right, None))
+        return made_of_angles(scene, turn, relation, given)
+    terms = terms_of(scene, turn)
+    if terms is None or scene.model.identically_zero(sp.cos(value)):
+        return None
+    relation = chain(turn.made_of(*(own.angle for own in terms)), (right, None))
+    number = made_of_angles(scene, turn, relation, given)
+    if number is None:
+        return None
+    tangent, more = scene.put(sp.tan(value))
+    if more:
+        own = (tree_of(tangent), more)
+        return by_tangents(scene, number, turn.form, terms, Apply("tan", right), own)
+    return by_tangents(scene, number, turn.form, terms, tree_of(tidy(tangent)))
+
+
+def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
+    terms = terms_of(scene, turn)
+    if terms is None:
+        return None
+    letter, _ = letter_of(scene, turn.asked)
+    relation = chain(Letter(letter), (turn.made_of(*(own.angle for own in terms)), None))
+    number = made_of_angles(scene, turn, relation, ())
+    if number is None:
+        return None
+    value, refs = scene.put(scene.scalar(each.link.right))
+    tangent = Apply("tan", Letter(letter))
+    given = together(each.refs, refs, (letter_of(scene, turn.asked)[1],))
+    return by_tangents(scene, number, turn.form, terms, tangent, (tree_of(value), given))
+
+
+def _one_angle(
+    scene: Scene, each: GivenEquation, turn: Turn, given: Expression, value: Any
+) -> int | None:
+    """The one angle that is not told, as a number of degrees, and what that says of components."""
+    sides = (turn.first, turn.second)
+    own = [e for e in sides if e.angle is None] or [
+        e for e in sides if isinstance(e.angle, Letter) and scene.unknown(scene.scalar(e.angle))
+    ]
+    if len(own) != 1:
+        return None
+    (side,) = own
+    (other,) = (e.angle for e in sides if e is not side)
+    rest = sp.Integer(0) if other is None else scene.scalar(other)
+    if other is None or rest.free_symbols:
+        return None
+    first = side is turn.first
+    tree: Expression
+    match turn.form:
+        case "sum":
+            tree, worth = Binary("-", given, other), value - rest
+        case "difference" if first:
+            tree, worth = Binary("+", given, other), value + rest
+        case "difference":
+            tree, worth = Binary("-", other, given), rest - value
+        case "rest of sum":
+            tree, worth = Binary("-", Binary("-", STRAIGHT, given), other), sp.pi - value - rest
+        case _:
+            if first:
+                tree, worth = Binary("+", Binary("-", STRAIGHT, given), other), sp.pi + rest - value
+            else:
+                tree, worth = Binary("-", Binary("+", given, other), STRAIGHT), value + rest - sp.pi
+    if other == NONE:
+        return None
+    final = tree_of(tidy(worth), angle=True)
+    if not isinstance(final, Degrees):
+        return None
+    named: tuple[Ref, ...] = ()
+    subject = side.angle
+    if subject is None:
+        letter, meaning = letter_of(scene, side.named)
+        subject, named = Letter(letter), (meaning,)
+    relation = chain(subject, (tree, None), (final, "rearrange"))
+    told = [ref for own in sides for ref in own.told]
+    pool = dict.fromkeys(
+        (*each.refs, *named, *told, *turn.first.refs, *turn.second.refs, *turn.frame.refs)
+    )
+    pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
+    premises = scene.judge.needed(turn.move, pool, relation, (*each.refs, *named))
+    if premises is None:
+        return None
+    line = scene.desk.write(turn.move, premises, relation)
+    return line if side.angle is not None else _of_components(scene, turn, side, line, final)
+
+
+def _body(side: Direction) -> str:
+    (body,) = side.velocity.arguments
+    return str(getattr(body, "name", ""))
+
+
+def _of_components(
+    scene: Scene, turn: Turn, side: Direction, line: int, angle: Degrees
+) -> int | None:
+    """What an angle to the line of centres says of components: a tangent, or one that is 0."""
+    _, meaning = letter_of(scene, side.named)
+    bodies = (_body(side),)
+    axis = turn.frame.refs
+    if angle == RIGHT:
+        move = Move("define", "perpendicular", turn.frame.number, bodies)
+        relation: Relation = chain(tree_of(side.along.value), (ZERO, None))
+        pool = (line, meaning, *side.along.refs, *axis)
+        refs = scene.judge.needed(move, pool, relation)
+        return None if refs is None else scene.desk.write(move, refs, relation)
+    own = formula(scene, side.named)
+    relation = chain(Apply("tan", angle), (swept(own.right), None))
+    names = {str(each) for each in sp.sympify(own.value, strict=True).free_symbols}
+    refs = scene.judge.enough(
+        own.move, (line, meaning, *own.refs), relation, (*axis, *background(scene, names))
+    )
+    return None if refs is None else scene.desk.write(own.move, refs, relation)

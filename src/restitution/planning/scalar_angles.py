@@ -1,0 +1,132 @@
+"""Angles between two velocities by their scalar product: the product, both speeds, the cosine."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, letters
+from restitution.expression.writing import write_expression
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.impacts import in_direction
+from restitution.planning.lines_between import whole_velocity
+from restitution.planning.named_angles import letter_of
+from restitution.planning.premises import background
+from restitution.planning.quantities import formula, write_formula
+from restitution.planning.scene import Scene
+from restitution.planning.turns import Moving, impact_of, velocities_of
+
+
+def write_right_angle(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a right angle between two velocities, by their product, which is zero."""
+    pair = velocities_of(scene, asked)
+    if pair is None:
+        return None
+    mark = scene.desk.mark()
+    number = _product(scene, pair)
+    if number is not None:
+        event = _event(pair)
+        move = Move("define", "perpendicular", event, _bodies(pair))
+        relation = chain(asked, (tree_of(sp.pi / 2, angle=True), None))
+        if scene.judge.follows(move, (number,), relation):
+            return scene.desk.write(move, (number,), relation)
+    scene.desk.back(mark)
+    return None
+
+
+def write_cosine(scene: Scene, asked: Quantity) -> int | None:
+    """The line ``cos(β) = …`` of an angle between two velocities, by lines for what is in it.
+
+    None where it does not follow from these.
+    """
+    pair = velocities_of(scene, asked)
+    if pair is None:
+        return None
+    mark = scene.desk.mark()
+    number = _product(scene, pair)
+    sizes = [_speed(scene, each) for each in pair] if number is not None else []
+    if number is not None and None not in sizes:
+        letter, meaning = letter_of(scene, asked)
+        values = [scene.desk.last_link(ref).right for ref in (number, *sizes) if ref is not None]
+        right = swept(Binary("/", values[0], product(*values[1:])))
+        final = tree_of(tidy(scene.scalar(right)))
+        relation = chain(Apply("cos", Letter(letter)), (right, None), (final, "rearrange"))
+        move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
+        refs = [each for each in (meaning, number, *sizes) if each is not None]
+        known = background(scene, {name for each in values for name in letters(each)})
+        premises = scene.judge.enough(move, refs, relation, known)
+        if premises is not None:
+            return scene.desk.write(move, premises, relation)
+    scene.desk.back(mark)
+    return None
+
+
+def is_long(right: Expression) -> bool:
+    """Whether the cosine of an angle is too long to be written at once."""
+    return len(write_expression(right)) > _LONGEST
+
+
+_LONGEST = 56
+
+
+def _event(pair: tuple[Moving, Moving]) -> int | None:
+    return max(stage for _, stage in pair) or None
+
+
+def _bodies(pair: tuple[Moving, Moving]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(body for body, _ in pair))
+
+
+def _velocity(scene: Scene, moving: Moving) -> Quantity:
+    body, stage = moving
+    return Quantity("velocity", (Name(body),), scene.last_event(body, stage))
+
+
+def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
+    """The line of the scalar product of two velocities."""
+    refs: tuple[Ref, ...]
+    event = _event(pair)
+    components: list[list[Any]] = []
+    extra: tuple[Ref, ...] = ()
+    impact = impact_of(scene, *sorted(pair, key=lambda each: each[1]))
+    if impact is not None:
+        frame = scene.frame(impact)
+        sources = [
+            in_direction(scene, kind, body, impact - (stage != impact), frame)
+            for body, stage in pair
+            for kind in ("along", "across")
+        ]
+        refs = together(*(each.whole for each in sources))
+        refs = together(refs, frame.names_axis("along"), frame.names_axis("across"))
+        extra = frame.refs
+        components = [[each.value for each in own] for own in (sources[:2], sources[2:])]
+    else:
+        vectors: list[Source] = [whole_velocity(scene, *each) for each in pair]
+        refs = together(*(each.whole for each in vectors))
+        components = [list(each.value) for each in vectors]
+    (a, b), (c, d) = components
+    tree = total((product(tree_of(a), tree_of(c)), product(tree_of(b), tree_of(d))))
+    value = tidy(sp.expand(a * c + b * d))
+    subject = Quantity("dot", tuple(_velocity(scene, each) for each in pair))
+    relation = chain(subject, (swept(tree), None), (tree_of(value), "rearrange"))
+    move = Move("define", "product", event, _bodies(pair))
+    premises = scene.judge.needed(move, dict.fromkeys((*refs, *extra)), relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _speed(scene: Scene, moving: Moving) -> int | None:
+    """The line of a speed, which may stand already."""
+    velocity = _velocity(scene, moving)
+    speed = Quantity("speed", velocity.arguments, velocity.stage)
+    known = scene.desk.known(speed)
+    line = known.refs[0] if known is not None and len(known.refs) == 1 else None
+    if isinstance(line, int) and scene.desk.last_link(line).left == speed:
+        return line
+    own = formula(scene, speed)
+    if own.value == 0:
+        return None
+    return write_formula(scene, own)

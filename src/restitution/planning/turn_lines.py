@@ -1,0 +1,251 @@
+"""Lines of an angle that is made of two others: in numbers, or by the tangents of both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    letters,
+)
+from restitution.planning.angles import range_of, write_other_ratio
+from restitution.planning.desk import chain, together
+from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
+from restitution.planning.named_angles import letter_of, tangent_line
+from restitution.planning.premises import background
+from restitution.planning.quantities import formula
+from restitution.planning.scene import Scene
+from restitution.planning.turns import NONE, RIGHT, Direction, Form, Turn
+
+
+@dataclass(frozen=True)
+class Term:
+    """An angle of which another is made: as lines say it, its tangent, and what that rests on."""
+
+    angle: Expression
+    tangent: Expression
+    refs: tuple[Ref, ...] = ()
+
+
+def write_turn(
+    scene: Scene, turn: Turn, angle_line: Callable[[Scene, Quantity], int]
+) -> int | None:
+    """The line of an angle in numbers, by two that are worked out; None where they have letters."""
+    mark = scene.desk.mark()
+    told = turn.first.angle is not None and turn.second.angle is not None
+    trees: list[Expression | None] = []
+    refs: list[Ref] = []
+    whole: Any = sp.Integer(0)
+    for side, factor in zip((turn.first, turn.second), _SIGNS[turn.form], strict=True):
+        own = _in_numbers(scene, turn, side, angle_line, letters_too=told)
+        if own is None:
+            scene.desk.back(mark)
+            return None
+        tree, known = own
+        trees.append(tree)
+        refs += known
+        whole += factor * (0 if tree is None else scene.scalar(tree))
+    if turn.form.startswith("rest"):
+        whole += sp.pi
+    letter, meaning = letter_of(scene, turn.asked)
+    right = turn.made_of(*trees)
+    value = exact.tidy_angle(whole)
+    plain = not value.atoms(sp.atan)
+    final = tree_of(value, angle=True, as_it_is=True) if plain else right
+    relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+    pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
+    premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
+    if premises is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(turn.move, premises, relation)
+
+
+_SIGNS: Mapping[Form, tuple[int, int]] = {
+    "sum": (1, 1),
+    "difference": (1, -1),
+    "rest of sum": (-1, -1),
+    "rest of difference": (-1, 1),
+}
+
+
+def _axis(turn: Turn) -> tuple[Ref, ...]:
+    return together(turn.frame.names_axis("along"), turn.frame.names_axis("across"))
+
+
+def _in_numbers(
+    scene: Scene,
+    turn: Turn,
+    side: Direction,
+    angle_line: Callable[[Scene, Quantity], int],
+    *,
+    letters_too: bool,
+) -> tuple[Expression | None, tuple[Ref, ...]] | None:
+    """An angle to the line of centres in degrees, or as that of a number; None with letters."""
+    if side.angle == NONE:
+        return None, ()
+    if side.angle is not None:
+        own = () if side.angle == RIGHT else (*side.told, *turn.frame.refs)
+        if not letters(side.angle):
+            return side.angle, own
+        value, more = scene.put(scene.scalar(side.angle))
+        if not value.free_symbols:
+            return tree_of(value, angle=True), together(own, more)
+        if isinstance(side.angle, Letter) and side.angle.name in scene.ratio_facts:
+            line = inverse_of_data(scene, side.angle.name)
+            return scene.desk.last_link(line).right, together(own, (line,))
+        return (side.angle, own) if letters_too else None
+    ratio = tidy(side.across.value / side.along.value)
+    if ratio.free_symbols:
+        return None
+    line = angle_line(scene, side.named)
+    return scene.desk.last_link(line).right, (line, letter_of(scene, side.named)[1])
+
+
+def inverse_of_data(scene: Scene, name: str) -> int:
+    """The line of an angle of which a ratio is given, by the inverse of that."""
+    fact = scene.ratio_facts[name]
+    (own,) = fact.relation.only
+    assert isinstance(own.left, Apply)
+    right = Apply(f"arc{own.left.function}", own.right)
+    return scene.desk.write(
+        Move("inverse"), (fact.id, range_of(scene, name)), chain(Letter(name), (right, None))
+    )
+
+
+def write_turn_tangent(scene: Scene, turn: Turn, subject: Expression) -> int | None:
+    """The line of the tangent of an angle, by those of two others; None where they are not known.
+
+    ``subject`` is the angle that is asked, or the letter for it.
+    """
+    mark = scene.desk.mark()
+    terms, found = terms_of(scene, turn), None
+    if terms is not None:
+        relation = chain(subject, (turn.made_of(*(each.angle for each in terms)), None))
+        number = made_of_angles(scene, turn, relation, ())
+        if number is not None:
+            found = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
+    if found is None:
+        scene.desk.back(mark)
+    return found
+
+
+def terms_of(scene: Scene, turn: Turn) -> tuple[Term, Term] | None:
+    """Both angles with their tangents, which are written; None where one of them has none."""
+    if not {turn.first.angle, turn.second.angle}.isdisjoint((RIGHT, NONE)):
+        return None
+    return _term(scene, turn.first), _term(scene, turn.second)
+
+
+def made_of_angles(
+    scene: Scene, turn: Turn, relation: Relation, given: tuple[Ref, ...]
+) -> int | None:
+    """The line that makes an angle of two others."""
+    named = [
+        letter_of(scene, side.named)[1] for side in (turn.first, turn.second) if side.angle is None
+    ]
+    subject = relation.only[0].left
+    if isinstance(subject, Letter):
+        named.append(letter_of(scene, turn.asked)[1])
+    refs = (*turn.first.told, *turn.second.told)
+    components = (*turn.first.refs, *turn.second.refs)
+    pool = dict.fromkeys((*given, *named, *refs, *components, *_axis(turn), *turn.frame.refs))
+    premises = scene.judge.needed(turn.move, pool, relation, named)
+    return None if premises is None else scene.desk.write(turn.move, premises, relation)
+
+
+def _term(scene: Scene, side: Direction) -> Term:
+    """An angle to the line of centres with its tangent."""
+    if side.angle is None:
+        own = formula(scene, side.named)
+        line, letter = tangent_line(scene, side.named, own, own.move)
+        return Term(Letter(letter), scene.desk.last_link(line).right, (line,))
+    return term_of_data(scene, side.angle)
+
+
+def term_of_data(scene: Scene, angle: Expression) -> Term:
+    """An angle of the data with its tangent: its value, where the angle was worked out."""
+    tangent = Apply("tan", angle)
+    if not isinstance(angle, Letter):
+        value = sp.tan(scene.scalar(angle))
+        return Term(angle, tangent if value.free_symbols else tree_of(tidy(value)))
+    symbol = scene.model.unknowns.letter(angle.name)
+    if symbol not in scene.model.final or symbol in scene.free:
+        return Term(angle, tangent)
+    if scene.desk.known(tangent) is None:
+        write_other_ratio(scene, symbol, "tan")
+    known = scene.desk.known(tangent)
+    return Term(angle, tangent) if known is None else Term(angle, tree_of(known.value), known.refs)
+
+
+def by_tangents(
+    scene: Scene,
+    number: int,
+    form: Form,
+    terms: Sequence[Term],
+    turned: Expression,
+    given: tuple[Expression, tuple[Ref, ...]] | None = None,
+) -> int | None:
+    """The tangent of an angle that a line makes of two others; None where it does not follow.
+
+    ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
+    is a tangent of which the value is given, with what gives it.
+    """
+    own = _tangent_of(form, *map(_tangent, terms))
+    names = {name for each in terms for name in letters(each.angle)}
+    known = background(scene, names)
+    asked = isinstance(turned, Apply)
+    relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
+    refs = scene.judge.enough(Move("identity", "sum-of-angles"), (number,), relation, known)
+    if refs is None:
+        return None
+    number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)
+    if given is None and all(_tangent(each) == each.tangent for each in terms):
+        return number
+    tangents = [each.tangent for each in terms]
+    both = scene.scalar(product(*tangents))
+    both_tree = tree_of(tidy(both)) if both.free_symbols else None
+    put = swept(_tangent_of(form, tangents[0], tangents[1], both_tree))
+    if given is not None:
+        relation = chain(put, (given[0], None))
+    elif asked:
+        final = tree_of(tidy(scene.scalar(put)))
+        relation = chain(turned, (put, None), (final, "rearrange"))
+    else:
+        relation = chain(put, (turned, None))
+    sources = together(*(each.refs for each in terms), () if given is None else given[1])
+    refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _tangent(term: Term) -> Expression:
+    """The tangent of an angle, as one of which the value is not yet put in."""
+    plain = isinstance(term.angle, Letter | Degrees)
+    return Apply("tan", term.angle) if plain or letters(term.tangent) else term.tangent
+
+
+def _tangent_of(
+    form: Form, p: Expression, q: Expression, both: Expression | None = None
+) -> Expression:
+    """The tangent of an angle by those of the two of which it is made, and by their product."""
+    both = swept(product(p, q)) if both is None else both
+    match form:
+        case "sum":
+            return Binary("/", total((p, q)), difference(ONE, both))
+        case "difference":
+            return Binary("/", difference(p, q), Binary("+", ONE, both))
+        case "rest of sum":
+            return Binary("/", total((p, q)), difference(both, ONE))
+    return Binary("/", difference(q, p), Binary("+", ONE, both))

@@ -1,0 +1,182 @@
+"""Angles between velocities at an impact: made of their angles to the line of centres.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says.
+"""
+
+from __future__ import annotations
+
+import pytest
+from laws_of_workings import answers, complaints
+
+from restitution.explain import to_text
+from restitution.explain.derived import explanation_of
+from restitution.language import parse
+from restitution.planning.planner import plan
+from restitution.solve import solve
+
+# A statement, and what its working says: lines, or parts of them.
+CASES = {
+    "goes on": (
+        """
+sphere A: mass 3m, velocity 2u at 60°
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+find deflection(A)
+""",
+        ("difference of its\nangles", "δ = arctan(3√3/2) − 60°"),
+    ),
+    "sent back": (
+        """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 4m, velocity u at 150°
+A hits B: along i, e = 1/2
+find deflection(A)
+""",
+        ("sent back", "δ = 180° − 45° −"),
+    ),
+    "leaves at right angles": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 4m, at rest
+A hits B: along i, e = 1/4
+find deflection(A), speed(B)
+""",
+        ("leaves at right angles", "δ = 90° − α"),
+    ),
+    "an angle that the data tell by its tangent": (
+        """
+sphere A: mass 2m, velocity 10u at theta
+sphere B: mass m, velocity 5u at 180°
+given tan(theta) = 3/4
+A hits B: along i, e = 1/2
+find deflection(A)
+""",
+        ("θ = arctan(3/4)", "− arctan(3/4)"),
+    ),
+    "straight back": (
+        """
+sphere A: mass 1, velocity 4i
+sphere B: mass 5, velocity -i
+A hits B: along i, e = 3/5
+find deflection(A)
+""",
+        ("straight back", "δ = 180°"),
+    ),
+    "opposite sides": (
+        """
+sphere A: mass m, velocity 3u at 60°
+sphere B: mass m, velocity u at -60°
+A hits B: along i, e = 1/2
+find angle(velocity(A), velocity(B))
+""",
+        ("opposite sides",),
+    ),
+    "in letters, which way it goes is open": (
+        """
+sphere A: mass m, velocity u at theta
+sphere B: mass 5m, at rest
+A hits B: along i
+find tan(deflection(A))
+""",
+        ("make with 𝐢", "the tangent of a difference", "tan δ = (tan β − tan θ)/(1 + tan β tan θ)"),
+    ),
+    "shown": (
+        """
+sphere A: mass m, velocity u at beta
+sphere B: mass 3m, at rest
+A hits B: along i, e = 0
+show tan(deflection(A)) = 3tan(beta)/(1 + 4tan(beta)^2)
+""",
+        ("(as required)", "tan δ = (4 tan β − tan β)/(1 + 4 tan²β)"),
+    ),
+    "given, in degrees": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass 2m, velocity u at 120°
+A hits B: along i
+given deflection(B) = 75°
+find e
+""",
+        ("= 45°",),
+    ),
+    "given, at right angles": (
+        """
+sphere A: mass 2m, velocity u at 30°
+sphere B: mass k m, at rest
+A hits B: along i
+given deflection(A) = 60°
+find e in terms of k
+""",
+        ("β = 60° + 30° = 90°", "e = 2/k"),
+    ),
+    "given, two angles of approach": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at beta
+sphere B: at rest
+A hits B: along i, e = 0
+given deflection(A) = arctan(1/3)
+find tan(beta)
+""",
+        ("tan β = 1 or tan β = ½",),
+    ),
+    "given by its tangent": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+given tan(alpha) = 1/3
+A hits B: along i, e = 1/2
+given tan(deflection(A)) = 1/3
+find k
+""",
+        ("tan δ = (tan β − tan α)",),
+    ),
+    "both deflections given": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass k m, velocity u j
+A hits B: along i
+given deflection(A) = 60°, deflection(B) = 45°
+find k, e
+""",
+        ("= 90° − 45° = 45°",),
+    ),
+    "a right angle by the product": (
+        """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass m, velocity -5u i
+A hits B: along i, e = 1
+find deflection(A)
+""",
+        (),
+    ),
+    "a cosine that is too long for one line": (
+        """
+sphere A: mass m, velocity 13u at arctan(12/5)
+sphere B: mass 2m, velocity 5u at arctan(4/3) from -i
+A hits B: along i, e = 1/2
+find cos(angle(velocity(A), velocity(B)))
+""",
+        ("𝐯_A · 𝐯_B = ", "speed of A = ", "cos β = "),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_angle_is_made_of_two(name: str) -> None:
+    statement, lines = CASES[name]
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == []
+    assert answers(solution, derivation) == []
+    text = to_text(explanation_of(derivation, problem))
+    missing = [each for each in lines if each not in text]
+    assert not missing, text
+
+
+def test_no_tangent_is_a_quotient_of_products() -> None:
+    for statement, _ in CASES.values():
+        derivation = plan(solve(parse(statement)))
+        assert all(each.move.record != "tan-deflection" for each in derivation.lines)
