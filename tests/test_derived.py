@@ -302,7 +302,10 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("corner-of-120", ["𝐯₂ · 𝐧 = −(√3/16)u"]),
         ("energy-inequality", ["≤ ½ × total kinetic energy before the impact"]),
         ("wall-by-angles", ["(the speed of P)"]),
-        ("struck-ball", ["Components after the impact:", "𝐯_B · 𝐧 ="]),
+        (
+            "struck-ball",
+            ["Components after the impact:", "component of 𝐯_B along the line of centres ="],
+        ),
     ],
 )
 def test_a_working_says_what_a_reader_looks_for(name: str, lines: list[str]) -> None:

@@ -106,8 +106,9 @@ find velocity(A), velocity(B), impulse
 """
 
 SPHERES_TOLD = """\
-Let v and w be the components of the velocities of A and B along the line of
-centres, in the direction of 𝐣, after the impact.
+Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact. Let v and w be
+the components of the velocities of A and B along the line of centres, in the
+direction of 𝐣, after the impact.
 Perpendicular to the line of centres the velocities do not change: the
 components in the direction of 𝐢 stay 3 m s⁻¹ for A and 2 m s⁻¹ for B.        B1
 Conservation of momentum along the line of centres:
@@ -116,7 +117,6 @@ Newton's experimental law:
     v − w = (3/7)(3 + 4)   (2)                                             M1 A1
 Eliminating w from (1) and (2):
     v = 2 m s⁻¹                                                              DM1
-Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact.
 The velocity, from its components:
     𝐯_A = (3𝐢 + 2𝐣) m s⁻¹                                                     A1
 Substituting for v in (2):

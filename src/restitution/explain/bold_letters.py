@@ -8,7 +8,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -47,9 +47,12 @@ _UNITS = {
 
 @dataclass(frozen=True)
 class Used:
-    """The bold letters of a working: bodies and events of velocities, events of unit vectors."""
+    """The bold letters of a working: bodies and events of velocities, events of unit vectors.
 
-    velocities: frozenset[tuple[str, int]] = frozenset()
+    ``velocities`` are with the part in which each is used first.
+    """
+
+    velocities: Mapping[tuple[str, int], str | None] = field(default_factory=dict)
     units: frozenset[tuple[int, str]] = frozenset()
 
 
@@ -67,7 +70,9 @@ class BoldLetters:
     when: Callable[[int], Sentence]
     laid: Callable[[Expression], lay.Layout]
     used: Used | None = None
+    part: str | None = None
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
+    _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
     _units: dict[tuple[int, str], lay.Bold] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
 
@@ -85,7 +90,7 @@ class BoldLetters:
     @property
     def all(self) -> Used:
         """The letters that have been used so far."""
-        return Used(frozenset(self._velocities), frozenset(self._units))
+        return Used(dict(self._parts), frozenset(self._units))
 
     def introduced(self) -> tuple[Sentence, ...]:
         """What letters stand for that have come into use since this was last asked."""
@@ -97,12 +102,13 @@ class BoldLetters:
     def velocity(self, body: str, number: int) -> lay.Bold:
         """The letter for a velocity after an event, or for the initial one (0)."""
         if (body, number) not in self._velocities:
-            late = (self.used or self.all).velocities
-            others = (each for each, event in late if event == number)
-            bodies = [body, *others] if self.used is not None else [body]
-            new = sorted(e for e in set(bodies) if (e, number) not in self._velocities)
+            used = {} if self.used is None else self.used.velocities
+            part = used.get((body, number), self.part)
+            others = (e for (e, event), own in used.items() if (event, own) == (number, part))
+            new = sorted(e for e in {body, *others} if (e, number) not in self._velocities)
             for each in new:
                 self._velocities[each, number] = self._letter(each, number)
+                self._parts[each, number] = self.part
             letters = tuple(self._velocities[each, number] for each in new)
             name = "derived.velocity" if len(new) == 1 else "derived.velocities"
             words = say(name, bodies=tuple(new))
@@ -110,6 +116,21 @@ class BoldLetters:
             meaning = say("derived.meanings", letters=letters, quantity=late_)
             self._pending.append(say("derived.let", meanings=(meaning,)))
         return self._velocities[body, number]
+
+    def gather(self, number: int) -> None:
+        """Introduces the velocities at an event that the part is going to use."""
+        if self.used is None:
+            return
+        bodies = self._events[number].bodies
+        early = {
+            body
+            for body in bodies
+            if not any(n < number and body in e.bodies for n, e in self._events.items())
+        }
+        for (body, event), part in sorted(self.used.velocities.items(), key=lambda e: e[0][::-1]):
+            now = event == number or (event == 0 and body in early)
+            if now and part == self.part and body in bodies:
+                self.velocity(body, event)
 
     def _letter(self, body: str, number: int) -> lay.Bold:
         """**u** or **v** with the name of the body, and a number where there are several."""
@@ -135,7 +156,29 @@ class BoldLetters:
 
     def has_unit(self, number: int) -> bool:
         """Whether the line of an event has unit vectors."""
-        return self._directions.get(number) is not None and not {"n", "t"} & self.taken
+        plain = self._directions.get(number) is None or {"n", "t"} & self.taken
+        return not plain and any(self._is_vector(e, number) for e in self._events[number].bodies)
+
+    def _is_vector(self, body: str, number: int) -> bool:
+        """Whether a body comes to an event with a velocity of two components."""
+        if body not in self._movers:
+            return False
+        if any(n < number and body in each.bodies for n, each in self._events.items()):
+            return True
+        fact = self.derivation.fact(" ".join(("velocity", body)))
+        if fact is None:
+            return True
+        nodes = list(walk(fact.relation.only[-1].right))
+        units = {each.axis for each in nodes if isinstance(each, Unit)}
+        return len(units) == 2 and not any(isinstance(each, Polar) for each in nodes)
+
+    def way(self, number: int, kind: str) -> lay.Layout | None:
+        """The direction of the line of an event, or across it, as a vector; None without one."""
+        direction = self._directions.get(number)
+        if direction is None:
+            return None
+        whole, _ = whole_direction(direction if kind == "along" else direction.turned_left())
+        return self.laid(tree_of(whole))
 
     def unit(self, number: int, kind: str) -> lay.Bold | None:
         """The unit vector along the line of an event, or across it; None where there is none."""

@@ -111,6 +111,7 @@ class _Writer:
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
         lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
+        self.naming.bold.part = label
         return tuple(joined(self.steps(lines, label)))
 
     def afresh(self) -> None:
@@ -140,6 +141,10 @@ class _Writer:
             if ratios:
                 self.afresh()
                 yield Step("setting", sentences=ratios)
+            if line.move.event in self.naming.events and not self.stay:
+                self.naming.bold.gather(line.move.event or 0)
+                if not lets:
+                    yield from self._introduced()
             if not waiting:
                 yield from self._recalled(line)
             if lets:

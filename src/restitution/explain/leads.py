@@ -285,6 +285,7 @@ class Leads:
         """How an offset gives a line of centres: by the sine of the angle to the path."""
         match fact.relation.only[0].right:
             case Polar(_, Apply(_, sine)):
+                sine = _size(sine)
                 laid = self._naming.laid(sine)
                 value = self._naming.laid(tree_of(tidy(_value(sine))))
                 told = laid if laid == value else lay.Relation((laid, value), ("=",))
@@ -389,6 +390,12 @@ class Leads:
                 return None
         if event is None:
             return None
+        bold = self._naming.bold
+        way = None if bold.has_unit(event.number) else bold.way(event.number, "across")
+        if stage < event.number and way is not None:
+            if event.wall:
+                return say("resolved-wall.before-sense", wall=event.bodies[1], axis=way)
+            return say("resolved-spheres.before-sense", axis=way)
         return say(_RESOLVED[event.wall, stage < event.number])
 
     def _apart(self, line: Line) -> Sentence | None:
@@ -504,6 +511,16 @@ class Leads:
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
+
+
+def _size(tree: Expression) -> Expression:
+    """An offset to one side or the other, over two radii, without its sign."""
+    match tree:
+        case Negate(operand):
+            return operand
+        case Binary("/", Negate(above), below):
+            return Binary("/", above, below)
+    return tree
 
 
 def _value(tree: Expression) -> sp.Expr:

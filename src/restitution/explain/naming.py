@@ -333,8 +333,9 @@ class Naming:
                 return self._at(say("derived.position", body=body), stage)
             case Quantity("distance", arguments, stage):
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
-            case Quantity("line_of_centres", _, _):
-                return say("derived.line")
+            case Quantity("line_of_centres", _, stage):
+                told = isinstance(stage, int) and self.bold.way(stage, "along") is not None
+                return say("derived.line-unit") if told else say("derived.line")
             case Quantity("direction", (Name(),), int()):
                 velocity = Quantity("velocity", tree.arguments, tree.stage)
                 unit = self.laid(Unit("i"))

@@ -90,7 +90,8 @@ class Staying:
             case Quantity("along", (_, Unit() as own)):
                 return self._naming.laid(own)
             case Quantity("across", (_, Quantity())):
-                unit = self._naming.bold.unit(event.number, "across")
+                unit: lay.Layout | None = self._naming.bold.unit(event.number, "across")
+                unit = unit or self._naming.bold.way(event.number, "across")
                 own_ = self._naming.unit_of(event, "across")
                 return unit or (None if own_ is None else self._naming.laid(own_))
         return None

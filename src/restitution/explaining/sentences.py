@@ -140,6 +140,13 @@ SENTENCES: Mapping[SentenceId, str] = {
         "a second wall, using the angle of the first again."
     ),
     "resolved-spheres.before-units": "Components before the impact:",
+    "resolved-spheres.before-sense": (
+        "Components before the impact, those perpendicular to the line of centres in the direction "
+        "of {axis}:"
+    ),
+    "resolved-wall.before-sense": (
+        "Components before the impact, those parallel to {wall} in the direction of {axis}:"
+    ),
     "resolved-spheres.after-units": "Components after the impact:",
     "resolved-wall.before-units": "Components before the impact:",
     "resolved-wall.after-units": "Components after the impact:",
@@ -159,8 +166,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "offset.sine": (
         "At the impact the centres are two radii apart, and the offset is the part of that across "
-        "the path. So the line of centres makes with the path an angle with sine {sine}, and it is "
-        "in the direction of the unit vector"
+        "the path. So the line of centres makes with the path an angle with sine {sine}:"
     ),
     "offset.why": (
         "At the impact the centres are two radii apart: the longest side of a right-angled "
@@ -535,6 +541,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.coordinate-y": "y-coordinate of {body}",
     "derived.distance": "distance between {of:and}",
     "derived.line": "line of centres",
+    "derived.line-unit": "unit vector along the line of centres",
     "derived.centres": "the line of centres",
     "derived.normal": "the normal to {wall}",
     "derived.radius": "the radius to {body}",
