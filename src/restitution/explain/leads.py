@@ -170,8 +170,12 @@ class Leads:
                 return None
         if name is None:
             return None
+        if record.id == "along-the-change" and event is not None and not event.wall:
+            rested = [each for each in bodies if self._is_given_off(line, each)]
+            if rested:
+                return say("moves-off.title", body=rested[0])
         if record.id == "tan-direction" and self._moves_along(line):
-            return say("moves-along.title", body=bodies[:1])
+            return say("moves-along.title", body=bodies[0])
         if self._by_products(line):
             return say("restitution.products")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
@@ -191,6 +195,20 @@ class Leads:
                 and is_zero(each.relation.options[0][-1].right)
                 for each in lines
             )
+        )
+
+    def _is_given_off(self, line: Line, body: str) -> bool:
+        """Whether a line takes the direction that is given of a sphere that was at rest."""
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        links = [
+            fact.relation.options[0][0]
+            for fact in facts
+            if fact is not None and fact.kind == "given"
+        ]
+        return any(
+            link.sign == "parallel to"
+            or (isinstance(link.left, Quantity) and link.left.kind == "direction")
+            for link in links
         )
 
     def _by_products(self, line: Line) -> bool:

@@ -380,7 +380,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "either-side.wall": "{wall} may slope to either side of 𝐢",
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
-    "moves-along.title": "{body:and} moves along the line of centres",
+    "moves-along.title": "{body} moves along the line of centres",
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (

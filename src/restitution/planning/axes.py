@@ -137,9 +137,8 @@ def _by_who_rested(scene: Scene, number: int) -> int | None:
                     right = scene.model.story.direction(tree, scene.events)
                 case _:
                     continue
-            whole, _ = whole_direction(right)
             refs = together(source.refs, (each.fact.id,))
-            tree = tree_of(tuple(map(tidy, whole)))
+            tree = tree_of(tuple(map(tidy, plain_direction(right))))
             return _write(scene, "along-the-change", number, body, refs, tree)
     return None
 

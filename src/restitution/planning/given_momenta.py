@@ -218,12 +218,13 @@ def write_masses(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         return None
     found = sp.expand(part)
     slope = sp.diff(found, symbol)
-    if slope.free_symbols:
-        return None
     value = tidy(-found.subs(symbol, 0) / slope)
-    line = scene.desk.write(
-        Move("rearrange"), (line,), chain(tree_of(symbol), (tree_of(value), None))
-    )
+    relation = chain(tree_of(symbol), (tree_of(value), None))
+    if symbol in value.free_symbols or not scene.judge.follows(
+        Move("rearrange"), (line,), relation
+    ):
+        return None
+    line = scene.desk.write(Move("rearrange"), (line,), relation)
     scene.desk.know(tree_of(symbol), value, (line,))
     return line
 

@@ -6,6 +6,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Move
 from restitution.explaining.facts import staged
 from restitution.expression.tree import Name, Polar, Quantity, walk
+from restitution.planning.axes import take_impulse
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
 from restitution.planning.quantities import body_and_stage
@@ -31,7 +32,7 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     if _component_is_wanted(scene, body, stage):
         return False
     (other,) = (each for each in scene.spheres(stage) if each != body)
-    after = _as_vector(scene, other, stage)
+    after = _as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
     before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
     if after is None or None in before:
         return False
@@ -79,6 +80,19 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
                     case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:
                         return True
     return False
+
+
+def _by_impulse(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity after an impulse on the sphere that is given as a vector."""
+    impulse = Quantity("impulse", (Name(body),), stage)
+    for each in scene.given:
+        if each.link.left != impulse or each.link.sign != "=":
+            continue
+        if scene.unknown(scene.mass(body).value) or scene.last_event(body, stage - 1):
+            return None
+        take_impulse(scene, each)
+        return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    return None
 
 
 def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
