@@ -677,7 +677,17 @@ def _of_one_letter(work: _Awarding, line: Line) -> bool:
 
 
 def _sought(work: _Awarding, line: Line) -> bool:
-    """The part asks for the coefficient that the line holds."""
+    """The part asks for the coefficient that the line holds, or the line is to be solved.
+
+    It is where it has scalar products with a change of velocity that holds a letter.
+    """
+    own = line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
+    axes = any(
+        isinstance(each.relation, Relation) and each.relation.options[0][0].sign == "parallel to"
+        for each in work.cited(line)
+    )
+    if axes and own is not None and not isinstance(own, Quantity):
+        return True
     asked = {
         tree
         for end in work.derivation.items

@@ -21,6 +21,7 @@ from restitution.planning.forms import (
     UnwrittenError,
     negative,
     product,
+    square,
     swept,
     total,
     tree_of,
@@ -247,6 +248,9 @@ def _product(a: Vector, b: Vector) -> Expression:
             continue
         if one.could_extract_minus_sign() and other.could_extract_minus_sign():
             one, other = -one, -other
+        if one == other and one.is_Symbol:
+            terms.append(square(tree_of(one)))
+            continue
         tree = product(tree_of(abs(one) if one.is_number else one), tree_of(other))
         terms.append(negative(tree) if one.is_number and one < 0 else tree)
     return total(terms) if terms else ZERO
