@@ -161,7 +161,25 @@ def test_an_angle_is_found_where_both_spheres_move_at_odd_angles(before: str, ga
     part = solve(parse(f"{before}\nfind theta")).parts[None]
     (item,) = part.items
     assert item.error is None
-    found = sorted(math.degrees(float(each.value)) for each in item.answers)
+    found = sorted(math.degrees(float(each.decimal)) for each in item.answers)
+    assert found == pytest.approx(_roots(gap))
+
+
+def test_both_lines_of_centres_by_which_a_sphere_is_turned_through_so_much_are_found() -> None:
+    text = """sphere A: mass 3, velocity 5 at 10°
+sphere B: mass 2, velocity 2 at 40°
+A hits B: along theta, e = 1/2
+given deflection(A) = 10°
+find theta"""
+    u, v = 5 * _unit(math.radians(10)), 2 * _unit(math.radians(40))
+
+    def gap(x: float) -> float:
+        impulse = _collided(u, v, (3, 2), x)[1]
+        return _turned(u, u - impulse / 3 * _unit(x)) - math.radians(10)
+
+    item = solve(parse(text))["theta"]
+    found = sorted(math.degrees(float(each.decimal)) for each in item.distinct)
+    assert len(found) == 2
     assert found == pytest.approx(_roots(gap))
 
 

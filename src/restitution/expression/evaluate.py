@@ -55,6 +55,9 @@ class Angle:
 Value = Any  # Scalar | Vector | Angle
 
 
+_LONG_NUMBER = 60
+
+
 class Symbolic:
     """Exact arithmetic in SymPy."""
 
@@ -69,6 +72,11 @@ class Symbolic:
         return root(sp.sympify(x, strict=True))
 
     def abs(self, x: Scalar) -> Scalar:
+        if not x.free_symbols and (x.has(sp.CRootOf) or sp.count_ops(x) > _LONG_NUMBER):
+            # SymPy would look for a form of it; its digits tell on which side of zero it is.
+            number = x.evalf(20)
+            if number.is_Float and number._prec > 1:
+                return x if number > 0 else -x
         return sp.Abs(x)
 
     def power(self, x: Scalar, y: Scalar) -> Scalar:
