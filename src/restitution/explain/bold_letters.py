@@ -214,6 +214,8 @@ class BoldLetters:
 
 def _direction(derivation: Derivation, number: int) -> Vector | None:
     """The direction of the line of an event, where it is told by **i** and **j** and slants."""
+    if any(e.move.record == "chord" and e.move.event == number for e in derivation.lines):
+        return None  # components on a chord are known before that direction is
     axis = Quantity("line_of_centres", (), number)
     # The last line that tells it has the sense in which components are taken.
     told: list[Line | Fact] = [

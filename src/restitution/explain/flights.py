@@ -68,11 +68,16 @@ def _by_the_way(derivation: Derivation, line: Line) -> bool:
     """Whether a line tells a place without the time: by the components of the velocity."""
     moved = any(isinstance(each, int) or each.startswith("velocity") for each in line.premises)
     assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].left:
+        case Quantity("along" | "across"):
+            pass
+        case _:
+            return False
     quotient = any(
         isinstance(node, Binary) and node.op == "/"
         for node in walk(line.relation.options[0][0].right)
     )
-    return moved and quotient and not _tells_a_time(derivation, line)
+    return moved and quotient and not _speaks_of_a_time(derivation, line)
 
 
 def _tells_a_time(derivation: Derivation, line: Line) -> bool:

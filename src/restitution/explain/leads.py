@@ -239,7 +239,9 @@ class Leads:
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(_is_offset, given), None)) is not None:
-                yield self._offset(offset)
+                # Once the offset is known, the same fact gives the line in numbers.
+                yield say("so") if offset.id in self._given else self._offset(offset)
+                self._given.add(offset.id)
             else:
                 yield say("given.data")
             return

@@ -177,6 +177,11 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         line = _closed(scene, asked, line, known.value)
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         return
+    if place_trees.serves(quantity):
+        line, value = journeys.write(scene, quantity)
+        relation = chain(asked, (tree_of(value), None))
+        scene.desk.end(name, scene.desk.write(Move("put"), (line, fact.id), relation), relation)
+        return
     own = formula(scene, quantity)
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))

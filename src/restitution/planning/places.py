@@ -584,10 +584,11 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
         )
         used = (line,)
     own, own_start, pace, refs = there(body)
+    left, right = (theirs, own) if own == flight else (own, theirs)
     met = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
         together(refs, (f"contact {number}",), used),
-        chain(own, (theirs, None)),
+        chain(left, (right, None)),
     )
     closing = tidy(pace.value - their_pace)
     value = tidy((their_start - own_start) / closing)
