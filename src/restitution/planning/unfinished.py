@@ -84,7 +84,9 @@ def note_unwritten(
         note_of(desk, result, name)
         return
     outcome = {True: "shown", False: "not true", None: "not decided"}[result.holds]
-    answers = " or ".join(each.display for each in result.distinct)
+    # What holds under conditions is no choice.
+    between = "; " if any(each.condition for each in result.distinct) else " or "
+    answers = between.join(each.display for each in result.distinct)
     reason = outcome if result.kind == "show" else answers
     desk.note(name, "unwritten", reason, premises=tuple(premises), claim=claim)
 
