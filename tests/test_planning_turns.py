@@ -132,6 +132,35 @@ find k
 """,
         ("tan δ = (tan β − tan α)",),
     ),
+    "a deflection that is shown": (
+        """
+sphere A: mass 2m, velocity u at theta
+sphere B: mass 3m, at rest
+A hits B: along i, e = 2/3
+show deflection(A) = 90° - theta
+""",
+        ("δ = 90° − θ   (as required)",),
+    ),
+    "twice the angle to a wall": (
+        """
+wall W: along j
+sphere P: velocity u at theta to W
+P hits W: e = 1
+show deflection(P) = 2 theta
+""",
+        ("= 2θ   (as required)",),
+    ),
+    "two deflections added": (
+        """
+wall W: along i
+wall X: along j
+sphere P: velocity u at 30° to W
+P hits W: e = 1/2
+P hits X: e = 1/3
+find deflection(P, 1) + deflection(P, 2)
+""",
+        ("≈ 169°",),
+    ),
     "both deflections given": (
         """
 sphere A: mass m, velocity u at 30°

@@ -23,11 +23,12 @@ from restitution.expression.tree import (
 from restitution.planning import distances, journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import square, swept, total, tree_of
+from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula, velocity_source, write_formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import angle_line
+from restitution.planning.turning import angle_line, write_decimal
 from restitution.vector import Vector
 
 _ANGLES = ("angle", "deflection", "direction")
@@ -40,7 +41,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     Raises NotPlannedError where something in it is open.
     """
     if is_angle_sum(asked) and isinstance(asked, Binary):
-        raise NotPlannedError("a sum of angles of the motion")
+        return _angle_sum(scene, asked)
     if isinstance(asked, Apply) and asked.function == "abs":
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
@@ -74,11 +75,33 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
-    premises = tuple(dict.fromkeys((*refs, *ranges)))
+    premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))
     line = scene.desk.write(
         Move("put"), premises, chain(asked, (right, None), (final, "rearrange"))
     )
     return line, final
+
+
+def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
+    """A sum of angles of the motion, each of which is a line; with its decimal."""
+    quantities = [each for each in outermost(asked) if isinstance(each, Quantity)]
+    lines = [angle_line(scene, each) for each in quantities]
+    values = {
+        each: scene.desk.last_link(line).right for each, line in zip(quantities, lines, strict=True)
+    }
+    right = swept(exchanged(asked, values))
+    relation = chain(asked, (right, None))
+    named = [
+        letter_of(scene, each)[1]
+        for each, line in zip(quantities, lines, strict=True)
+        if isinstance(scene.desk.last_link(line).left, Letter)
+    ]
+    refs = scene.judge.needed(Move("put"), (*lines, *named), relation, lines)
+    if refs is None:
+        raise NotPlannedError("a sum of angles of the motion")
+    line = scene.desk.write(Move("put"), refs, relation)
+    line, answer = write_decimal(scene, line)
+    return line, answer.only[0].right
 
 
 def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...], list[sp.Expr]]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.derivation import Fact, Meaning, Move, Relation
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -144,7 +144,11 @@ def _is_wall(scene: Scene, asked: Expression) -> bool:
 
 def _expression(scene: Scene, asked: Expression, name: str) -> None:
     line, value = write_expression(scene, asked)
-    scene.desk.end(name, line, chain(asked, (value, None)))
+    sign = scene.desk.last_link(line).sign
+    answer = chain(asked, (value, None))
+    if sign == "≈":
+        answer = Relation(((Link(asked, sign, value),),))
+    scene.desk.end(name, line, answer)
 
 
 def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:

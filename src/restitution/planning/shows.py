@@ -161,6 +161,8 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 claims.worths.determine(link.left)
                 line = angle_line(scene, link.left)
                 return line, scene.desk.relation(line)
+            if (line := _turned_by(claims, link)) is not None:
+                return line, scene.desk.relation(line)
             return _Equation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
@@ -192,6 +194,27 @@ def _is_of_components(link: Link) -> bool:
         case Quantity("along", (_, one)), Quantity("along", (_, other)):
             return one == other
     return False
+
+
+def _turned_by(claims: Claims, link: Link) -> int | None:
+    """The line of a deflection that is an angle in letters, where it comes in the printed form."""
+    if not isinstance(link.left, Quantity) or link.left.kind != "deflection":
+        return None
+    if has_quantity(link.right) or not isinstance(link.left.stage, int):
+        return None
+    scene, mark = claims.scene, claims.worths.mark()
+    (body,) = link.left.arguments
+    try:
+        for stage in (link.left.stage - 1, link.left.stage):
+            claims.worths.determine(Quantity("velocity", (body,), stage))
+        line = angle_line(scene, link.left)
+    except NotPlannedError:
+        claims.worths.back(mark)
+        return None
+    if scene.desk.last_link(line).right == link.right:
+        return line
+    claims.worths.back(mark)
+    return None
 
 
 def _is_angle_in_numbers(link: Link) -> bool:

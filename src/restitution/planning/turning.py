@@ -244,6 +244,8 @@ def _angle_of(own: Ratio) -> Expression:
         if isinstance(size, Degrees):
             return Degrees(straight.value - size.value)
         return difference(straight, size)
+    if own.function == "tan" and value.func is sp.tan and value.args[0].is_Symbol:
+        return tree_of(value.args[0])
     if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
         return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
     return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
@@ -467,7 +469,7 @@ def _deflection(
         if straight is not None:
             return straight
     square_ = scene.model.identically_zero(dot)
-    if square_ and frame.wall is None and wanted is None:
+    if square_ and wanted is None:
         line = write_right_angle(scene, asked)
         if line is not None:
             return line
