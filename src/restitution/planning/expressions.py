@@ -86,7 +86,7 @@ def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     """A sum of angles of the motion, each of which is a line; with its decimal."""
     quantities = [each for each in outermost(asked) if isinstance(each, Quantity)]
     lines = [angle_line(scene, each) for each in quantities]
-    values = {
+    values: dict[Expression, Expression] = {
         each: scene.desk.last_link(line).right for each, line in zip(quantities, lines, strict=True)
     }
     right = swept(exchanged(asked, values))

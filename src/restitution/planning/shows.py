@@ -161,8 +161,8 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 claims.worths.determine(link.left)
                 line = angle_line(scene, link.left)
                 return line, scene.desk.relation(line)
-            if (line := _turned_by(claims, link)) is not None:
-                return line, scene.desk.relation(line)
+            if (turned := _turned_by(claims, link)) is not None:
+                return turned, scene.desk.relation(turned)
             return _Equation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
