@@ -301,8 +301,8 @@ def test_at_rest_is_said_of_no_other_velocity() -> None:
 
 SAID = {
     "what grows with a letter": (
-        WALL + "find minimum of speed(P) over e",
-        "as u√(cos²α + e² sin²α) increases with e, α is acute and e ≥ 0",
+        WALL + "find maximum of speed(P) over e",
+        "as u√(cos²α + e² sin²α) increases with e and 0 ≤ e ≤ 1",
     ),
     "an energy without the square": (
         OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explain.factors import factor_cancelled
+from restitution.explain.growing import growth
 from restitution.explain.naming import Naming
 from restitution.explain.sources import Sources, bound_broken
 from restitution.explaining.algebra import NotComparableError, Quotient
@@ -198,14 +198,20 @@ class Reasons:
         """That a quantity increases, or decreases, between the ends that are cited."""
         if line.move.id != "monotone":
             return
-        above = [
-            Link(own.relation.only[0].left, "=", own.relation.only[-1].right)
+        told = [
+            own.relation
             for ref in line.premises
             if isinstance(ref, int)
             and (own := self._derivation.line(ref)) is not None
             and isinstance(own.relation, Relation)
         ]
-        ends = [
+        above = [
+            Link(each.only[0].left, "=", each.only[-1].right)
+            for each in told
+            if each.only[0].sign == "="
+        ]
+        ends = [link for each in told for link in each.only if link.sign != "="]
+        ends += [
             link
             for ref in line.premises
             if isinstance(relation := self._reason(ref, line), Relation)
@@ -219,53 +225,21 @@ class Reasons:
                     Link(angle, ">", Degrees(Fraction(0))),
                     Link(angle, "<", Degrees(Fraction(90))),
                 ]
-        names = {
-            name for each in ends for side in (each.left, each.right) for name in letters(side)
-        }
         if len(above) != 1:
             return
         assert isinstance(line.relation, Relation)
-        for name in sorted(names):
-            bounds = [each for each in ends if name in letters(each.left) | letters(each.right)]
-            if len(names) > 1 and not self._is_end(above[0].right, name, bounds, line.relation):
-                continue
-            way = self._way(above[0].right, name, bounds)
-            if way:
-                id_ = "derived.increases" if way > 0 else "derived.decreases"
-                whole = above[0].right if _is_short(above[0].right) else above[0].left
-                quantity = self._naming.laid(whole)
-                yield say(id_, quantity=quantity, letter=self._naming.laid(Letter(name)))
-                return
-
-    @staticmethod
-    def _is_end(tree: Expression, name: str, ends: list[Link], bound: Relation) -> bool:
-        """Whether a bound is what a tree is worth at an end of a letter, others being 2/3."""
-
-        def agrees(end: Expression, side: Expression) -> bool:
-            try:
-                gap = _worth(tree, name, _worth(end, name, sp.Integer(0))) - _worth(
-                    side, name, sp.Integer(1)
-                )
-                return bool(sp.sympify(gap, strict=True).equals(0))
-            except (RestitutionError, TypeError, ValueError, AttributeError):
-                return False
-
-        places = [
-            (side, len(each.sign) == 2)
-            for each in ends
-            for side in (each.left, each.right)
-            if not letters(side)
-        ]
-        return all(
-            any(
-                agrees(end, side)
-                for side in (each.left, each.right)
-                if not has_quantity(side) and name not in letters(side)
-                for end, closed in places
-                if closed == (len(each.sign) == 2)
-            )
-            for each in bound.only
-        )
+        positive = {name for name, role in self._roles.items() if role.kind == "positive"}
+        found = growth(above[0].right, line.relation, ends, positive)
+        if found is not None:
+            name, way = found
+            id_ = "derived.increases" if way > 0 else "derived.decreases"
+            whole = above[0].right if _is_short(above[0].right) else above[0].left
+            quantity = self._naming.laid(whole)
+            letter = self._naming.laid(Letter(name))
+            yield say(id_, quantity=quantity, letter=letter)
+            far = _far_end(line.relation, above[0].left, name, way, ends)
+            if name in positive and far is not None:
+                yield say("derived.tends", value=self._naming.laid(far), letter=letter)
 
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""
@@ -346,45 +320,9 @@ class Reasons:
             return
         if any(not each.exp.is_Integer for each in share.atoms(sp.Pow)):
             return
-        factor = sp.Abs(share.as_coeff_Mul()[0])
-        told = Link(tree_of(share / factor), links[0].sign, tree_of(1 / factor))
+        told = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
         if _is_short(told.left):
             yield say("derived.fact", fact=self._laid(Relation(((told,),))))
-
-    @staticmethod
-    def _way(tree: Expression, name: str, ends: list[Link]) -> int:
-        """The sign of the change from the lower to the upper end, all other letters being 2/3."""
-
-        def change(low: Any, high: Any) -> Any:
-            try:
-                return sp.sympify(_worth(tree, name, high) - _worth(tree, name, low), strict=True)
-            except RestitutionError:
-                return None  # at that end there is no value
-
-        try:
-            places = sorted(
-                (
-                    _worth(side, name, sp.Integer(0))
-                    for each in ends
-                    for side in (each.left, each.right)
-                    if not letters(side)
-                ),
-                key=float,
-            )
-            if len(places) == 2:
-                low, high = places
-            elif any(letters(each.left) and each.sign in _DOWN for each in ends):
-                low, high = places[0], places[0] + 1
-            else:
-                low, high = places[0] / 2, places[0]
-            middle = (low + high) / 2
-            for pair in ((low, high), (middle, high), (low, middle)):
-                own = change(*pair)
-                if own is not None and own.is_finite:
-                    return int(sp.sign(own))
-            return 0
-        except (RestitutionError, TypeError, ValueError, IndexError):
-            return 0
 
 
 def _sine_and_cosine(node: Expression) -> tuple[Expression, Link] | None:
@@ -458,10 +396,11 @@ def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expressi
             match term:
                 case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
                     yield term, term
-                case Binary(
-                    "*", Number(), Binary("^", _, Number(Fraction(numerator=2, denominator=1)))
-                ):
-                    yield term, term.right
+                case Binary("/", Binary("^", _, Number(Fraction(numerator=2))) as inner, _):
+                    yield term, inner
+                case Binary("*", factor, Binary("^", _, Number(Fraction(numerator=2))) as inner):
+                    if not letters(factor):
+                        yield term, inner
 
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
@@ -471,6 +410,24 @@ def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
         for links in relation.options
         for link in links
     )
+
+
+def _far_end(
+    bound: Relation, subject: Expression, name: str, way: int, ends: list[Link]
+) -> Expression | None:
+    """The bound that is approached as a letter grows, where nothing cited bounds it above."""
+    for each in ends:
+        above = each.left if each.sign in _UP else each.right
+        if above == Letter(name):
+            return None
+    for link in bound.only:
+        for side, other, signs in (
+            (link.left, link.right, _UP if way > 0 else _DOWN),
+            (link.right, link.left, _DOWN if way > 0 else _UP),
+        ):
+            if side == subject and link.sign in signs:
+                return other
+    return None
 
 
 def _is_short(tree: Expression) -> bool:
@@ -498,8 +455,3 @@ def _merged(bounds: list[Link]) -> Iterator[Relation]:
         low, high = (other, link) if link.sign in _UP else (link, other)
         sign = "<" if low.sign == ">" else "<="
         yield Relation(((Link(low.right, sign, low.left), high),))  # type: ignore[arg-type]
-
-
-def _worth(tree: Expression, name: str, at: Any) -> Any:
-    """What a tree is worth where one letter has a value, all others being 2/3."""
-    return evaluate(tree, lambda each: at if each == name else sp.Rational(2, 3))

@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_zero,
     walk,
 )
 from restitution.problem import Value
@@ -276,13 +277,16 @@ class Rows:
 
     def _reached(
         self, options: tuple[tuple[Link, ...], ...]
-    ) -> tuple[tuple[Link, ...], lay.Layout] | None:
+    ) -> tuple[tuple[Link, ...], lay.Layout | Sentence] | None:
         """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
         if len(options) != 2:
             return None
         (where, *_), value = options
         if where.sign != "!=" or len(options[0]) != 1:
             return None
+        match where:
+            case Link(Binary("/", Number(), Letter() as letter), _, right) if is_zero(right):
+                return value, say("extremum.grows", letter=self._naming.laid(letter))
         place = Relation(((Link(where.left, "=", where.right),),))
         return value, self._naming.relation(place)
 
@@ -303,7 +307,9 @@ class Rows:
             and (reached := self._reached(behind.relation.options)) is not None
         ]
         said = "extremum.tends" if line.move.record == "approached" else "derived.for"
-        reasons = tuple(say(said, place=each) for each in places)
+        reasons = tuple(
+            each if isinstance(each, Sentence) else say(said, place=each) for each in places
+        )
         return Row(tuple(sides), tuple(signs), reasons=reasons)
 
 

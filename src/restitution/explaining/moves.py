@@ -30,6 +30,7 @@ from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
 from restitution.explaining.solving import solves
 from restitution.explaining.step import Cited, Step, alike
+from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -42,6 +43,7 @@ from restitution.expression.tree import (
     Number,
     Polar,
     Quantity,
+    letters,
     rational,
     walk,
 )
@@ -147,8 +149,11 @@ def _condition(relation: Relation) -> tuple[Link, Link] | None:
 def _under_condition(step: Step, place: Link, then: Link) -> bool:
     if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
         chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
-        if _by_links(chosen, Relation(((then,),))):
-            return True
+        try:
+            if _by_links(chosen, Relation(((then,),))):
+                return True
+        except NotComparableError:
+            pass  # it may still be compared at the place itself
     return _at_place(step, place, then)
 
 
@@ -159,22 +164,46 @@ def _at_place(step: Step, place: Link, then: Link) -> bool:
     """
     base = _base(step)
     equation = None if base is None or len(base.options) != 1 else _ends(base.only)
-    if equation is None or then.left != equation.left:
+    meant: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    if equation is None or then.left not in (
+        equation.left,
+        rebuilt(equation.left, lambda each: meant.get(each, each)),
+    ):
         return False
     match place.left:
         case Letter(name):
-            at = _in_radians(step, place.right)
+            at = step.world.expression(step.world.scalar(place.right), step.roles)
+        case Binary("/", Number(1), Letter(name)) if place.right == ZERO:
+            at = sp.oo
         case Apply("tan", Letter(name)):
-            at = sp.atan(_in_radians(step, place.right))
+            tangent = step.world.expression(step.world.scalar(place.right), step.roles)
+            at = sp.atan(tangent)
         case _:
             return False
     value, own = (
         step.world.expression(step.world.scalar(each), step.roles)
         for each in (equation.right, then.right)
     )
-    letter = step.roles.get(name, REAL).symbol(name)
+    letter = next((each for each in value.free_symbols if each.name == name), None)
+    if letter is None:
+        return False
+    there = _worth_at(value, letter, at)
+    return there is not None and _equal_in(step, there, own)
+
+
+def _worth_at(value: sp.Expr, letter: sp.Symbol, at: Any) -> sp.Expr | None:
+    """What an expression is worth where a letter has a value, or beyond all values of it.
+
+    None where it has no value there.
+    """
+    if at is sp.oo:
+        if not value.is_rational_function(letter):
+            return None
+        small = sp.Dummy("t")
+        value = sp.cancel(sp.together(value.subs(letter, 1 / small)), small)
+        letter, at = small, sp.Integer(0)
     there = value.subs(letter, at)
-    return bool(there.is_finite is not False) and _equal_in(step, there, own)
+    return None if there.is_finite is False or there.has(sp.nan) else there
 
 
 def _by_links(step: Step, relation: Relation) -> bool:
@@ -1093,7 +1122,66 @@ def _sign(step: Step, relation: Relation) -> bool:
         return False
     if any(link.sign in ("≈", "=") for links in relation.options for link in links):
         return False
-    return _by_oracle(step, relation)
+    return _by_oracle(step, relation) or between_tangents(step, relation)
+
+
+def between_tangents(step: Step, relation: Relation) -> bool:
+    """An angle of up to 180° between bounds of which its tangent is between the tangents.
+
+    What bounds it is at least 0 and less than 90°, and the least tangent is not negative: so the
+    angle is acute too, and grows with its tangent.
+    """
+    if len(relation.options) != 1:
+        return False
+    named: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    cited = {named.get(Letter(n), Letter(n)) for n, r in step.roles.items() if r.kind == "angle"}
+    ratios = [
+        (named.get(side.argument, side.argument), link)
+        for each in step.links
+        for link in (each, _turned(each))
+        for side in (link.left,)
+        if isinstance(side, Apply) and side.function == "tan" and link.sign in FLIPPED
+    ]
+    positive = False
+    for link in relation.only:
+        for angle, own in (
+            (link.left, link),
+            (link.right, _turned(link)),
+        ):
+            role = step.setting.of_angle(named.get(angle, angle))
+            if named.get(angle, angle) not in cited:
+                continue
+            if role is None or role.low != 0 or role.high not in (sp.pi / 2, sp.pi):
+                continue
+            tangents = [r for a, r in ratios if a == named.get(angle, angle) and r.sign == own.sign]
+            if not any(_is_tangent_below_90(step, own.right, r.right) for r in tangents):
+                return False
+            positive = positive or own.sign[0] == ">" or role.high == sp.pi / 2
+            break
+        else:
+            return False
+    return positive
+
+
+def _turned(link: Link) -> Link:
+    """A link with its sides exchanged."""
+    sign: Any = FLIPPED.get(link.sign, link.sign)
+    return Link(link.right, sign, link.left)
+
+
+def _is_tangent_below_90(step: Step, angle: Expression, ratio: Expression) -> bool:
+    """Whether a ratio is the tangent of an angle that is certain to be acute, or 0."""
+    bound, value = (
+        step.world.expression(step.world.scalar(each), step.roles) for each in (angle, ratio)
+    )
+    tangent = sp.tan(bound).replace(sp.cot, lambda x: 1 / sp.tan(x))
+    if isinstance(bound, sp.atan):
+        inside = step.oracle.proves(Claim(bound.args[0], ">="))
+    else:
+        inside = step.oracle.proves(Claim(bound, ">=")) and step.oracle.proves(
+            Claim(sp.pi / 2 - bound, ">")
+        )
+    return inside and _equal_in(step, tangent, value)
 
 
 MOST_COMPARED = 3
@@ -1107,9 +1195,16 @@ def _monotone(step: Step, relation: Relation) -> bool:
     if equation is None or len(relation.options) != 1:
         return False
     value = step.world.expression(step.world.scalar(equation.right), step.roles)
+    ranges = _cited_ranges(step)
+    for symbol in value.free_symbols:
+        role = step.roles.get(symbol.name)
+        if role is not None and role.kind == "positive":
+            # That it is positive, and may be as great as you like, is said nowhere.
+            own = {"low": (sp.Integer(0), False), "high": (sp.oo, False)}
+            ranges[symbol.name] = {**own, **ranges.get(symbol.name, {})}
     return any(
         _grows_between(step, relation.only, equation.left, value, name, ends)
-        for name, ends in _cited_ranges(step).items()
+        for name, ends in ranges.items()
     )
 
 
@@ -1119,13 +1214,21 @@ _Ends = dict[str, tuple[sp.Expr, bool]]
 def _cited_ranges(step: Step) -> dict[str, _Ends]:
     """The ends of the ranges of letters that are cited, and whether they belong to them."""
     ranges: dict[str, _Ends] = {}
-    for known in step.known:
-        for links in known.relation.options:
+    bounds: list[Relation | Meaning] = [
+        *(each.relation for each in step.known),
+        *(each.relation for each in _rest(step)),
+    ]
+    for relation in bounds:
+        if isinstance(relation, Meaning) or len(relation.options) != 1:
+            continue
+        for links in relation.options:
             for link in links:
                 for side, other, sign in (
                     (link.left, link.right, link.sign),
                     (link.right, link.left, FLIPPED.get(link.sign, "")),
                 ):
+                    if isinstance(side, Letter) and side.name in letters(other):
+                        continue
                     if isinstance(side, Letter) and sign in ("<", "<=", ">", ">="):
                         end = step.world.expression(step.world.scalar(other), step.roles)
                         which = "low" if sign in (">", ">=") else "high"
@@ -1173,9 +1276,9 @@ def _is_end(
     end = ends.get("low" if (sign[0] == ">") == (direction == 1) else "high")
     if end is None or end[1] != (len(sign) == 2):
         return False
-    there = value.subs(letter, end[0])
+    there = _worth_at(value, letter, end[0])
     own = step.world.expression(step.world.scalar(bound), step.roles)
-    return there.is_finite is not False and _equal_in(step, there, own)
+    return there is not None and _equal_in(step, there, own)
 
 
 def _equal_in(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
@@ -1471,9 +1574,15 @@ def _is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool
 
 def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
     """Whether a value belongs to an end of the range of a letter that is not in the range."""
-    if value != Link(end.left, "=", end.right) or not isinstance(place.left, Letter):
+    if value != Link(end.left, "=", end.right) and not _is_tangent_of(step, value, end):
         return False
-    role = step.setting.role(place.left.name)
+    match place.left:
+        case Binary("/", Number(1), Letter(name)) if place.right == ZERO:
+            return step.setting.role(name).high is None  # as it grows without limit
+        case Letter(name):
+            role = step.setting.role(name)
+        case _:
+            return False
     there = _in_radians(step, place.right)
     ends = ((role.low, role.closed[0]), (role.high, role.closed[1]))
     return any(own is not None and not closed and own == there for own, closed in ends)
@@ -1505,4 +1614,4 @@ _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
     "shown": _as_it_stands,
 }
 
-__all__ = ["FLIPPED", "MOST_COMPARED", "follows", "records_of"]
+__all__ = ["FLIPPED", "MOST_COMPARED", "between_tangents", "follows", "records_of"]

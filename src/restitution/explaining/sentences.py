@@ -404,6 +404,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "line of centres."
     ),
     "extremum.tends": "which is approached towards {place}, but not reached",
+    "extremum.grows": "which is approached as {letter} grows without limit, but not reached",
     # --- results that are shown, or are false -----------------------------------------------------
     "shown.required": "as required",
     "shown.figures": "to {figures} significant figures",
@@ -599,6 +600,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.positive": "{letter} is positive",
     "derived.fact": "{fact}",
     "derived.increases": "{quantity} increases with {letter}",
+    "derived.tends": "tends to {value} as {letter} grows",
     "derived.decreases": "{quantity} decreases as {letter} increases",
     "derived.number": "({number})",
     "derived.greatest": "greatest value of {quantity}",

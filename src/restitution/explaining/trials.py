@@ -21,7 +21,7 @@ from restitution.explaining.derivation import (
     Relation,
     whole_of,
 )
-from restitution.explaining.moves import follows
+from restitution.explaining.moves import between_tangents, follows
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import trees_of
@@ -151,7 +151,7 @@ def _proves(
 
 
 def _is_certain(step: Step, relation: Relation) -> bool:
-    return step.oracle.proves(step.formula(relation))
+    return step.oracle.proves(step.formula(relation)) or between_tangents(step, relation)
 
 
 def _kept(judge: Callable[[Step, Relation], bool], step: Step, relation: Relation) -> bool | None:

@@ -35,7 +35,9 @@ from restitution.planning.inequalities import (
 )
 from restitution.planning.letter_ties import Ties, is_letter_or_square
 from restitution.planning.order import Solver
+from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
+from restitution.planning.turned_at_walls import tangent_of, write_turn
 from restitution.planning.worths import Worths
 from restitution.solve.letters import roles
 
@@ -103,6 +105,9 @@ class Claims:
                 line = self.compared(base, relation)
                 if line is not None:
                     return line
+            line = write_turn(self, quantities, relation)
+            if line is not None:
+                return line
             line = self._by_tangents(base, lines, relation)
             if line is not None:
                 return line
@@ -271,7 +276,8 @@ class Claims:
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)
         if value.free_symbols:
-            return Apply("tan", tree)
+            told = tangent_of(value)
+            return Apply("tan", tree) if told is None else tree_of(told)
         there = tidy(sp.tan(value))
         return None if there.has(sp.zoo) else tree_of(there)
 
@@ -291,6 +297,8 @@ class Claims:
             if line is None:
                 line = self._staged(lines[0], own)
             if line is None:
+                line = self._by_quotient(lines[0], own)
+            if line is None:
                 self.worths.back(mark)
                 return None
             written.append(line)
@@ -300,6 +308,24 @@ class Claims:
         if line is None:
             self.worths.back(mark)
         return line
+
+    def _by_quotient(self, line: int, relation: Relation) -> int | None:
+        """A bound that is the greatest value of a quotient."""
+        whole = self.scene.desk.last_link(line)
+        link = relation.only[0] if relation.only[0].left == whole.left else turned(relation.only[0])
+        value = self.worths.value(whole.right)
+        if link.left != whole.left or link.sign != "<=":
+            return None
+        for symbol in sorted(value.free_symbols, key=lambda s: s.name):
+            role = roles(self.scene.problem).get(symbol.name)
+            if role is None or role.kind not in ("angle", "positive"):
+                continue
+            mark = self.worths.mark()
+            bound = write_quotient(self, line, symbol, link)
+            if bound is not None:
+                return self.compared([bound.line], relation)
+            self.worths.back(mark)
+        return None
 
     def _staged(self, line: int, relation: Relation) -> int | None:
         """A bound by a bound of what a line gives, with the end of one letter put in."""
@@ -352,6 +378,11 @@ class Claims:
         wanted = subject_of(relation)
 
         def by_conditions(base: list[Ref], relation: Relation) -> int | None:
+            lines = [each for each in base if isinstance(each, int)]
+            if len(lines) == 1 and self.conditions.lines(wanted):
+                line = self.monotone(lines[0], relation, self.conditions.lines(wanted))
+                if line is not None:
+                    return line
             return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
 
         def by_ties(base: list[Ref], relation: Relation) -> int | None:
@@ -387,14 +418,17 @@ class Claims:
         yield by_all
         yield by_story
 
-    def monotone(self, line: int, relation: Relation) -> int | None:
-        """The ends of what only grows, or only falls, with the one letter that has a range."""
+    def monotone(self, line: int, relation: Relation, bounds: Sequence[Ref] = ()) -> int | None:
+        """The ends of what only grows, or only falls, with one letter.
+
+        Its range is what it may be anyway, or what lines tell that bound it.
+        """
         for name in sorted(letters(self.scene.desk.last_link(line).right)):
             role = roles(self.scene.problem).get(name)
-            if role is None or role.kind == "positive":
+            if role is None:
                 continue
             others = letters(self.scene.desk.last_link(line).right) - {name}
-            pool = [line, *self.judge.known([name]), *self.judge.known(others)]
+            pool = [line, *bounds, *self.judge.known([name]), *self.judge.known(others)]
             number_ = self.judge.write((Move("monotone"),), pool, relation)
             if number_ is not None:
                 return number_
@@ -442,12 +476,17 @@ class Claims:
                     number_ = number_ if after is None else after
                 if same(scene.desk.relation(number_), relation):
                     return number_
-                found = self.compared([*base, number_], relation)
-                if found is not None:
-                    return found
+                if not base:
+                    found = self.compared([number_], relation)
+                    if found is not None:
+                        return found
                 written.append(number_)
         if not written:
             return None
+        for each in base:
+            found = self.monotone(each, relation, written) if isinstance(each, int) else None
+            if found is not None:
+                return found
         found = self.compared([*base, *written], relation)
         if found is None and self.conditions.lines(wanted):
             found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)

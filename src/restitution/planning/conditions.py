@@ -148,7 +148,7 @@ class Conditions:
         known = self.worths.known_in(expanded(value))
         first = Relation(((Link(swept(tree), turned, ZERO),),))
         pool = [fact.id, *refs, *self.scene.frame(event).refs, *known]
-        number = self.judge.write((move,), pool, first, (fact.id, *refs))
+        number = self.judge.write((move,), pool, first)
         if number is None:
             return None
         solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)

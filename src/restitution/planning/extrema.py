@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Line, Link, Meaning, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
+from restitution.explaining.derivation import Line, Link, Move, Ref, Relation, Sign
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, Quantity, walk
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
-from restitution.planning.forms import product, square, total, tree_of
-from restitution.planning.order import Solver
+from restitution.planning.forms import ONE, ZERO, product, square, total, tree_of
+from restitution.planning.gaps import is_plain, write_difference
+from restitution.planning.order import Solver, Standing
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
+from restitution.planning.quotients import by_tangent, write_quotient
 from restitution.planning.scene import Scene
 from restitution.solve.letters import roles
 from restitution.solve.solution import Answer, ItemResult
@@ -45,9 +49,19 @@ def write_extremum(
     reached = answer is None or answer.reached
     if not isinstance(over, Letter):
         raise NotPlannedError("an extremum over what is no letter")
+    bound = sp.sympify(value, strict=True)
     with Claims(scene, solver) as claims:
-        own = _Extremum(claims, kind, asked, over.name, sp.sympify(value, strict=True), reached)
-        line = own.write()
+        mark = claims.worths.mark()
+        try:
+            own = _Extremum(claims, kind, asked, over.name, bound, reached)
+            line = own.write()
+        except NotPlannedError:
+            if answer is not None:
+                raise
+            # What is to be shown does not say whether it is reached.
+            claims.worths.back(mark)
+            own = _Extremum(claims, kind, asked, over.name, bound, reached=False)
+            line = own.write()
     scene.desk.end(name, line, Relation(((own.end,),)), shown=shown)
 
 
@@ -87,8 +101,14 @@ class _Extremum:
         """Writes the lines, and returns the number of the last."""
         if _is_angle(self.asked):
             return self._of_angle()
+        start = self.claims.worths.mark()
         line, end = self._line(), self.end
-        for way in (self._monotone, self._quotient, self._square, self._plain):
+        defined = self._as_defined(start, line)
+        ways = [self._monotone, self._quotient, self._square, self._gap, self._plain]
+        if defined is not None:
+            line = defined
+            ways.insert(0, self._plain)
+        for way in ways:
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
             bound = way(line)
@@ -104,6 +124,8 @@ class _Extremum:
         """An angle by its tangent."""
         asked, whole, value = self.asked, self.end, self.value
         tangent = tidy(sp.tan(value))
+        if not sp.deg(value).is_Rational:
+            whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             raise NotPlannedError("an angle that is not acute")
         assert isinstance(asked, Quantity)
@@ -193,12 +215,12 @@ class _Extremum:
             x, subject, generator = expanded(gap), letter, self.symbol
         else:
             t = sp.Dummy("t", positive=True)
-            x = sp.fraction(one_fraction(expanded(_by_tangent(gap, self.symbol, t) ** 1)))[0]
+            x = sp.fraction(one_fraction(expanded(by_tangent(gap, self.symbol, t) ** 1)))[0]
             subject, generator = Apply("tan", letter), t  # type: ignore[assignment]
         if any(p.exp == sp.Rational(1, 2) and generator in p.free_symbols for p in x.atoms(sp.Pow)):
             gap = self._value(line) ** 2 - self.value**2
             if self.angle:
-                gap = _by_tangent(gap, self.symbol, generator)
+                gap = by_tangent(gap, self.symbol, generator)
             x = expanded(sp.fraction(one_fraction(gap))[0])
         try:
             roots = sp.roots(sp.Poly(x, generator))
@@ -228,6 +250,9 @@ class _Extremum:
             if end is not None and not closed:
                 tree = tree_of(end, angle=self.angle, as_it_is=self.angle)
                 yield Link(Letter(self.symbol.name), "=", tree)
+        if role.high is None:
+            # As it grows without limit.
+            yield Link(Binary("/", ONE, Letter(self.symbol.name)), "=", ZERO)
 
     def _value(self, line: int) -> sp.Expr:
         return self.claims.worths.value(self.scene.desk.last_link(line).right)
@@ -241,71 +266,12 @@ class _Extremum:
 
     def _quotient(self, line: int) -> int | None:
         """``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""
-        t = sp.Dummy("t", positive=True)
-        x = self._value(line)
-        x = _by_tangent(x, self.symbol, t) if self.angle else x.subs(self.symbol, t)
-        above, below = sp.fraction(factored(one_fraction(x)))
-        try:
-            top, poly = (sp.Poly(expanded(each), t) for each in (above, below))
-        except sp.PolynomialError:
+        own = write_quotient(self.claims, line, self.symbol, self.end)
+        if own is None:
             return None
-        if self.least or top.monoms() != [(1,)] or poly.degree() != 2:
-            return None
-        a, d, b = (tidy(factored(poly.nth(n))) for n in (0, 1, 2))
-        c = tidy(top.nth(1))
-        common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
-        a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
-        if self.scene.model.sign(a) < 0:
-            a, b, c, d = (tidy(-each) for each in (a, b, c, d))
-        letter: Expression = Letter(self.symbol.name)
-        own: Expression = Apply("tan", letter) if self.angle else letter
-        terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
-        if d != 0:
-            terms.append(tree_of(d))
-        known = self._known(*self._names(self._value(line)), self.symbol.name)
-        desk = self.scene.desk
-        whole = total(terms)
-        name = self._letter_for(whole)
-        let = desk.write(Move("let"), (), Meaning(name, whole))
-        by_name = Relation(((Link(self.end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
-        quotient = self.judge.write((Move("put"),), [line, let, *known], by_name)
-        if quotient is None:
-            return None
-        roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
-        gap = square(Binary("-", roots[0], product(roots[1], own)))
-        rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
-        if a.free_symbols | b.free_symbols:
-            # A root of a product is not that of its factors: both are as in the square.
-            rest = total((product(tree_of(2), *roots), tree_of(d)))
-        squared = Relation(((Link(Letter(name), "=", total((Binary("/", gap, own), rest))),),))
-        texts = [each for each in known if each not in self.scene.facts]
-        complete = self.judge.write((Move("complete"),), [let, *texts], squared)
-        if complete is None:
-            return None
-        least = Relation(((Link(Letter(name), ">=", rest),),))
-        bound = self.judge.write((Move("sign"),), [complete, *known], least)
-        if bound is None:
-            return None
-        self.support = (quotient, bound)
-        if a.free_symbols | b.free_symbols:
-            self.place = Link(own, "=", Binary("/", *roots))
-        if a.free_symbols and b.free_symbols:
-            self.end = replace(self.end, right=Binary("/", tree_of(c), rest))
-        return self.judge.write((Move("compare"),), [quotient, bound, *known], self._relation)
-
-    def _letter_for(self, tree: Expression) -> str:
-        """The letter that stands for a tree already, or a free one."""
-        for each in self.scene.desk.lines:
-            if isinstance(each.relation, Meaning) and each.relation.quantity == tree:
-                return each.relation.letter
-        taken = set(roles(self.scene.problem)) | {
-            each.relation.letter
-            for each in self.scene.desk.lines
-            if isinstance(each.relation, Meaning)
-        }
-        problem = self.scene.problem
-        names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
-        return next(each for each in "SQNKHFG" if each not in taken | names)
+        self.support, self.place = own.support, own.place
+        self.end = replace(self.end, right=own.right)
+        return own.line
 
     def _square(self, line: int) -> int | None:
         """A quadratic in the letter: its square completed."""
@@ -322,9 +288,14 @@ class _Extremum:
                 continue
             if poly.degree() != 2 or poly.nth(1) == 0:
                 continue
+            outside = sp.cancel(each / poly.as_expr())
+            if self.scene.model.sign(poly.LC() * outside) != (1 if self.least else -1):
+                continue
             primitive = poly.primitive()[1]
             a, b, c = (primitive.nth(n) for n in (2, 1, 0))
-            squared = product(tree_of(tidy(a)), square(tree_of(tidy(self.symbol + b / (2 * a)))))
+            common, inner = sp.Poly(2 * a * self.symbol + b, self.symbol).primitive()
+            factor = tidy(sp.sympify(common) ** 2 / (4 * a))
+            squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
             own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
             outer = tidy(cancelled(each / primitive.as_expr()))
             if each != x:
@@ -339,6 +310,37 @@ class _Extremum:
             if bound is not None:
                 return bound
         return None
+
+    def _as_defined(self, start: Standing, line: int) -> int | None:
+        """The line without its last form, where its first without a square is the least value."""
+        own = self.scene.desk.line(line)
+        links = self.scene.desk.relation(line).only
+        if not self.least or len(links) != 2 or not self._is_left(links[0].right):
+            return None
+        written = self.scene.desk.lines[start.desk.lines :]
+        if not written or written[-1] != own:
+            return None
+        self.scene.desk.lines.pop()
+        return self.scene.desk.write(own.move, own.premises, Relation((links[:1],)))
+
+    def _is_left(self, tree: Expression) -> bool:
+        """Whether the value sought is what is left of a sum without one of its squares."""
+        value = self.value
+        if isinstance(tree, Apply) and tree.function == "sqrt":
+            tree, value = tree.argument, value**2
+        for term in walk(tree):
+            match term:
+                case Binary("^", _, Number(Fraction(numerator=2))):
+                    rest = rebuilt(tree, lambda each: ZERO if each == term else each)  # noqa: B023
+                    if tidy(self.claims.worths.value(rest) - value) == 0:
+                        return True
+        return False
+
+    def _gap(self, line: int) -> int | None:
+        """A bound by the difference to it, in factors of certain signs."""
+        if is_plain(self.scene, line, self._relation):
+            return None
+        return write_difference(self.claims, line, self._relation)
 
     def _plain(self, line: int) -> int | None:
         """A bound that what a line says shows at once."""
@@ -371,13 +373,3 @@ class _Extremum:
 
 def _is_angle(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection", "direction")
-
-
-def _by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
-    """An expression of the second degree in sine and cosine of an angle by its tangent."""
-    put: Mapping[sp.Basic, sp.Expr] = {
-        sp.sin(angle): t / sp.sqrt(1 + t**2),
-        sp.cos(angle): 1 / sp.sqrt(1 + t**2),
-        sp.tan(angle): t,
-    }
-    return one_fraction(x.xreplace(dict(put)))

@@ -29,6 +29,7 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
     """
     whole = scene.desk.last_link(line)
     value = scene_value(scene, whole.right)
+    known = roles(scene.problem)
     for link in relation.only:
         bound = _bound(link, whole.left)
         if bound is None:
@@ -37,6 +38,8 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
         if value == 0 or own == 0:
             continue
         ratio = sp.factor(sp.together(value / own))
+        if any(known[s.name].kind == "positive" for s in ratio.free_symbols if s.name in known):
+            return False
         if any(len(each.free_symbols) > 1 for each in sp.Mul.make_args(ratio)):
             return False
         if any(_has_root(each) for each in sp.Mul.make_args(ratio)):
@@ -86,7 +89,7 @@ def write_difference(claims: Claims, line: int, relation: Relation) -> int | Non
     for form in sorted(_forms(gap), key=_mixed):
         if start is None or not _is_signed(scene, form):
             continue
-        told = Relation(((Link(Binary("-", *sides), "=", tree_of(form, as_it_is=True)),),))
+        told = Relation(((Link(Binary("-", *sides), "=", tree_of(form)),),))
         difference = claims.judge.write(_TO_FORM, [start, *known], told)
         if difference is None:
             continue

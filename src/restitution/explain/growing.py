@@ -1,0 +1,124 @@
+"""What only grows, or only falls, with a letter: which letter that is, and which way it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Link, Relation
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression, Letter, has_quantity, letters
+
+_DOWN = (">", ">=")
+# What every other letter is worth where one of them is looked at.
+_OTHERS = sp.Rational(2, 3)
+
+
+def growth(
+    tree: Expression, bound: Relation, ends: Sequence[Link], positive: Collection[str]
+) -> tuple[str, int] | None:
+    """The letter with which a tree grows (1) or falls (-1), so that a bound is that at its ends.
+
+    ``ends`` are what is cited of letters; a ``positive`` one goes from 0 without limit.
+    """
+    cited = {n for each in ends for side in (each.left, each.right) for n in letters(side)}
+    names = [*sorted(cited), *sorted((set(positive) & letters(tree)) - cited)]
+    for name in names:
+        own = [each for each in ends if name in letters(each.left) | letters(each.right)]
+        if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
+            continue
+        way = _way(tree, name, own)
+        if way:
+            return name, way
+    return None
+
+
+def _is_end(
+    tree: Expression, name: str, ends: Sequence[Link], bound: Relation, positive: bool
+) -> bool:
+    """Whether a bound is what a tree is worth at ends of a letter, for others at one point."""
+    places = list(_places(ends, positive, name))
+    return all(
+        any(
+            _agrees(tree, name, end, side)
+            for side in (each.left, each.right)
+            if not has_quantity(side) and name not in letters(side)
+            for end, closed in places
+            if closed == (len(each.sign) == 2)
+        )
+        for each in bound.only
+    )
+
+
+def _places(ends: Sequence[Link], positive: bool, name: str) -> Iterator[tuple[Any, bool]]:
+    """The ends of a letter, and whether they belong to it."""
+    low = high = False
+    for each in ends:
+        for letter, side, below in (
+            (each.left, each.right, each.sign in _DOWN),
+            (each.right, each.left, each.sign not in _DOWN),
+        ):
+            if letter == Letter(name) and name not in letters(side):
+                low, high = low or below, high or not below
+                yield worth(side, name, sp.Integer(0)), len(each.sign) == 2
+    if positive and not low:
+        yield sp.Integer(0), False
+    if positive and not high:
+        yield sp.oo, False
+
+
+def _agrees(tree: Expression, name: str, end: Any, side: Expression) -> bool:
+    try:
+        if end is sp.oo:
+            small = sp.Dummy("t", positive=True)
+            there = sp.limit(sp.together(worth(tree, name, 1 / small)), small, 0)
+        else:
+            there = worth(tree, name, end)
+        return bool(sp.sympify(there - worth(side, name, sp.Integer(1)), strict=True).equals(0))
+    except (RestitutionError, TypeError, ValueError, AttributeError, NotImplementedError):
+        return False
+
+
+def _way(tree: Expression, name: str, ends: Sequence[Link]) -> int:
+    """The sign of the change from the lower to the upper end, all other letters at one point."""
+
+    def change(low: Any, high: Any) -> Any:
+        try:
+            return sp.sympify(worth(tree, name, high) - worth(tree, name, low), strict=True)
+        except RestitutionError:
+            return None  # at that end there is no value
+
+    try:
+        places = sorted(
+            (
+                worth(side, name, sp.Integer(0))
+                for each in ends
+                for side in (each.left, each.right)
+                if name not in letters(side)
+            ),
+            key=float,
+        )
+        if len(places) >= 2:
+            low, high = places[0], places[-1]
+        elif not places:
+            low, high = sp.Integer(1), sp.Integer(2)
+        elif any(letters(each.left) and each.sign in _DOWN for each in ends):
+            low, high = places[0], places[0] + 1
+        else:
+            low, high = places[0] / 2, places[0]
+        middle = (low + high) / 2
+        for pair in ((low, high), (middle, high), (low, middle)):
+            own = change(*pair)
+            if own is not None and own.is_finite:
+                return int(sp.sign(own))
+        return 0
+    except (RestitutionError, TypeError, ValueError, IndexError):
+        return 0
+
+
+def worth(tree: Expression, name: str, at: Any) -> Any:
+    """What a tree is worth where one letter has a value, all others being 2/3."""
+    return evaluate(tree, lambda each: at if each == name else _OTHERS)

@@ -1,0 +1,117 @@
+"""``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.forms import product, square, total, tree_of
+from restitution.planning.impacts import scene_value
+from restitution.planning.scene import Scene
+from restitution.solve.letters import roles
+
+if TYPE_CHECKING:
+    from restitution.planning.claims import Claims
+
+
+@dataclass(frozen=True)
+class Bound:
+    """The line of a bound, the lines on which it rests, where it is reached, and the bound."""
+
+    line: int
+    support: tuple[Ref, ...]
+    place: Link | None
+    right: Expression
+
+
+def write_quotient(claims: Claims, line: int, symbol: sp.Symbol, end: Link) -> Bound | None:
+    """The greatest value of a quotient over a letter, or over the tangent of an angle.
+
+    ``line`` says what the left side of ``end`` is; None where it is no such quotient.
+    """
+    scene, judge = claims.scene, claims.judge
+    role = roles(scene.problem)[symbol.name]
+    t = sp.Dummy("t", positive=True)
+    value = scene_value(scene, scene.desk.last_link(line).right)
+    names = sorted(s.name for s in value.free_symbols if s.name in roles(scene.problem))
+    x = by_tangent(value, symbol, t) if role.kind == "angle" else value.subs(symbol, t)
+    above, below = sp.fraction(sp.factor(sp.together(x)))
+    try:
+        top, poly = (sp.Poly(sp.expand(each), t) for each in (above, below))
+    except sp.PolynomialError:
+        return None
+    if end.sign[0] != "<" or top.monoms() != [(1,)] or poly.degree() != 2:
+        return None
+    a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
+    if a == 0:
+        return None
+    c = tidy(top.nth(1))
+    common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
+    a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
+    if scene.model.sign(a) < 0:
+        a, b, c, d = (tidy(-each) for each in (a, b, c, d))
+    letter: Expression = Letter(symbol.name)
+    own: Expression = Apply("tan", letter) if role.kind == "angle" else letter
+    terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
+    if d != 0:
+        terms.append(tree_of(d))
+    known = judge.known([*names, symbol.name])
+    whole = total(terms)
+    name = _letter_for(scene, whole)
+    let = scene.desk.write(Move("let"), (), Meaning(name, whole))
+    by_name = Relation(((Link(end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
+    quotient = judge.write((Move("put"),), [line, let, *known], by_name)
+    if quotient is None:
+        return None
+    roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
+    gap = square(Binary("-", roots[0], product(roots[1], own)))
+    rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
+    lettered = bool(a.free_symbols | b.free_symbols)
+    if a.free_symbols and b.free_symbols:
+        # A root of a product is not that of its factors: both are as in the square.
+        rest = total((product(tree_of(2), *roots), tree_of(d)))
+    squared = Relation(((Link(Letter(name), "=", total((Binary("/", gap, own), rest))),),))
+    texts = [each for each in known if each not in scene.facts]
+    complete = judge.write((Move("complete"),), [let, *texts], squared)
+    if complete is None:
+        return None
+    least = Relation(((Link(Letter(name), ">=", rest),),))
+    bound = judge.write((Move("sign"),), [complete, *known], least)
+    if bound is None:
+        return None
+    if a.free_symbols and b.free_symbols:
+        end = Link(end.left, end.sign, Binary("/", tree_of(c), rest))
+    last = judge.write((Move("compare"),), [quotient, bound, *known], Relation(((end,),)))
+    if last is None:
+        return None
+    place = Link(own, "=", Binary("/", *roots)) if lettered else None
+    return Bound(last, (quotient, bound), place, end.right)
+
+
+def _letter_for(scene: Scene, tree: Expression) -> str:
+    """The letter that stands for a tree already, or a free one."""
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == tree:
+            return each.relation.letter
+    taken = set(roles(scene.problem)) | {
+        each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)
+    }
+    names = {each.name for each in scene.problem.spheres}
+    names |= {each.name for each in scene.problem.walls}
+    return next(each for each in "SQNKHFG" if each not in taken | names)
+
+
+def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:
+    """An expression of the second degree in sine and cosine of an angle by its tangent."""
+    put: Mapping[sp.Basic, sp.Expr] = {
+        sp.sin(angle): t / sp.sqrt(1 + t**2),
+        sp.cos(angle): 1 / sp.sqrt(1 + t**2),
+        sp.tan(angle): t,
+    }
+    return sp.together(x.xreplace(dict(put)))

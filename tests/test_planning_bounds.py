@@ -1,0 +1,238 @@
+"""Workings of bounds: how each comes about, and what the follower takes of them."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from restitution.explain import to_text
+from restitution.explain.derived import explanation_of
+from restitution.explaining.derivation import Derivation, Line, Move
+from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_meaning, read_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W{e}
+"""
+REST = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass {k}m, at rest
+A hits B: along i{e}
+"""
+
+# Statement, and what its working says.
+SAYS = {
+    "the bound of a letter, put in before it is solved": (
+        WALL.format(e="") + "given energy_lost = 1/3 energy(0)\nfind range of e",
+        ["1/(3(1 − e²)) < 1", "e² < ⅔"],
+    ),
+    "an obtuse deflection": (
+        REST.format(k="4", e=", e = 1/2") + "given deflection(A) > 90°\nfind range of tan(alpha)",
+        ["the angle of deflection of A is more than 90°, so the scalar product is negative:"],
+    ),
+    "an acute angle between two velocities": (
+        (
+            "sphere A: mass 2m, velocity u i + 3u j\nsphere B: mass m, velocity -u i + k u j\n"
+            "A hits B: along i, e = 1/2\ngiven angle(velocity(A), velocity(B)) < 90°, k > -1\n"
+            "find range of k"
+        ),
+        ["so the scalar product is positive:"],
+    ),
+    "a quadratic with irrational ends": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass 4m, at rest\n"
+            "sphere C: mass m, at rest\nA hits B: along i\nB hits C: along i\n"
+            "given A and B do not collide again\nfind range of e"
+        ),
+        ["A and B do not collide again if A does not gain on B along the line of centres:", "² ≤"],
+    ),
+    "two spheres that meet again": (
+        (
+            "wall W: along j\nsphere A: mass m, velocity u i\nsphere B: mass 3m, at rest\n"
+            "A hits B: along i, e = 1/2\nB hits W: e = f\ngiven f > 2/3\nshow A and B collide again"
+        ),
+        ["A and B collide again if A gains on B along the line of centres.", "as f > ⅔"],
+    ),
+    "a wall that is hit again": (
+        (
+            "wall W: along j\nsphere A: mass m, velocity -u i\nsphere B: mass k m, at rest\n"
+            "A hits W: e = 2/3\nA hits B: along i, e = 1/4\ngiven A hits W again\nfind range of k"
+        ),
+        ["A hits W again if it moves towards W:", "k > 4"],
+    ),
+    "a range in two parts": (
+        (
+            "wall W: along i\nsphere P: velocity p i - 5j\nP hits W: e = 2/5\n"
+            "given 3 <= speed(P) <= 7\nfind range of p"
+        ),
+        ["or √5 ≤ p ≤ 3√5"],
+    ),
+    "a deflection at a wall": (
+        WALL.format(e="") + "find range of deflection(P) in terms of alpha",
+        ["0 ≤ tan β ≤ tan α", "δ = α + β", "α ≤ δ ≤ 2α"],
+    ),
+    "a deflection by a sphere at rest": (
+        REST.format(k="", e="") + "find range of deflection(A) in terms of alpha, u",
+        ["≤ δ ≤ 90° − α"],
+    ),
+    "without limit": (
+        (
+            "sphere A: mass m, velocity u at 45°\nsphere B: mass k m, at rest\n"
+            "A hits B: along i, e = 1/3\nfind maximum of deflection(A) over k"
+        ),
+        ["increases with k and tends to 2 as k grows", "as k grows without limit, but not reached"],
+    ),
+    "a greatest value that is only approached, to be shown": (
+        REST.format(k="2", e=", e = 1/4") + "show maximum of energy_lost over alpha = 5/16 m u^2",
+        ["which is approached towards α = 0°, but not reached"],
+    ),
+    "a square as it is defined": (
+        REST.format(k="k ", e=", e = 1/3") + "find minimum of energy(A) over k",
+        ["((3 − k)u cos α/(3(1 + k)))² ≥ 0", "when k = 3"],
+    ),
+    "a difference in factors": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass M, at rest\n"
+            "A hits B: along i, e = 1\nshow energy(B) <= 1/2 m u^2 cos^2(alpha)"
+        ),
+        ["(m − M)²"],
+    ),
+    "a share of at most 1": (
+        REST.format(k="2", e="") + "show energy_lost <= 2/3 energy(0)",
+        ["as (1 − e²) cos²α ≤ 1"],
+    ),
+    "a quotient": (
+        REST.format(k="2", e="")
+        + "given e < 1/2\nshow tan(deflection(A)) <= (1 + e)/sqrt(3(1 - 2e))",
+        ["Let S = ", "² ≥ 0 and α is acute"],
+    ),
+    "both ends of a speed by its square": (
+        WALL.format(e="") + "given speed(P) = v\nfind range of v in terms of u, alpha",
+        ["v² ≥ u² cos²α", "u cos α ≤ v ≤ u"],
+    ),
+    "a range with a condition": (
+        REST.format(k="", e="") + "given speed(B) > speed(A)\nfind range of alpha in terms of e",
+        ["tan²α < e", "0° < α < arctan(√e)"],
+    ),
+    "a letter that is positive": (
+        REST.format(k="k ", e=", e = 1/2") + "given along(velocity(A), i) > 0\nfind range of k",
+        ["0 < k < 2, as k > 0"],
+    ),
+}
+
+
+@cache
+def worked(name: str) -> tuple[Problem, Derivation]:
+    problem = parse(SAYS[name][0])
+    return problem, plan(solve(problem))
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_the_follower_accepts_it(name: str) -> None:
+    problem, derivation = worked(name)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_it_says_how_the_bound_comes_about(name: str) -> None:
+    problem, derivation = worked(name)
+    text = re.sub(r"\s+", " ", to_text(explanation_of(derivation, problem)))
+    for each in SAYS[name][1]:
+        assert each in text
+
+
+# --- what the follower takes ----------------------------------------------------------------------
+
+
+def reasons(statement: str, *lines: tuple[Move, tuple[object, ...], str]) -> list[str]:
+    problem = parse(statement)
+    names = {each.name: "sphere" for each in problem.spheres}
+    names |= {each.name: "wall" for each in problem.walls}
+    written = tuple(
+        Line(
+            number,
+            "a",
+            move,
+            refs,  # type: ignore[arg-type]
+            read_meaning(text, names) if move.id == "let" else read_relation(text, names),
+        )
+        for number, (move, refs, text) in enumerate(lines, 1)
+    )
+    whole = Derivation(facts_of(problem), written, (), events_of(problem))
+    complaints = follow(whole, Oracle(roles(problem)))
+    return [each.reason for each in complaints if each.reason != "leads-nowhere"]
+
+
+GIVEN = WALL.format(e="") + "given deflection(P) > 90°\nfind range of e"
+BEFORE = (
+    (
+        Move("law", "unchanged", 1, ("P",)),
+        ("velocity P", "wall W", "axis 1"),
+        "along(velocity(P, 1), i)",
+    ),
+    (
+        Move("law", "restitution-wall", 1, ("P",)),
+        ("velocity P", "wall W", "axis 1", "e 1"),
+        "along(velocity(P, 1), j)",
+    ),
+)
+
+
+@pytest.mark.parametrize(
+    ("sign", "right"), [("<", True), (">", False), ("<=", False), ("=", False)]
+)
+def test_an_obtuse_angle_has_a_negative_product(sign: str, right: bool) -> None:
+    found = reasons(
+        GIVEN,
+        (*BEFORE[0][:2], BEFORE[0][2] + " = u cos(alpha)"),
+        (*BEFORE[1][:2], BEFORE[1][2] + " = e u sin(alpha)"),
+        (
+            Move("define", "perpendicular", 1, ("P",)),
+            ("given 1", "velocity P", "wall W", 1, 2),
+            f"-(u sin(alpha))(e u sin(alpha)) + (u cos(alpha))(u cos(alpha)) {sign} 0",
+        ),
+    )
+    assert ("does-not-follow" not in found) == right
+
+
+@pytest.mark.parametrize(
+    ("bound", "right"),
+    [("s < 3", True), ("s < 2", False), ("s <= 3", False), ("s > 0", True), ("s > 3", False)],
+)
+def test_a_positive_letter_grows_without_limit(bound: str, right: bool) -> None:
+    found = reasons(
+        REST.format(k="k ", e="") + "let s = 3k/(4 + k)\nfind s",
+        (Move("fact"), ("let s",), "s = 3k/(4 + k)"),
+        (Move("monotone"), (1,), bound),
+    )
+    assert ("does-not-follow" not in found) == right
+
+
+@pytest.mark.parametrize(
+    ("bound", "right"),
+    [
+        ("beta <= 90° - alpha", True),
+        ("beta <= alpha", False),
+        ("beta < 90° - alpha", False),
+        ("beta >= 90° - alpha", False),
+    ],
+)
+def test_an_angle_is_bounded_by_its_tangent(bound: str, right: bool) -> None:
+    found = reasons(
+        WALL.format(e="")
+        + "let beta = angle(velocity(P), W)\ngiven tan(beta) <= 1/tan(alpha)\nfind e",
+        (Move("fact"), ("given 1",), "tan(beta) <= 1/tan(alpha)"),
+        (Move("compare"), (1, "0° <= beta <= 90°", "acute: alpha"), bound),
+    )
+    assert ("does-not-follow" not in found) == right
