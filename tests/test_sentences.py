@@ -25,6 +25,7 @@ NOT_FOR_READERS = {
     "sentences.py",
     "principles.py",
     "algebra.py",
+    "awarding.py",
     "definitions.py",
     "derivation.py",
     "facts.py",
@@ -39,6 +40,7 @@ NOT_FOR_READERS = {
     "storing.py",
     "tracing.py",
     "trees.py",
+    "trials.py",
 }
 SOURCE = Path(restitution.examples.__file__).parent.parent
 PACKAGE = SOURCE / "explain"

@@ -71,14 +71,6 @@ def proved_sign(oracle: Oracle, x: sp.Expr) -> int | None:
         return None
 
 
-def _may_not_vanish(gap: sp.Expr, numbers: Mapping[str, Any]) -> bool:
-    """Whether it is worth asking, in intervals, for the sign of an expression at a point."""
-    try:
-        return bool(at(gap, numbers).sign)
-    except (UndefinedError, KeyError, ArithmeticError):
-        return False
-
-
 @remembered(256)
 def _admitted(
     roles: tuple[tuple[str, Role], ...], facts: tuple[Formula, ...], names: frozenset[str]

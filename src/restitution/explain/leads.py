@@ -328,8 +328,8 @@ class Leads:
         whole = base.relation.options[0][0]
         for side in (whole.right, whole.left):
             form = _form_of(side) if isinstance(side, Binary) else ""
-            if form in ("sum", "difference"):
-                return f"derived.tangent-of-{form}"
+            if form in _TANGENTS:
+                return _TANGENTS[form]
         return name
 
     def _turned(self, line: Line) -> Sentence | None:
@@ -352,11 +352,11 @@ class Leads:
         form = _form_of(first.right)
         alone = len(line.move.bodies) == 1
         if not alone:
-            return say(f"between.{_BETWEEN[form]}", bodies=line.move.bodies)
+            return say(_BETWEEN[form], bodies=line.move.bodies)
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
-        return say(f"turned.{_TURNED[form]}", body=body)
+        return say(_TURNED[form], body=body)
 
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""
@@ -550,15 +550,20 @@ def _value(tree: Expression) -> sp.Expr:
 
 
 # How an angle is made of two to the line of centres, and what is said of it.
-_TURNED = {"difference": "on", "rest of sum": "back", "straight": "straight"}
+_TANGENTS = {"sum": "derived.tangent-of-sum", "difference": "derived.tangent-of-difference"}
+_TURNED = {
+    "difference": "turned.on",
+    "rest-of-sum": "turned.back",
+    "straight": "turned.straight",
+}
 _BETWEEN = {
-    "sum": "opposite-sides",
-    "difference": "one-side",
-    "rest of sum": "opposite-senses",
-    "rest of difference": "both-opposite",
-    "square": "square-same",
-    "square and more": "square-opposite",
-    "straight": "right",
+    "sum": "between.opposite-sides",
+    "difference": "between.one-side",
+    "rest-of-sum": "between.opposite-senses",
+    "rest-of-difference": "between.both-opposite",
+    "square": "between.square-same",
+    "square-and-more": "between.square-opposite",
+    "straight": "between.right",
 }
 
 
@@ -569,13 +574,13 @@ def _form_of(angle: Expression) -> str:
         case Degrees():
             return "straight"
         case Binary("+" | "-" as sign, left, other) if right in (left, other):
-            return "square" if sign == "-" else "square and more"
+            return "square" if sign == "-" else "square-and-more"
         case Binary("+", Binary("-", left, _), _) if left == straight:
-            return "rest of difference"
+            return "rest-of-difference"
         case Binary("+"):
             return "sum"
         case Binary("-", Binary("-", left, _), _) if left == straight:
-            return "rest of sum"
+            return "rest-of-sum"
     return "difference"
 
 

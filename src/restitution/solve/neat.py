@@ -47,18 +47,6 @@ def neat(x: sp.Expr) -> sp.Expr:
     return pythagoras(sp.factor_terms(result))
 
 
-@remembered(512)
-def linear_solution(
-    equations: tuple[sp.Expr, ...], unknowns: tuple[sp.Symbol, ...]
-) -> tuple[sp.Expr, ...] | None:
-    """The one solution of linear equations (each = 0), or None."""
-    try:
-        found = list(sp.linsolve(equations, *unknowns))
-    except (ValueError, NotImplementedError):
-        return None
-    return tuple(found[0]) if len(found) == 1 else None
-
-
 def _has_sums_inside(x: sp.Expr) -> bool:
     """Whether more than a number stands under a root or between bars: SymPy orders that too."""
     if x.has(sp.sign, sp.atan, sp.atan2, sp.Abs):
