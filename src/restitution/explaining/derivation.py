@@ -8,7 +8,7 @@ language. They are never evaluated when they are built: ``3((-4i - j) - (2i + 7j
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal, get_args
@@ -302,3 +302,32 @@ def whole_of(links: tuple[Link, ...]) -> Link | None:
 def equation(left: Expression, right: Expression) -> Relation:
     """``left = right`` as a relation."""
     return Relation(((Link(left, "=", right),),))
+
+
+# --- where facts are in force --------------------------------------------------------------------
+
+
+def scopes_of(facts: Iterable[Fact]) -> dict[Ref, frozenset[str | None] | None]:
+    """The parts in which each fact is given, by its id; None where it is given in all.
+
+    What is given in several parts in the same words holds in each of them.
+    """
+    own = tuple(facts)
+    parts: dict[Relation, set[str | None]] = {}
+    for each in own:
+        parts.setdefault(each.relation, set()).add(each.part)
+    return {
+        each.id: None if None in parts[each.relation] else frozenset(parts[each.relation])
+        for each in own
+    }
+
+
+def common_scope(
+    scopes: Iterable[frozenset[str | None] | None],
+) -> frozenset[str | None] | None:
+    """The parts in which all of some premises hold; None where they hold in all parts."""
+    found: frozenset[str | None] | None = None
+    for each in scopes:
+        if each is not None:
+            found = each if found is None else found & each
+    return found

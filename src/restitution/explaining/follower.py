@@ -10,6 +10,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal
 
 from restitution.explaining.algebra import NotComparableError, Plane
@@ -23,6 +24,8 @@ from restitution.explaining.derivation import (
     Note,
     Ref,
     Relation,
+    common_scope,
+    scopes_of,
 )
 from restitution.explaining.excluding import excludes
 from restitution.explaining.signs import Signs
@@ -267,7 +270,8 @@ class _Reader:
         self.facts = {each.id: each for each in derivation.facts}
         self.parts = derivation.asked
         self.setting = setting_of(derivation, oracle)
-        self._parts: dict[Ref, set[str]] = {}
+        self._scopes: dict[Ref, frozenset[str | None] | None] = {}
+        self._given_in = scopes_of(derivation.facts)
 
     def complaints(self) -> Iterator[Complaint]:
         numbers = list(self._numbers())
@@ -436,7 +440,7 @@ class _Reader:
                     yield Complaint("premise-below", line.number, ref)
                 elif not self._within_case(line.number, ref):
                     yield Complaint("premise-of-another-case", line.number, ref)
-                elif line.item is not None and not self._parts_under(ref) <= {part}:
+                elif line.item is not None and not self._holds(ref, part):
                     yield Complaint("premise-of-another-part", line.number, ref)
             elif ref in self.facts:
                 fact = self.facts[ref]
@@ -452,20 +456,24 @@ class _Reader:
             own.get(n) and own[n] <= options for n, options in self._options(premise).items()
         )
 
-    def _parts_under(self, ref: Ref) -> set[str]:
-        """The parts of the facts on which a line rests."""
+    def _scope(self, ref: Ref) -> frozenset[str | None] | None:
+        """The parts in which a fact, or all on which a line rests, is given; None: in all."""
         if isinstance(ref, str):
-            fact = self.facts.get(ref)
-            return set() if fact is None or fact.part is None else {fact.part}
-        if ref not in self._parts:
-            self._parts[ref] = set()
-            self._parts[ref] = {
-                p for own in self.lines[ref].premises for p in self._known_parts(own)
-            }
-        return self._parts[ref]
+            return self._given_in.get(ref)
+        if ref not in self._scopes:
+            self._scopes[ref] = None
+            known = (each for each in self.lines[ref].premises if each in self._known_refs)
+            self._scopes[ref] = common_scope(map(self._scope, known))
+        return self._scopes[ref]
 
-    def _known_parts(self, ref: Ref) -> set[str]:
-        return self._parts_under(ref) if isinstance(ref, str) or ref in self.lines else set()
+    @cached_property
+    def _known_refs(self) -> frozenset[Ref]:
+        return frozenset((*self.lines, *self.facts))
+
+    def _holds(self, ref: Ref, part: str | None) -> bool:
+        """Whether a fact, or a line, holds in a part."""
+        scope = self._scope(ref)
+        return scope is None or part in scope
 
     def _line(self, line: Line) -> Iterator[Complaint]:
         if isinstance(line.relation, Meaning):
@@ -569,7 +577,7 @@ class _Reader:
                 continue
             other = {c.number for c in self.derivation.cases if each.number in c.lines}
             part = self.parts.get(line.item or "")
-            if line.item is not None and not self._parts_under(each.number) <= {part}:
+            if line.item is not None and not self._holds(each.number, part):
                 continue  # it rests on what holds in another part
             if not case or not other or case & other:
                 yield Complaint("said-before", line.number, each.number)
@@ -661,8 +669,7 @@ class _Reader:
     def _in_force(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
         """Facts of one part hold for no other, by whatever lines they come to it."""
         for ref in sorted(each for each in under if isinstance(each, str)):
-            fact = self.facts.get(ref)
-            if fact is not None and fact.part not in (None, end.part):
+            if ref in self.facts and not self._holds(ref, end.part):
                 yield Complaint("premise-of-another-part", end.line, ref)
 
     def _end(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
@@ -672,7 +679,7 @@ class _Reader:
             return
         if not _same(line.relation, end.answer):
             yield Complaint("not-the-answer", end.line, end.item)
-        if line.item != end.item and not self._parts_under(end.line) <= {end.part}:
+        if line.item != end.item and not self._holds(end.line, end.part):
             yield Complaint("premise-of-another-part", end.line, end.item)
         if not end.shown:
             return
@@ -695,7 +702,7 @@ class _Reader:
             if not known and (isinstance(ref, int) or known_of_letters(ref, self.setting) is None):
                 yield Complaint("premise-unknown", None, ref)
                 bad = True
-            elif not self._parts_under(ref) <= {note.part}:
+            elif not self._holds(ref, note.part):
                 yield Complaint("premise-of-another-part", None, ref)
         if bad or not note.premises or note.kind not in _EXCLUDING:
             return
@@ -730,8 +737,10 @@ class _Reader:
             if fact.part in idle or (fact.part is None and idle):
                 continue
             under = every if fact.part is None else used.get(fact.part, set())
-            sense = fact.id.replace("given", "sense")
-            if fact.id not in under and sense not in under:
+            # What several parts are given is one fact.
+            alike = [e.id for e in self.derivation.facts if e.relation == fact.relation]
+            senses = [each.replace("given", "sense") for each in alike]
+            if not under & {*alike, *senses}:
                 yield Complaint("fact-not-used", None, fact.id)
 
 

@@ -23,6 +23,8 @@ from restitution.explaining.derivation import (
     Relation,
     Route,
     Sign,
+    common_scope,
+    scopes_of,
 )
 from restitution.explaining.trees import said
 from restitution.expression.tree import Expression
@@ -44,6 +46,8 @@ class NotPlannedError(Exception):
 UNPLANNED = (NotPlannedError, UnwrittenError, UnsupportedError)
 """What has no plan, what no line says, and what the story does not tell exactly."""
 
+Scope = frozenset[str | None] | None
+"""The parts in which something holds; None where it holds in all."""
 
 # The moves that say what stands above once more.
 _LAST = frozenset({"answer", "shown"})
@@ -143,11 +147,14 @@ class Desk:
     version: int = 0
     """How often what is known has changed."""
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
-    _parts: dict[Ref, frozenset[str]] = field(default_factory=dict)
+    _scopes: dict[Ref, Scope] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for each in self.facts:
-            self._parts[each.id] = frozenset(() if each.part is None else (each.part,))
+        self._scopes |= scopes_of(self.facts)
+        # A line may rest on what another part is given in the same words; a fact is cited at home.
+        self._own: dict[Ref, Scope] = {
+            each.id: None if each.part is None else frozenset({each.part}) for each in self.facts
+        }
 
     # --- lines ----------------------------------------------------------------------------------
 
@@ -174,7 +181,7 @@ class Desk:
                 return each.number
         number = len(self.lines) + 1
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
-        self._parts[number] = frozenset(part for ref in refs for part in self._of(ref))
+        self._scopes[number] = common_scope(map(self._scope, refs))
         return number
 
     def line(self, number: int) -> Line:
@@ -203,13 +210,13 @@ class Desk:
                 pending += self.line(ref).premises if isinstance(ref, int) else ()
         return frozenset(found)
 
-    def _of(self, ref: Ref) -> frozenset[str]:
-        return self._parts.get(ref, frozenset())
+    def _scope(self, ref: Ref) -> Scope:
+        return self._scopes.get(ref)
 
     def holds(self, ref: Ref) -> bool:
         """Whether what a line rests on is in force in the part that is written."""
-        own = self._of(ref)
-        return not own or own == {self.part}
+        scope = self._own.get(ref, self._scope(ref))
+        return scope is None or self.part in scope
 
     # --- values ---------------------------------------------------------------------------------
 
@@ -240,7 +247,7 @@ class Desk:
             notes=list(self.notes),
             shown=list(self.shown),
             _sources={each: list(own) for each, own in self._sources.items()},
-            _parts=dict(self._parts),
+            _scopes=dict(self._scopes),
         )
 
     def forget(self, number: int) -> None:
@@ -249,8 +256,7 @@ class Desk:
             kept = [e for e in own if all(isinstance(r, str) or r < number for r in e.whole)]
             self._sources[key] = kept
         for line in self.lines:
-            parts = (part for ref in line.premises for part in self._of(ref))
-            self._parts[line.number] = frozenset(parts)
+            self._scopes[line.number] = common_scope(map(self._scope, line.premises))
 
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item."""
@@ -271,7 +277,7 @@ class Desk:
         """The state of the desk, to which ``back`` returns."""
         sources = {key: list(values) for key, values in self._sources.items()}
         counts = len(self.lines), len(self.ends), len(self.notes), len(self.others)
-        return Mark(*counts, sources, dict(self._parts), self.splits)
+        return Mark(*counts, sources, dict(self._scopes), self.splits)
 
     def back(self, mark: Mark) -> None:
         """Takes away all that was written since a mark."""
@@ -280,7 +286,7 @@ class Desk:
         del self.ends[mark.ends :]
         del self.notes[mark.notes :]
         self._sources = {key: list(values) for key, values in mark.sources.items()}
-        self._parts = dict(mark.parts)
+        self._scopes = dict(mark.scopes)
         self.splits = mark.splits
         del self.others[mark.others :]
         self.shown = [each for each in self.shown if each <= mark.lines]
@@ -295,5 +301,5 @@ class Mark:
     notes: int
     others: int
     sources: Mapping[Expression, list[Source]]
-    parts: Mapping[Ref, frozenset[str]]
+    scopes: Mapping[Ref, Scope]
     splits: tuple[tuple[int, int], ...]

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Name,
     Quantity,
     Unit,
@@ -100,6 +101,11 @@ _RECORDS = {
 def write_given(scene: Scene, each: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
     own = each.link
+    told = each.fact.relation.only[0].left
+    if isinstance(told, Letter) and f"let {told.name}" in scene.facts:
+        quoted = _quoted_as(scene, each, told)
+        if quoted is not None:
+            return quoted
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
         return write_tie(scene, each)
     if is_sum(scene, each):
@@ -151,9 +157,17 @@ _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
     """What is given of a quantity that stands in letters already: the two are equal."""
     turned = quantity.kind in ("angle", "deflection")
-    if (quantity.kind not in _QUOTED and not turned) or has_quantity(each.link.right):
+    if quantity.kind not in _QUOTED and not turned:
         return None
-    known = scene.desk.known(Apply("tan", quantity) if turned else quantity)
+    return _quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
+
+
+def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
+    """The same of what stands as a quantity, as its tangent, or as a letter for it."""
+    turned = isinstance(subject, Apply)
+    if has_quantity(each.link.right):
+        return None
+    known = scene.desk.known(subject)
     if known is None or not scene.unknown(known.value):
         return None
     value, refs = scene.put(known.value)
@@ -505,7 +519,7 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 continue
             known = scene.desk.known(node) if node.kind in _QUOTED else None
             if known is not None and not isinstance(known.value, Vector):
-                value, more = scene.put(known.value)
+                value, more = scene.with_values(known.value)
                 values[node] = tree_of(value)
                 refs += [*known.refs, *more]
                 continue

@@ -80,10 +80,10 @@ class Ties:
                     yield line
 
     def _without_roots(self, line: int) -> int:
-        """An equation, or the one above it of which it gives a root."""
+        """An equation, or the one above it of which it gives a root, or the angle."""
         desk = self.scene.desk
         number = line
-        while _has_root(desk.relation(number)):
+        while desk.line(number).move.id == "inverse" or _has_root(desk.relation(number)):
             above = [
                 ref
                 for ref in desk.line(number).premises

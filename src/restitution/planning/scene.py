@@ -274,7 +274,7 @@ class Scene:
             if times and any(times.get(each, 0) >= _MOST for each in bare):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare:
-                source = self.desk.known(Letter(symbol.name))
+                source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
                 if source is not None:
                     changes[symbol] = source.value
                     refs += source.refs
@@ -293,10 +293,16 @@ class Scene:
             own = own.xreplace(changes)
         return own, together(refs)
 
+    def _is_basic(self, symbol: sp.Basic) -> bool:
+        """Whether a part says everything in terms of a letter, whatever other parts find it is."""
+        return symbol.name in self.model.unknowns.roles and symbol not in self.model.final
+
     def _ratio(self, ratio: sp.Expr) -> Source | None:
         """The number that a sine, cosine or tangent is by the data, written down when wanted."""
         (argument,) = ratio.args
         if not argument.is_Symbol:
+            return None
+        if self._is_basic(argument) and self._ratio_fact(argument) is None:
             return None
         tree = Apply(type(ratio).__name__, Letter(argument.name))
         known = self.desk.known(tree)
@@ -324,7 +330,7 @@ class Scene:
         changes = {}
         refs: list[Ref] = []
         for symbol in ratio.free_symbols:
-            source = self.desk.known(Letter(symbol.name))
+            source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
             if source is not None:
                 changes[symbol] = source.value
                 refs += source.refs

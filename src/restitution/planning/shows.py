@@ -124,6 +124,8 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
     match link.left:
         case Quantity(kind, _, int()) if kind in _QUOTED:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Letter(name) if f"let {name}" in scene.facts:
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Apply("tan", Quantity("angle" | "deflection", _, int() | None)):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case left if not has_quantity(left) and not scene.lets_in(link):
