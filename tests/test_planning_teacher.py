@@ -250,3 +250,58 @@ find e
 """
     assert "V = 2/3 (1 + e) c" in said(text)
     assert said(text)[-1] == "e = 1/2"
+
+
+SHARED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+part a
+given velocity(A) perpendicular to velocity(A, 0)
+{first}
+part b
+given velocity(A) perpendicular to velocity(A, 0){more}
+{second}
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "more", "second", "last"),
+    [
+        ("show tan^2(alpha) = (3e - 1)/4", ", e = 2/3", "find alpha", "alpha = arctan(1/2)"),
+        ("find tan(alpha) in terms of e", ", e = 2/3", "find alpha", "alpha = arctan(1/2)"),
+        (
+            "show tan^2(alpha) = (3e - 1)/4",
+            "\nunknown e",
+            "find range of alpha",
+            "0° < alpha <= arctan(1/sqrt(2))",
+        ),
+    ],
+)
+def test_what_two_parts_are_given_is_used_once(
+    first: str, more: str, second: str, last: str
+) -> None:
+    text = SHARED.format(first=first, more=more, second=second)
+    derivation = planned(text)
+    assert [each.move.record for each in derivation.lines].count("perpendicular") == 1
+    assert said(text)[-1] == last
+
+
+def test_a_fact_of_one_part_alone_holds_in_no_other() -> None:
+    first, second = "find tan(alpha) in terms of e", "find e"
+    text = SHARED.format(first=first, more="", second=second)
+    own = "perpendicular to velocity(A, 0)\nfind e"
+    derivation = planned(text.replace(own, "parallel to j\nfind e"))
+    (end,) = (each for each in derivation.items if each.part == "b")
+    assert "given 1" not in lines_under(derivation, end.line)
+
+
+def lines_under(derivation: Derivation, number: int) -> set[object]:
+    """A line, and all that it rests on."""
+    line = derivation.line(number)
+    assert line is not None
+    found: set[object] = set(line.premises)
+    for ref in line.premises:
+        if isinstance(ref, int):
+            found |= lines_under(derivation, ref)
+    return found

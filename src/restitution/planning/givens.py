@@ -162,13 +162,19 @@ def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None
     return _quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
 
 
+def _has_root(value: sp.Expr) -> bool:
+    """Whether letters stand below a root: then the squares of components are simpler."""
+    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
+    return any(each.exp.is_Rational and each.exp.q == 2 and each.free_symbols for each in roots)
+
+
 def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
     """The same of what stands as a quantity, as its tangent, or as a letter for it."""
     turned = isinstance(subject, Apply)
     if has_quantity(each.link.right):
         return None
     known = scene.desk.known(subject)
-    if known is None or not scene.unknown(known.value):
+    if known is None or not scene.unknown(known.value) or _has_root(known.value):
         return None
     value, refs = scene.put(known.value)
     right, more = scene.put(scene.scalar(each.link.right))
@@ -181,7 +187,10 @@ def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | 
     names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
     lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
-        Move("put"), (*known.refs, *each.refs), relation, together(lets, refs, more)
+        Move("put"),
+        (*known.refs, each.fact.id),
+        relation,
+        together(each.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
