@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from restitution.wording.html import to_fragment, to_html
-from restitution.wording.markup import to_markdown
-from restitution.wording.structure import (
-    Block,
-    Listing,
-    Named,
-    Paragraph,
-    QuestionPart,
-    Sentence,
-    Words,
-)
-from restitution.wording.telling import asked, question
-from restitution.wording.text import to_text
-from restitution.wording.typst import to_typst
-from restitution.wording.whole import Question
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from restitution.wording.html import to_fragment as to_fragment
+    from restitution.wording.html import to_html as to_html
+    from restitution.wording.markup import to_markdown as to_markdown
+    from restitution.wording.structure import Block as Block
+    from restitution.wording.structure import Listing as Listing
+    from restitution.wording.structure import Named as Named
+    from restitution.wording.structure import Paragraph as Paragraph
+    from restitution.wording.structure import QuestionPart as QuestionPart
+    from restitution.wording.structure import Sentence as Sentence
+    from restitution.wording.structure import Words as Words
+    from restitution.wording.telling import asked as asked
+    from restitution.wording.telling import question as question
+    from restitution.wording.text import to_text as to_text
+    from restitution.wording.typst import to_typst as to_typst
+    from restitution.wording.whole import Question as Question
 
 __all__ = [
     "Block",
@@ -35,3 +38,30 @@ __all__ = [
     "to_text",
     "to_typst",
 ]
+
+_MODULES = {
+    "Block": "structure",
+    "Listing": "structure",
+    "Named": "structure",
+    "Paragraph": "structure",
+    "Question": "whole",
+    "QuestionPart": "structure",
+    "Sentence": "structure",
+    "Words": "structure",
+    "asked": "telling",
+    "question": "telling",
+    "to_fragment": "html",
+    "to_html": "html",
+    "to_markdown": "markup",
+    "to_text": "text",
+    "to_typst": "typst",
+}
+
+
+def __getattr__(name: str) -> Any:
+    # Who only asks for the units of a statement needs no question in words.
+    if name in _MODULES:
+        from importlib import import_module
+
+        return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
