@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
 from fractions import Fraction
+from typing import Any
 
+from restitution.explain import to_text
 from restitution.explain.derived import explanation_of
 from restitution.explain.explanation import Explanation
 from restitution.explain.steps import Step
@@ -13,6 +17,7 @@ from restitution.explaining.derivation import Derivation, Line, Meaning, Relatio
 from restitution.explaining.saying import Sentence, Slot
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Number, Quantity, walk
+from restitution.render import layout as lay
 from restitution.solve import Solution
 
 
@@ -142,6 +147,50 @@ def order_of_events(solution: Solution, derivation: Derivation) -> list[str]:
     return found
 
 
+def vectors_introduced(solution: Solution, derivation: Derivation) -> list[str]:
+    """A letter of a velocity, or of a unit vector, is introduced before it is used."""
+    found = []
+    known: set[lay.Bold] = set()
+    for part in _printed(solution, derivation).parts:
+        for step in part.steps:
+            said = {each for sentence in step.sentences for each in _bold(sentence)}
+            if step.kind == "setting":
+                known |= said
+            rows = {each for row in step.rows for each in _bold((row.operands, row.reasons))}
+            for each in sorted((said | rows) - known, key=repr):
+                found.append(f"{each.name}_{each.subscript} in part {part.label}")
+    return found
+
+
+def _bold(tree: Any) -> Iterator[lay.Bold]:
+    """The letters of velocities and unit vectors in what is printed."""
+    if isinstance(tree, tuple):
+        for each in tree:
+            yield from _bold(each)
+    elif isinstance(tree, Sentence):
+        yield from _bold(tuple(slot for _, slot in tree.slots))
+    elif isinstance(tree, lay.Bold) and tree.name in ("u", "v", "n", "t"):
+        yield tree
+    elif is_dataclass(tree) and not isinstance(tree, type):
+        for each in fields(tree):
+            yield from _bold(getattr(tree, each.name))
+
+
+def brackets(solution: Solution, derivation: Derivation) -> list[str]:
+    """In text no line of mathematics ends within brackets."""
+    found = []
+    depth = 0
+    text = re.sub(r"\(as(\s+)required\)", r"as\1required", to_text(_printed(solution, derivation)))
+    for line in text.split("\n"):
+        if not line.startswith("    "):
+            depth = 0
+            continue
+        if depth > 0:
+            found.append(line.strip())
+        depth = max(0, depth + line.count("(") - line.count(")"))
+    return found
+
+
 PRINTED = {
     "headings say something new": headings,
     "titles say something new": titles,
@@ -149,4 +198,6 @@ PRINTED = {
     "numbers are cited": numbers,
     "marks are for work": marks_of_work,
     "the story is in order": order_of_events,
+    "vectors are introduced": vectors_introduced,
+    "brackets stay on a line": brackets,
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -251,12 +252,14 @@ def _cut(text: str, room: int) -> list[str]:
 
 def _chunks(text: str, inside: bool) -> list[str]:
     """Pieces between which a line may end, those ``inside`` brackets too."""
-    tokens = text.split(" ")
+    # Of one name of several words over another, the second may have a line of its own.
+    tokens = re.sub(r"([a-z]\))/(\([a-z]{2})", r"\1 /\2", text).split(" ")
     chunks = [tokens[0]]
     depth = _opened(tokens[0])
     for before, token in pairwise(tokens):
         words = before.isalpha() and token.isalpha() and len(token) > 1
-        if (token in _BREAKS or words) and (inside or depth <= 0):
+        over = token.startswith("/(")
+        if (token in _BREAKS or words or over) and (inside or depth <= 0):
             chunks.append(token)
         else:
             chunks[-1] += f" {token}"

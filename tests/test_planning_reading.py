@@ -1,0 +1,115 @@
+"""How planned workings read: letters and their introductions, reasons, quotients, lines."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+from laws_of_printing import PRINTED
+
+from restitution.explain import explain, to_text
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
+
+VECTORS = """
+sphere A: mass 2, velocity 7i + j
+sphere B: mass 3, velocity 2i - 4j
+A hits B: along 3i + 4j, e = 1/2
+find velocity(A), velocity(B)
+"""
+SPEED = """
+sphere A: mass m, velocity 2u i
+sphere B: mass m, at rest
+A hits B: along 60°, e = 1/3
+find speed(A)
+"""
+WALLS = """
+wall V: along j
+wall W: along i
+sphere P: velocity 3u i + 4u j
+P hits V: e = 1/3
+P hits W: e = 1/2
+find velocity(P), deflection(P)
+"""
+SLANTING = """
+wall W: along i + 2j
+sphere P: mass 2, velocity 3i + j
+P hits W: e = 1
+find angle(velocity(P), W)
+"""
+THREE = """
+sphere A: mass 2m, velocity u i
+sphere B, C: mass m, at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+find velocity(B), velocity(C)
+"""
+HALF = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given angle(velocity(P), W) = alpha/2
+find alpha
+"""
+TANGENT = """
+wall W: along i
+sphere P: mass 0.2, velocity 10 at arctan(4/3) from -j
+P hits W: e = 0.5
+find velocity(P), angle(velocity(P), W)
+"""
+ASIDE = """
+sphere A, B: mass m, radius r
+sphere A: velocity u i
+sphere B: at rest
+A hits B: offset 6r/5, e = 1/2
+find speed(A)
+"""
+
+READINGS = [
+    (VECTORS, "Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact."),
+    (VECTORS, "Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact."),
+    (VECTORS, "Let 𝐧 = (3𝐢 + 4𝐣)/5 be the unit vector along the line of centres"),
+    (VECTORS, "𝐮_A · 𝐧 = (3 × 7 + 4)/5 = 5 m s⁻¹"),
+    (SPEED, "those perpendicular to the line of centres in the direction of −(√3/2)𝐢 + ½𝐣:"),
+    (WALLS, "Let 𝐯₁ be the velocity of P after the first impact."),
+    (WALLS, "Let 𝐯₂ be the velocity of P after the second impact."),
+    (SLANTING, "tan β = √5/√5 = 1"),
+    (THREE, "Let v₁ and w₁ be the components of the velocities of A and B"),
+    (THREE, "Let v₂ and w₂ be the components of the velocities of B and C"),
+    (HALF, "Dividing by t, which is not zero as α is acute:"),
+    (TANGENT, "An angle with tangent 4/3 has sine 0.8 and cosine 0.6."),
+    (TANGENT, "tan β = ⅜ = 0.375"),
+    (ASIDE, "makes with the path an angle with sine"),
+]
+STATEMENTS = list(dict.fromkeys(statement for statement, _ in READINGS))
+
+
+@cache
+def working(statement: str) -> tuple[Solution, Derivation]:
+    solution = solve(parse(statement))
+    return solution, plan(solution)
+
+
+@cache
+def text(statement: str) -> str:
+    solution, _ = working(statement)
+    return re.sub(r"\s+", " ", to_text(explain(solution)))
+
+
+@pytest.mark.parametrize(("statement", "words"), READINGS, ids=[each for _, each in READINGS])
+def test_a_working_says(statement: str, words: str) -> None:
+    assert words in text(statement)
+
+
+@pytest.mark.parametrize("statement", STATEMENTS, ids=range(len(STATEMENTS)))
+def test_workings_are_accepted_and_keep_the_laws(statement: str) -> None:
+    solution, derivation = working(statement)
+    assert not follow(derivation, Oracle(roles(solution.problem)))
+    for law in ("vectors are introduced", "brackets stay on a line", "titles say something new"):
+        assert not PRINTED[law](solution, derivation), law
