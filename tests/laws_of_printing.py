@@ -82,10 +82,11 @@ def numbers(solution: Solution, derivation: Derivation) -> list[str]:
     found = []
     for part in _printed(solution, derivation).parts:
         for step in part.steps:
-            for sentence in step.sentences:
+            reasons = (each for row in step.rows for each in row.reasons)
+            for sentence in (*step.sentences, *reasons):
                 for number in _numbers_in(sentence):
                     cited.add(number)
-                    if number not in above:
+                    if number not in above and sentence in step.sentences:
                         found.append(f"({number}) is cited above its line")
             above += [row.number for row in step.rows if row.number]
     if above != [str(n) for n in range(1, len(above) + 1)]:

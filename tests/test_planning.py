@@ -37,12 +37,9 @@ LAWS = {**MADE, **PRINTED, **STEPS}
 NOT_YET = {
     # A quantity is used in words before its letter comes.
     "letters come first": {
-        "075-range-of-offset",
-        "100-turned-through-more-than-a-right-angle",
-        "207-obtuse-deflection-show",
+        "047-wall-show-false",
         "236-distance-apart-t",
         "423-half-angle",
-        "greatest-deflection-shown",
     },
     # The values are too long in the letters that are asked.
     "brackets stay on a line": {
@@ -51,6 +48,10 @@ NOT_YET = {
         "305-step-max-phi-e",
         "517-greek-subscripts",
         "559-STEP-lowest-energy-after-over-e",
+        "577-show-identity-with-deflection",
+        "607-deflection-letters-equation",
+        "616-three-decimals-show",
+        "622-let-angle-of-B",
         "common-mistakes",
     },
     "vectors stay vectors": {"286-triangular-table"},
