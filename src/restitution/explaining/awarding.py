@@ -154,7 +154,13 @@ RULES: tuple[Rule, ...] = (
         "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
     ),
     _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
-    _rule("difference-of-angles", ("define",), "", ("difference",), ("of-angles", "on-the-way")),
+    _rule(
+        "difference-of-angles",
+        ("define",),
+        "",
+        ("difference",),
+        ("of-angles", "in-letters", "on-the-way"),
+    ),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
@@ -709,8 +715,17 @@ def _of_facts(work: _Awarding, line: Line) -> bool:
     return all(isinstance(each.relation, Meaning) for each in work.cited(line))
 
 
+def _in_letters(work: _Awarding, line: Line) -> bool:
+    """Whether what a line comes to has letters in it."""
+    relation = line.relation
+    return isinstance(relation, Relation) and bool(letters(relation.options[0][-1].right))
+
+
 def _of_angles(work: _Awarding, line: Line) -> bool:
     subject = _subject(line)
+    if isinstance(subject, Letter):
+        meaning = work.derivation.meanings.get(subject.name)
+        subject = None if meaning is None else meaning.quantity
     return isinstance(subject, Quantity) and subject.kind in ("deflection", "angle")
 
 
@@ -789,6 +804,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "of-angles": _of_angles,
+    "in-letters": _in_letters,
     "place-of-facts": _place_of_facts,
     "another-chord": _another_chord,
     "time": lambda work, line: getattr(_subject(line), "kind", None) == "time",
