@@ -97,7 +97,10 @@ def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     if stage in scene.model.frames:
         if not scene.frame(stage).is_slanted:
             return None
-        return scene.desk.known(velocity)
+        both = {each: _told(scene, each, stage) for each in scene.spheres(stage)}
+        # By momentum as vectors the second velocity has no components: then both are vectors.
+        vectors = [own for own in both.values() if own and not _by_components(scene, own)]
+        return both[body] if vectors else None
     known = blown(scene, body, stage)
     value, refs = scene.put(known.value)
     if (
@@ -110,6 +113,24 @@ def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     relation = chain(velocity, (tree_of(Vector(*map(tidy, value))), None))
     line = scene.desk.write(Move("put"), (*known.refs, *refs), relation)
     return scene.desk.know(velocity, value, (line,))
+
+
+def _told(scene: Scene, body: str, stage: int) -> Source | None:
+    return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+
+
+def _by_components(scene: Scene, source: Source) -> bool:
+    """Whether the line of a velocity puts it together of its components along a slanting line."""
+    below: list[Ref] = [*source.refs]
+    while below:
+        ref = below.pop()
+        if isinstance(ref, int):
+            own = scene.desk.line(ref)
+            if own.move.record == "assemble" and len(own.premises) > 2:
+                return True
+            if own.move.id in ("rearrange", "put"):
+                below += own.premises[:1]
+    return False
 
 
 def _of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
