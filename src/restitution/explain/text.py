@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -253,7 +252,7 @@ def _cut(text: str, room: int) -> list[str]:
 def _chunks(text: str, inside: bool) -> list[str]:
     """Pieces between which a line may end, those ``inside`` brackets too."""
     # Of one name of several words over another, the second may have a line of its own.
-    tokens = re.sub(r"([a-z]\))/(\([a-z]{2})", r"\1 /\2", text).split(" ")
+    tokens = [each for token in text.split(" ") for each in _parted(token)]
     chunks = [tokens[0]]
     depth = _opened(tokens[0])
     for before, token in pairwise(tokens):
@@ -265,6 +264,14 @@ def _chunks(text: str, inside: bool) -> list[str]:
             chunks[-1] += f" {token}"
         depth += _opened(token)
     return chunks
+
+
+def _parted(token: str) -> list[str]:
+    """The end of one name of words and the begin of another below it; any other token whole."""
+    above, slash, below = token.partition(")/(")
+    if not slash or not (above.isalpha() and below.isalpha() and min(len(above), len(below)) > 1):
+        return [token]
+    return [f"{above})", f"/({below}"]
 
 
 def _opened(token: str) -> int:
