@@ -175,8 +175,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "offset.mistakes": ("Usual mistakes: one radius in place of two, and cosine for sine."),
     "round.title": (
-        "At the centre a chord spans 180° less twice its angle with the radii; the three chords "
-        "span 360°, so these angles make 90°"
+        "The three chords subtend 360° at the centre, so their angles with the radii make 90°"
+    ),
+    "round.why": (
+        "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
+        "subtends 180° less twice its angle with the radii. Three chords that close subtend 360° "
+        "together. So their three angles with the radii make 90°."
+    ),
+    "round.mistakes": (
+        "Usual mistakes: taking the angles with the wall, and taking all three as equal."
     ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
     "chord.time": "Time = length of the chord ÷ speed",
@@ -377,6 +384,20 @@ SENTENCES: Mapping[SentenceId, str] = {
     "carried.above": "From above:",
     # --- places and times -------------------------------------------------------------------------
     "turned-velocity.title": "The velocity, by its size and the angle through which it is turned",
+    "turned-velocity.why": (
+        "The angle of deflection is the angle between the directions before and after. From the "
+        "direction before it gives the direction after, to one side or the other. With the speed "
+        "it gives the velocity, by a cosine and a sine."
+    ),
+    "turned-velocity.mistakes": (
+        "Usual mistakes: turning it to one side only, and using the speed before the impact."
+    ),
+    "either-side.why": (
+        "The data give an angle, or its tangent, and not the side on which it lies. A reflection "
+        "of everything in the known direction keeps all data and moves the line to the other "
+        "side. So both are answers, and one of them is worked out."
+    ),
+    "either-side.mistakes": "Usual mistake: giving one of the two answers only.",
     "either-side.wall": "{wall} may slope to either side of 𝐢",
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
