@@ -17,6 +17,26 @@ from restitution.solve import solve
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "an offset by an angle": (
+        """
+sphere A: mass m, velocity 4 i, radius 3
+sphere B: mass m, at rest, radius 3
+A hits B: offset b, e = 1/2
+given angle(line_of_centres, i) = 30°
+find b, speed(B)
+""",
+        ("an angle with\nsine b/(2 × 3) = b/6.", "b/6 = ½", "b = 3"),
+    ),
+    "at a wall, to be shown": (
+        """
+wall V: along j
+sphere Q: velocity w at 30° to V
+Q hits V: e = k
+show tan(deflection(Q)) = sqrt(3)(1 + k)/(3 - k)
+show deflection(Q) = 2 angle(velocity(Q), V)
+""",
+        ("δ = 30° + β", "tan δ = (tan 30° + tan β)/(1 − tan 30° tan β)"),
+    ),
     "goes on": (
         """
 sphere A: mass 3m, velocity 2u at 60°

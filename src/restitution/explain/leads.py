@@ -19,6 +19,7 @@ from restitution.explaining.derivation import Derivation, Fact, Line, Link, Mean
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
+from restitution.explaining.sentences import SentenceId
 from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
@@ -143,7 +144,7 @@ class Leads:
             return (say("given.component", fact=told, axis=self._naming.laid(other)),)
         if line.move.record == "parallel":
             return (say("given.proportion", fact=told),)
-        return (say("given.fact", fact=told),)
+        return (*self._sine_of_an_offset(line), say("given.fact", fact=told))
 
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
@@ -301,7 +302,15 @@ class Leads:
         elif source is not None:
             yield from self._source(source)
 
-    def _offset(self, fact: Fact) -> Sentence:
+    def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
+        """How an offset gives the sine of an angle that is given, said the first time."""
+        facts = (self._derivation.fact(str(ref)) for ref in line.premises)
+        for each in facts:
+            if each is not None and _is_offset(each) and each.id not in self._given:
+                self._given.add(each.id)
+                yield self._offset(each, "offset.sine-alone")
+
+    def _offset(self, fact: Fact, sentence: SentenceId = "offset.sine") -> Sentence:
         """How an offset gives a line of centres: by the sine of the angle to the path."""
         match fact.relation.only[0].right:
             case Polar(_, Apply(_, sine)):
@@ -309,7 +318,7 @@ class Leads:
                 laid = self._naming.laid(sine)
                 value = self._naming.laid(tree_of(tidy(_value(sine))))
                 told = laid if laid == value else lay.Relation((laid, value), ("=",))
-                return say("offset.sine", sine=told)
+                return say(sentence, sine=told)
         raise ValueError(fact)
 
     def _identity(self, line: Line) -> str:

@@ -4,9 +4,11 @@ A rule looks at a line's move, record, event and item, and at what stands above 
 how the working was found nor how it is printed. `RULES` is the table, tried from the top: the first
 that fits a line says what it earns, in each style. Then, part by part:
 
-- An item's last line has an A1, or a B1 where nothing of the part has been earned above it; where
-  the statement prints the result an A1*, which never follows through.
-- One kind of point stands once on a line: M1 A1 and another A1 are M1 A1.
+- An item's last line has an A1, or a B1 where nothing of the part has been earned above it, or the
+  line is read off the data; where the statement prints the result an A1*, which never follows
+  through. What the data give outright earns nothing where something else does.
+- One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
+  answers are A1 A1, where their equation is a method above.
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
@@ -140,10 +142,12 @@ RULES: tuple[Rule, ...] = (
     _rule("further-component-read-off", ("define",), "", ("component",), ("read-off",)),
     _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
+    _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.
+    _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
     _rule(
         "speed-size-angle-distance",
         ("define",),
@@ -153,6 +157,7 @@ RULES: tuple[Rule, ...] = (
     _rule(
         "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
     ),
+    _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
     _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
     _rule(
         "difference-of-angles",
@@ -164,7 +169,9 @@ RULES: tuple[Rule, ...] = (
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
-    _rule("time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time")),
+    _rule(
+        "time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time", "on-the-way")
+    ),
     _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
     _rule("data", ("define",), "", _ENERGIES, ("of-facts", "on-the-way")),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
@@ -292,6 +299,10 @@ class _Awarding:
                 one = line.move.id in ("law", "define")
                 own = [e for e in points[line.number] if e != "B" or not one]
                 points[line.number] = own + (["M", "A"] if lone else ["A"])
+                if self._answers_twice(line):
+                    points[line.number] = ["A", "A"]
+                elif earned and _is_given(self, line):
+                    points[line.number] = []
                 if _says_again(self, line):
                     for each in self._solutions(line):
                         # The value is asked: it stands there already, under another name.
@@ -314,7 +325,12 @@ class _Awarding:
 
     def _settled(self, points: Mapping[int, Sequence[str]]) -> dict[int, Marks]:
         """Points as marks that agree with each other, part by part."""
-        kept = self._cut({number: _once(each) for number, each in points.items()})
+        kept = self._cut(
+            {
+                number: ("A", "A") if self._answers_twice(self.lines[number]) else _once(each)
+                for number, each in points.items()
+            }
+        )
         methods: dict[str | None, list[int]] = {}
         earned: dict[str | None, bool] = {}
         out: dict[int, Marks] = {}
@@ -330,7 +346,8 @@ class _Awarding:
                 elif point == "A":
                     star = line.number in self.shown
                     # What needs no method is independent.
-                    kind: Literal["A", "B"] = "A" if star or marks or earned[part] else "B"
+                    own = not earned[part] or self._is_read_off(line, out)
+                    kind: Literal["A", "B"] = "B" if own and not (star or marks) else "A"
                     marks.append(Mark(kind, star=star, ft=not star and self._follows(line)))
                 else:
                     marks.append(Mark("B"))
@@ -339,6 +356,37 @@ class _Awarding:
                 before.append(line.number)
             out[line.number] = tuple(reasoned(mark) for mark in marks)
         return out
+
+    def _answers_twice(self, line: Line) -> bool:
+        """Whether a line has both roots as answers, of an equation that is a method above it."""
+        if line.number not in self.ends or line.move.id != "roots" or _opposite(self, line):
+            return False
+        assert isinstance(line.relation, Relation)
+        seen, open_ = set[int](), list(self.cited(line))
+        while open_:
+            each = open_.pop()
+            if each.number in seen or each.item != line.item:
+                continue
+            seen.add(each.number)
+            rule = self.rule(each)
+            if rule is not None and each.move.id == "define" and "M" in rule.earned(self.style):
+                return len(line.relation.options) == 2
+            open_ += self.cited(each)
+        return False
+
+    def _is_read_off(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether an item's last line rests on the statement alone: nothing above it has earned."""
+        if line.number not in self.ends:
+            return False
+        seen, open_ = set[int](), list(self.cited(line))
+        while open_:
+            each = open_.pop()
+            if each.move.id == "law" or marks.get(each.number):
+                return False
+            if each.number not in seen:
+                seen.add(each.number)
+                open_ += self.cited(each)
+        return True
 
     def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """The same, with at most one point more in a part than it has lines.
@@ -740,6 +788,27 @@ def _of_one_term(work: _Awarding, line: Line) -> bool:
     return not (squares or rooted or len({e.axis for e in nodes if isinstance(e, Unit)}) > 1)
 
 
+def _is_given(work: _Awarding, line: Line) -> bool:
+    """Whether a line only says what the statement gives."""
+    return line.move.id == "fact" and not list(work.cited(line)) and line.number not in work.shown
+
+
+def _has_power_on_the_left(line: Line) -> bool:
+    """Whether a line closes the square of what is given into an equation."""
+    if isinstance(line.relation, Meaning):
+        return False
+    left = line.relation.options[0][0].left
+    return _has_power(left) and not has_quantity(left)
+
+
+def _of_a_number(work: _Awarding, line: Line) -> bool:
+    """Whether the value is read off the data as a number, with nothing to work out."""
+    sides = None if isinstance(line.relation, Meaning) else _single(line.relation)
+    if sides is None or not isinstance(sides[0], Apply):
+        return False
+    return _length(line) == 1 and not letters(sides[1])
+
+
 def _is_sum(tree: Expression) -> bool:
     return isinstance(tree, Binary) and tree.op in ("+", "-")
 
@@ -812,6 +881,11 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
         line.number not in work.ends and isinstance(_subject(line), Quantity)
     ),
     "of-one-term": _of_one_term,
+    "an-equation": lambda work, line: line.number not in work.ends and _has_power_on_the_left(line),
+    "of-a-number": _of_a_number,
+    "product-above": lambda work, line: any(
+        each.move.record == "product" and each.item == line.item for each in work.cited(line)
+    ),
     "opposite": _opposite,
     "of-laws": lambda work, line: bool(_solves(work, line)),
     "first": lambda work, line: not _solved_before(work, line),

@@ -168,6 +168,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "At the impact the centres are two radii apart, and the offset is the part of that across "
         "the path. So the line of centres makes with the path an angle with sine {sine}:"
     ),
+    "offset.sine-alone": (
+        "At the impact the centres are two radii apart, and the offset is the part of that across "
+        "the path. So the line of centres makes with the path an angle with sine {sine}."
+    ),
     "offset.why": (
         "At the impact the centres are two radii apart: the longest side of a right-angled "
         "triangle whose other side, across the path, is the offset. So the sine of the angle "

@@ -48,6 +48,7 @@ from restitution.planning.lines_between import (
     angle_of_lines,
     has_angle,
     is_moving,
+    sine_of_the_offset,
     write_equal_angles,
 )
 from restitution.planning.premises import background
@@ -117,6 +118,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if quoted is not None:
             return quoted
         if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
+            line = sine_of_the_offset(scene, each)
+            if line is not None:
+                return line
             return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
         if own.left.kind == "deflection" and not has_quantity(own.right):
             return write_deflection(scene, each)

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Negate,
+    Polar,
     Quantity,
     walk,
 )
@@ -123,6 +124,40 @@ def cosine_of(
     return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
 
 
+def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
+    """The angle of a line of centres to the path that is given, where an offset tells that line.
+
+    Its sine is the offset over the distance of the centres. None where it is no such angle.
+    """
+    match each.link.left:
+        case Quantity("angle", arguments):
+            pass
+        case _:
+            return None
+    numbers = [
+        side.stage
+        for side in arguments
+        if isinstance(side, Quantity) and side.kind == "line_of_centres"
+    ]
+    fact = scene.facts.get(f"axis {numbers[0]}") if len(numbers) == 1 else None
+    match fact and fact.relation.only[0].right:
+        case Polar(_, Apply("arcsin", sine)):
+            pass
+        case _:
+            return None
+    assert fact is not None
+    whole = scene.scalar(sine)
+    value, refs = scene.put(scene.scalar(each.link.right))
+    if not scene.model.decide(whole, ">=", 0) or value.free_symbols:
+        return None
+    left = tree_of(tidy(whole))
+    relation = chain(left, (tree_of(tidy(sp.sin(value))), None))
+    move = Move("define", "scalar-angle")
+    pool = [ref for ref in scene.facts if ref.startswith("given ")]
+    premises = scene.judge.enough(move, together(each.refs, refs, (fact.id,)), relation, pool)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
 # --- angles that are equal -----------------------------------------------------------------------
 
 
@@ -177,6 +212,7 @@ __all__ = [
     "is_line",
     "is_moving",
     "line_source",
+    "sine_of_the_offset",
     "whole_velocity",
     "write_equal_angles",
 ]

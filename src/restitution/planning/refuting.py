@@ -95,7 +95,9 @@ class _Refutation:
             lines: list[int] = []
             for each in dict.fromkeys(q for tree in trees for q in claims.worths.quantities(tree)):
                 if not claims.worths.is_data(each):
-                    lines.append(claims.worths.quantity(each))
+                    lines.append(
+                        claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
+                    )
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
 
     def _found(self, trees: Iterable[Expression]) -> Iterator[int]:

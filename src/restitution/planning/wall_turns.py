@@ -43,7 +43,7 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
     (name,) = asked.arguments
     assert isinstance(name, Name)
     angle = angle_of_approach(scene, name.name, frame)
-    if not isinstance(angle, Letter) or frame.wall is None:
+    if angle is None or frame.wall is None:
         return None
     velocity = Quantity("velocity", (name,), frame.number)
     after = Quantity("angle", (velocity, Name(frame.wall)))

@@ -35,6 +35,7 @@ from restitution.planning.quantities import Formula, body_and_stage, formula, fr
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import write_turn_tangent
 from restitution.planning.turns import turns_of, velocities_of
+from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -202,6 +203,13 @@ class Worths:
             None,
         )
 
+    def angle_by_letter(self, angle: Quantity) -> int | None:
+        """The line that tells the tangent of the letter for an angle, if there is one."""
+        for each in self.scene.desk.lines:
+            if isinstance(each.relation, Meaning) and each.relation.quantity == angle:
+                return self._tangent(Apply("tan", Letter(each.relation.letter)))
+        return None
+
     def _of_letter(self, angle: Quantity) -> int | None:
         """The tangent of an angle, where a line tells that of the letter for it."""
         for each in self.scene.desk.lines:
@@ -215,13 +223,20 @@ class Worths:
         return None
 
     def turned(self, angle: Quantity, by_letter: bool) -> int | None:
-        """The tangent of an angle between two velocities, by their angles to the line of centres.
+        """The tangent of an angle between two velocities, by their angles to one line.
+
+        The line is the line of centres, or the wall.
 
         None where it is no such angle, or these are not told.
         """
         if velocities_of(self.scene, angle) is None:
             return None
         self._determine_angle(angle)
+        if angle.kind == "deflection" and angle.stage in self.scene.model.frames:
+            frame = self.scene.frame(angle.stage)
+            line = None if frame.wall is None else tangent_at_a_wall(self.scene, angle, frame)
+            if line is not None:
+                return line
         for turn in turns_of(self.scene, angle):
             if by_letter and not self.name_of(angle):
                 self.letter_for(angle)
