@@ -314,3 +314,37 @@ def test_a_velocity_beside_one_that_is_given_comes_by_momentum_before_any_compon
     assert derivation.lines[0].move.record == "momentum-vector"
     laws = [each.move.record for each in lines(derivation, "law")]
     assert laws == ["momentum-vector", "restitution"]
+
+
+# --- where values come from ---------------------------------------------------------------------
+
+
+def test_a_component_of_a_speed_and_an_angle_stands_as_a_product_first() -> None:
+    text = printed(
+        "wall W: along j\nsphere P: mass 2, velocity 10 at alpha to W\n"
+        "given cos(alpha) = 3/5\nP hits W: e = 1/4\nfind speed(P)"
+    )
+    assert "stays 10 cos α = 6 m s⁻¹" in text
+    assert "= −¼ × 10 sin α = −2 m s⁻¹" in text
+
+
+def test_an_angle_is_the_inverse_of_the_ratio_that_stands() -> None:
+    _, derivation = kept(
+        TARGET.format(velocity="8 at theta", mass="m")
+        + "A hits B: along i, e = 1\ngiven velocity(B) = 2i\nfind theta, velocity(A)"
+    )
+    told = said(derivation)
+    assert "cos(theta) = 1/4" in told
+    assert "theta = arccos(1/4)" in told
+
+
+@pytest.mark.parametrize(
+    ("velocity", "quotient"),
+    [("2i - j", "t = 5/1 = 5 s"), ("u at -30°", "t = 5/(u sin 30°) = 10/u")],
+)
+def test_a_time_is_seen_to_be_a_quotient(velocity: str, quotient: str) -> None:
+    text = printed(
+        f"wall W: along i, through (0, 0)\nsphere P: at (0, 5), velocity {velocity}\n"
+        "P hits W: e = 1/2\nfind time(1), position(P)"
+    )
+    assert quotient in text

@@ -381,7 +381,11 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         if step.move.record == "straight-line":
             _note_pace(step, link, rules)
         if part is None:
-            return _matches(step, line, _expected(step, link, rules), link.sign)
+            expected = _expected(step, link, rules)
+            if step.move.id == "law":
+                # A chain begins with the ratio of an angle, of which it then puts in the value.
+                return _matches_with(step, line, expected, rules, link.sign)
+            return _matches(step, line, expected, link.sign)
         step.world.printed = True
         left, right, above = (
             rules.put_into(step.world.value(each)) for each in (link.left, link.right, part)

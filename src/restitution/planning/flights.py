@@ -57,12 +57,21 @@ def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:
     return len({sp.sign(each.as_coeff_Mul()[0]) for each in terms}) == 1
 
 
-def time_quotient(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
-    """A distance over a speed, both positive as far as their values tell."""
+def time_quotient(
+    scene: Scene,
+    last: sp.Expr,
+    first: sp.Expr,
+    pace: sp.Expr,
+    form: Expression | None = None,
+) -> Expression:
+    """A distance over a speed, both positive as far as their values tell.
+
+    ``form`` is how the size of the speed is written, where that is not by its value.
+    """
     if scene.model.sign(pace) < 0:
         last, first, pace = first, last, -pace
     way = difference(tree_of(last), tree_of(first))
-    return Binary("/", way, tree_of(pace))
+    return Binary("/", way, tree_of(pace) if form is None else form)
 
 
 def added(first: Vector, flight: Expression, pace: Vector) -> Expression:

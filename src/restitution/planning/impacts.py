@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -272,6 +272,25 @@ def tree_in_law(source: Source) -> Expression:
     return tree_of(source.value) if source.form is None else source.form
 
 
+def _by_ratio(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source
+) -> Expression | None:
+    """A component at the start by a ratio of an angle that has a value: ``5 sin α``.
+
+    None where the velocity is not given by its size and an angle, or where the component keeps
+    the ratio, or stands in a line of its own.
+    """
+    if scene.last_event(body, frame.number - 1) or not _is_polar(scene, body):
+        return None
+    if source.form is not None or scene.desk.known(frame.component(kind, body, 0)) is not None:
+        return None
+    value = neat(scene.initial(body).value.dot(frame.direction(kind)))
+    ratios = value.atoms(sp.sin, sp.cos)
+    if value.is_Add or len(ratios) != 1 or not any(each.free_symbols for each in ratios):
+        return None
+    return None if source.value.has(*ratios) else tree_of(value)
+
+
 def by_degrees(
     scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
 ) -> Expression | None:
@@ -446,11 +465,14 @@ def component_letter(scene: Scene, body: str, frame: Frame) -> sp.Symbol:
 def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
     """The component across the line of centres, or parallel to a wall, is the same after."""
     source = before(scene, "across", body, frame)
+    ratio = _by_ratio(scene, "across", body, frame, source)
+    own = tree_in_law(source) if ratio is None else ratio
+    by: MoveId = "rearrange" if ratio is None else "put"
     quantity = frame.component("across", body, frame.number)
     number = scene.desk.write(
         Move("law", "unchanged", frame.number, (body,)),
         together(source.whole, frame.names_axis("across")),
-        chain(quantity, (tree_in_law(source), None), (tree_of(source.value), "rearrange")),
+        chain(quantity, (own, None), (tree_of(source.value), by)),
     )
     return scene.desk.know(quantity, source.value, (number,))
 
@@ -461,7 +483,10 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     e = scene.coefficient(frame.number)
     quantity = frame.component("along", body, frame.number)
     value = neat(-e.value * source.value)
-    first = product(tree_of(e.value), negative(tree_in_law(source)))
+    ratio = _by_ratio(scene, "along", body, frame, source)
+    own = tree_in_law(source) if ratio is None else ratio
+    by: MoveId = "rearrange" if ratio is None else "put"
+    first = product(tree_of(e.value), negative(own))
     last = tree_of(value)
     if factors(first) == factors(last):
         first = last  # nothing is worked out
@@ -470,10 +495,10 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     number = scene.desk.write(
         Move("law", "restitution-wall", frame.number, (body,)),
         together(before_, frame.names_axis("along"), e.refs),
-        chain(quantity, (first, None), (last, "rearrange")),
+        chain(quantity, (first, None), (last, by)),
     )
-    own = component_letter(scene, body, frame)
-    scene.desk.know(Letter(own.name), frame.letter_sign * value, (number,))
+    letter = component_letter(scene, body, frame)
+    scene.desk.know(Letter(letter.name), frame.letter_sign * value, (number,))
     return scene.desk.know(quantity, value, (number,))
 
 

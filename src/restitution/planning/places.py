@@ -13,14 +13,23 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression, Quantity, walk
+from restitution.expression.tree import Binary, Degrees, Expression, Polar, Quantity, walk
 from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added, divisor_refs, slope, time_quotient
-from restitution.planning.forms import ZERO, difference, product, swept, total, tree_of, vector
-from restitution.planning.impacts import whole_direction
+from restitution.planning.forms import (
+    ONE,
+    ZERO,
+    difference,
+    product,
+    swept,
+    total,
+    tree_of,
+    vector,
+)
+from restitution.planning.impacts import share_by_degrees, whole_direction
 from restitution.planning.place_trees import (
     AXES,
     Axis,
@@ -29,6 +38,7 @@ from restitution.planning.place_trees import (
     place_tree,
     time_tree,
 )
+from restitution.planning.resolving import unit_of
 from restitution.planning.rims import Way, time_of_touching, time_on_a_chord
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
@@ -435,7 +445,9 @@ def _flight(
 ) -> Source:
     first, last = ends
     pace = velocity(scene, body, since, axis)
-    tree = time_quotient(scene, last.value, first.value, pace.value)
+    tree = time_quotient(
+        scene, last.value, first.value, pace.value, _by_degrees(scene, body, since, axis)
+    )
     value = tidy((last.value - first.value) / pace.value)
     refs = together(
         first.refs,
@@ -445,12 +457,35 @@ def _flight(
         divisor_refs(scene, tidy(last.value - first.value), pace.value),
     )
     quantity = _since(scene, number, since)
-    line = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        refs,
-        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
-    )
+    relation = chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
+    if value.is_number and abs(pace.value) == 1:
+        # What is divided by 1 is still seen to be divided.
+        tree = Binary("/", swept(tree), ONE)
+        relation = Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))
+    line = scene.desk.write(Move("define", "straight-line", number, (body,)), refs, relation)
     return scene.desk.know(quantity, value, (line,))
+
+
+def _by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression | None:
+    """The size of a component at the start by an angle in degrees; None without one."""
+    velocity_ = scene.facts.get(f"velocity {body}")
+    if since or velocity_ is None:
+        return None
+    right = velocity_.relation.only[0].right
+    if not isinstance(right, Polar):
+        return None
+    size = scene.scalar(right.size)
+    ratio = tidy(scene.initial(body).value.dot(unit_of(axis)) / size)
+    for function in ("cos", "sin") if axis == "i" else ("sin", "cos"):
+        share = share_by_degrees(ratio, function)
+        if share is not None and set(walk(share)) & _angles_in(right):
+            return product(tree_of(size), share)
+    return None
+
+
+def _angles_in(tree: Expression) -> set[Expression]:
+    """The angles in degrees that a tree has."""
+    return {each for each in walk(tree) if isinstance(each, Degrees)}
 
 
 def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:

@@ -29,7 +29,6 @@ from restitution.planning.premises import background
 from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
 from restitution.problem import Find, Value
-from restitution.solve.letters import roles
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
@@ -402,8 +401,8 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:
     """The angle by its ratio; ``sides`` are lines that may tell its quadrant."""
     value = scene.final(symbol)
-    if symbol.name not in roles(scene.problem) and value.atoms(sp.atan):
-        value = _as_written(scene, line, symbol)  # no answer has another form
+    if value.atoms(sp.atan):
+        value = _as_written(scene, line, symbol)
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
     if known.startswith("acute"):
