@@ -206,6 +206,17 @@ find q/p
 8 a | rearrange | 7 | q/p = 2
 a: 8 q/p = 2
 """,
+    # Both speeds are given.
+    "lost-by-the-data": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given speed(P) = v
+find energy_lost
+---
+1 a | define energy-lost 1 P | mass P, velocity P, given 1 | energy_lost(1) = 1/2 m u^2 - 1/2 m v^2
+a: 1 energy_lost(1) = 1/2 m u^2 - 1/2 m v^2
+""",
     # A time, and places, that the data tell.
     "places": """
 wall W: along j, through (8, 0)
@@ -281,6 +292,7 @@ a: 5 alpha = arctan(29/32)
 # Rule, working, line; what stands there in the styles fm1, m4 and caie.
 CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("given-speed", "two-masses", 6, "DM1", "DM1", "DM1"),
+    ("energy-lost-by-the-data", "lost-by-the-data", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("angle-of-the-data", "read-off", 2, "", "", ""),
     ("right-angle-by-a-product", "read-off", 7, "A1", "A1", "A1"),
     ("repeated", "repeated", 7, "", "", ""),

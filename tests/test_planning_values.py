@@ -28,6 +28,13 @@ from restitution.solve.solution import Solution
 from restitution.vector import Vector
 
 STATEMENTS = {
+    "energy lost by speeds that are given": """
+wall W: along j
+sphere Q: mass 3m, velocity 2w at 60° to W
+Q hits W
+given speed(Q) = 3w/2
+find e, energy_lost
+""",
     "a speed that is a root of a sum of roots": """
 sphere A: mass 3m, velocity 2u at 60°
 sphere B: mass 2m, velocity u at 45° from -i

@@ -167,6 +167,8 @@ class Leads:
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
+                name = "derived-energy.title"  # by speeds of the data
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
         if name is None:

@@ -173,6 +173,7 @@ RULES: tuple[Rule, ...] = (
         "time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time", "on-the-way")
     ),
     _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
+    _rule("energy-lost-by-the-data", ("define",), "M A", ("energy-lost",), ("of-facts",)),
     _rule("data", ("define",), "", _ENERGIES, ("of-facts", "on-the-way")),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),

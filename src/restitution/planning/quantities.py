@@ -751,6 +751,9 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
     """Components across the line do not change, so that they cancel."""
     event = quantity.stage
     assert isinstance(event, int)
+    by_speeds = _lost_by_given_speeds(scene, quantity, event)
+    if by_speeds is not None:
+        return by_speeds
     frame = scene.frame(event)
     terms: list[Expression] = []
     values: list[Any] = []
@@ -772,6 +775,43 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         tidy(expanded(sum(values))),
         together(refs),
     )
+
+
+def _lost_by_given_speeds(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """Where every speed is given, before and after: ½mu² − ½mv²; None otherwise."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = []
+    for body in scene.spheres(event):
+        mass = scene.mass(body)
+        early, late = (_given_speed(scene, body, k) for k in (event - 1, event))
+        if early is None or late is None:
+            return None
+        halves = [_half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
+        terms.append(difference(*halves))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        refs += [*mass.refs, *early.refs, *late.refs]
+    move = Move("define", "energy-lost", event, scene.spheres(event))
+    value = tidy(expanded(sum(values)))
+    return Formula(move, _itself, quantity, total(terms), value, together(refs))
+
+
+def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that the data give, with a direction at an angle or as a fact about the motion."""
+    last = scene.last_event(body, stage)
+    size: Any = None
+    refs: tuple[Ref, ...] = ()
+    if not last and (fact := scene.facts.get(f"velocity {body}")) is not None:
+        match fact.relation.only[0].right:
+            case Polar(size) if not isinstance(size, Unit):
+                refs = (fact.id,)
+    for each in scene.given if last else ():
+        if each.link.left == Quantity("speed", (Name(body),), last) and each.link.sign == "=":
+            size, refs = each.link.right, each.refs
+    if size is None or has_quantity(size):
+        return None
+    value, more = scene.put(scene.scalar(size))
+    return None if scene.unknown(value) else Source(value, together(refs, more))
 
 
 def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
