@@ -17,6 +17,16 @@ from restitution.solve import solve
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "at a wall, double an angle": (
+        """
+wall V: along j
+sphere Q: velocity 3w at phi to V
+Q hits V: e = k
+given deflection(Q) = 2 angle(velocity(Q), V)
+find k
+""",
+        ("φ + β = 2β", "β = φ", "tan φ = k tan φ", "k = 1"),
+    ),
     "an offset by an angle": (
         """
 sphere A: mass m, velocity 4 i, radius 3

@@ -56,6 +56,7 @@ from restitution.planning.quantities import Formula, formula, squares
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.ties import write_tie
+from restitution.planning.wall_turns import doubled_at_a_wall
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -135,6 +136,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if own.left.kind == "impulse" and own.left.arguments:
             return write_impulse(scene, each)
         if own.left.kind == "deflection":
+            line = doubled_at_a_wall(scene, each)
+            if line is not None:
+                return line
             _decided(scene, own.left)
         if not has_quantity(own.right) and not place_trees.serves(own.left):
             return _closed(scene, each, formula(scene, own.left))

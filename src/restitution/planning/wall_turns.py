@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import sympy as sp
 
 from restitution.exact import tidy
@@ -12,6 +14,7 @@ from restitution.expression.tree import (
     Degrees,
     Letter,
     Name,
+    Number,
     Polar,
     Quantity,
 )
@@ -111,5 +114,45 @@ def given_at_a_wall(
         found = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
         if found is not None:
             return found
+    scene.desk.back(mark)
+    return None
+
+
+def doubled_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
+    """A deflection at a wall that is double an angle to it: then both angles are equal.
+
+    The last line is that of their tangents. None where the fact is no such one.
+    """
+    match each.link.left, each.link.right:
+        case (
+            Quantity("deflection", (Name(body),), int(event)),
+            Binary("*", Number(Fraction(numerator=2, denominator=1)), double),
+        ) if event in scene.model.frames:
+            pass
+        case _:
+            return None
+    frame = scene.frame(event)
+    if frame.wall is None:
+        return None
+    angle = angle_of_approach(scene, body, frame)
+    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
+    if not isinstance(angle, Letter) or double not in (after, angle):
+        return None
+    mark = scene.desk.mark()
+    own = formula(scene, after)
+    line, name = tangent_line(scene, after, own, own.move)
+    letter, (_, meaning) = Letter(name), letter_of(scene, after)
+    twice = Binary("*", Number(Fraction(2)), letter if double == after else angle)
+    total = chain(Binary("+", angle, letter), (twice, None))
+    move = Move("define", "sum", event, (body,))
+    premises = scene.judge.enough(move, together(each.refs, (f"velocity {body}", meaning)), total)
+    equal = chain(letter, (angle, None))
+    tangents = chain(Apply("tan", angle), (scene.desk.last_link(line).right, None))
+    if premises is not None:
+        number = scene.desk.write(move, premises, total)
+        if scene.judge.follows(Move("rearrange"), (number,), equal):
+            number = scene.desk.write(Move("rearrange"), (number,), equal)
+            if scene.judge.follows(Move("put"), (line, number), tangents):
+                return scene.desk.write(Move("put"), (line, number), tangents)
     scene.desk.back(mark)
     return None
