@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import re
+from collections.abc import Collection, Sequence
 
 import sympy as sp
 
@@ -12,10 +13,13 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Letter
 from restitution.oracle import BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
-from restitution.problem import Range
+from restitution.problem import Find, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solve.solution import Answer, PartSolution, Solution
+from restitution.solve.letters import roles
+from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
+
+_NAME = re.compile(r"[^\W\d]\w*")
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -30,6 +34,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             by_case = isinstance(item.item, Range) and len(answers) > 1
             if by_case or not ends or all(each.condition_layout is None for each in answers):
                 continue
+            if _is_asked(part, answers) or _speaks_of_others(solution, item, answers):
+                continue
             alike = len({each.condition for each in answers}) == 1
             if not alike and len(answers) != len(ends):
                 continue
@@ -39,6 +45,42 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 if sentence is not None:
                     told[line] = sentence
     return told
+
+
+def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
+    """Whether a condition is the range of a letter for which the part asks: that item says it."""
+    ranges = {
+        each.item.expression.name
+        for each in part.items
+        if isinstance(each.item, Range)
+        and isinstance(each.item.expression, Letter)
+        and each.error is None
+    }
+    told = {each for answer in answers for each in answer.condition}
+    return len(told) == 1 and any(name in _NAME.findall(text) for name in ranges for text in told)
+
+
+def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[Answer]) -> bool:
+    """Whether a condition has letters that an answer must not have.
+
+    Such a condition is one of the data: an answer that is free of these letters needs none.
+    """
+    asked = next(
+        (
+            step.in_terms_of
+            for _, step in solution.problem.steps()
+            if isinstance(step, Find) and any(each is item.item for each in step.items)
+        ),
+        None,
+    )
+    if asked is None:
+        return False
+    names = {
+        each for answer in answers for text in answer.condition for each in _NAME.findall(text)
+    }
+    known = set(roles(solution.problem))
+    own = item.item.expression if isinstance(item.item, Value) else None
+    return bool(names & known - {*asked, own.name if isinstance(own, Letter) else ""})
 
 
 def _subjects(derivation: Derivation) -> set[str]:

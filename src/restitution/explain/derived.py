@@ -334,13 +334,13 @@ class _Writer:
         points = tuple(_because(mark) for each in (*waiting, line) for mark in each.marks)
         rows[-1] = replace(
             rows[-1],
-            points=() if decimals else points,
+            points=points,
             reasons=(*rows[-1].reasons, *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self.rows.asides(line)),
             number="" if behind is None else str(behind),
         )
         if decimals is not None:
-            rows.append(replace(decimals, points=points))
+            rows.append(decimals)
         end = self.ends.of(line)
         rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
         item = self.ends.place(line)

@@ -171,6 +171,10 @@ def _limits(
         region = _region(outcome, trial, base, demands, name)
         if region is None:
             continue
+        gap = _gap(region) if isinstance(region, sp.Interval) else None
+        proved = gap is None or base.decide(gap.formula)
+        if not proved and not _is_everywhere(base, region):
+            continue  # where an end has no value, nothing is said of the letter
         bounds = bounds_of(name, region, base.roles)
         if _has_roots(region):
             plain = list(_plainly(base, trial, demands))
@@ -179,11 +183,19 @@ def _limits(
                 return
         yield bounds
         # For which of the other letters there are such values at all.
-        gap = _gap(region) if isinstance(region, sp.Interval) else None
-        if gap is not None and not base.decide(gap.formula):
+        if gap is not None and not proved:
             yield from _limits(outcome, trial, base, [gap])
         return
     yield from _plainly(base, trial, demands)
+
+
+def _is_everywhere(base: Oracle, values: sp.Interval) -> bool:
+    """Whether the ends of an interval have values for all values of the other letters."""
+    for end in values.args[:2]:
+        below = sp.fraction(sp.together(end))[1]
+        if not below.is_number and not base.decide(Relation(below, "!=")):
+            return False
+    return True
 
 
 def _has_roots(values: sp.Set) -> bool:
