@@ -319,7 +319,10 @@ class _Writer:
         given = self.leads.given(line)
         title = None if given else self.leads.title(line)
         named = title is not None and title == self.title
-        sentences = given or tuple(self.leads.of(line, self.title))
+        sentences = given or (
+            *self.leads.anyway(line),
+            *self.leads.of(line, self.title),
+        )
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
         resolved = self.leads.resolved(line) if line.move.record == "component" else None

@@ -302,7 +302,7 @@ class Leads:
             else:
                 yield say("derived.by", how=how)
         elif source is not None:
-            yield from self._source(source)
+            yield from self._source(source, line)
 
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
         """How an offset gives the sine of an angle that is given, said the first time."""
@@ -461,7 +461,7 @@ class Leads:
             return say("given.approach", one=one, other=other)
         return None
 
-    def _source(self, source: Source) -> Iterator[Sentence]:
+    def _source(self, source: Source, line: Line) -> Iterator[Sentence]:
         equations = self._numbers(source)
         match source.kind:
             case "combine":
@@ -488,8 +488,18 @@ class Leads:
                 spoken = self._spoken_of(source)
                 letters = tuple(self._named(each) for each in source.letters if each not in spoken)
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+                moves = self._moves(source.facts)
                 if len(facts) == 1 and told:
-                    yield self._meeting(source.facts[0]) or say("given.fact", fact=facts[0])
+                    meeting = self._meeting(source.facts[0], line)
+                    yield meeting or say("given.fact", fact=facts[0])
+                elif moves is not None and not equations:
+                    body, way, told_ = moves
+                    if letters and not source.last:
+                        yield say(
+                            "derived.moves-put", body=body, way=way, fact=told_, letters=letters
+                        )
+                    else:
+                        yield say("derived.moves", body=body, way=way, fact=told_)
                 elif facts and letters and not source.last and not equations:
                     yield say("derived.since-put", facts=facts, letters=letters)
                 elif facts and equations:
@@ -532,11 +542,55 @@ class Leads:
             if isinstance(node, Quantity)
         )
 
-    def _meeting(self, name: str) -> Sentence | None:
+    def _meeting(self, name: str, line: Line) -> Sentence | None:
         """When bodies meet, where that is what a given fact tells."""
         fact = self._derivation.fact(name)
         relation = None if fact is None else self._naming.meeting(fact)
-        return None if relation is None else condition_of(relation, self._naming, inequality=True)
+        if relation is None:
+            return None
+        told = self._of_letter(line)
+        return condition_of(relation, self._naming, inequality=True, told=told)
+
+    def _of_letter(self, line: Line) -> lay.Layout | None:
+        """``v < 0``, where a line says that of the value of the letter."""
+        match line.relation:
+            case Relation(((Link(value, sign, right),),)) if is_zero(right):
+                pass
+            case _:
+                return None
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(Letter() as letter, "=", tree),),)) if tree == value:
+                    return self._naming.relation(Relation(((Link(letter, sign, right),),)))
+        return None
+
+    def anyway(self, line: Line) -> Iterator[Sentence]:
+        """What is given and holds for all values of the letters, above a range beside others."""
+        for ref in line.premises if line.move.id == "compare" else ():
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or own.shown != "silent" or own.move.id != "put":
+                continue
+            match own.relation:
+                case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
+                    told = self._of_letter(own)
+                    yield say("derived.anyway", fact=told or self._naming.relation(relation))
+
+    def _moves(
+        self, names: tuple[str, ...]
+    ) -> tuple[str, lay.Layout, Sentence | lay.Layout] | None:
+        """Which way a body moves, where that is given, and so the sign of its component."""
+        sense = self._derivation.fact(names[0]) if len(names) == 1 else None
+        if sense is None or not sense.id.startswith("sense "):
+            return None
+        match sense.relation.only:
+            case (Link(Quantity("along", (Quantity("velocity", (Name(body),)), axis)), sign),):
+                pass
+            case _:
+                return None
+        way = self._naming.laid(axis if sign == ">" else Negate(axis))
+        told = self._naming.fact(sense)
+        return body, way, told
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)

@@ -10,26 +10,34 @@ from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Binary
 from restitution.problem import Meets, Show
+from restitution.render.layout import Layout
 
 # That a wall is hit, or is not, as an inequality and as a comparison.
 _MEETINGS = {
     ("condition", "towards"): "condition.towards",
     ("condition", "away"): "condition.away",
+    ("letter", "towards"): "condition.towards-if",
+    ("letter", "away"): "condition.away-if",
     ("meeting", "towards"): "meeting.towards",
     ("meeting", "away"): "meeting.away",
 }
 
 
-def condition_of(relation: Meets, naming: Naming, *, inequality: bool) -> Sentence | None:
+def condition_of(
+    relation: Meets, naming: Naming, *, inequality: bool, told: Layout | None = None
+) -> Sentence | None:
     """When bodies meet; None of two spheres that have not met before.
 
-    With ``inequality`` what it says of components comes next.
+    With ``inequality`` what it says of components comes next: of a wall, what is ``told`` of the
+    letter for one.
     """
     one, other = relation.first.name, relation.second.name
     if naming.bodies.get(other) == "wall":
         again = say("again") if relation.again else ""
         way = "towards" if relation.happens else "away"
         topic = "condition" if inequality else "meeting"
+        if inequality and told is not None:
+            return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=told)
         return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
     met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]
     if not met:

@@ -12,6 +12,7 @@ that fits a line says what it earns, in each style. Then, part by part:
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
+- What comes after a coefficient that cannot be, in the same part, earns nothing.
 - A principle that an earlier part has used at the same impact earns nothing again.
 - Of several solutions, methods count once, and each further one adds its answers.
 - A part has at most one mark more than it has lines; a link of a chain counts as a line, and a
@@ -282,7 +283,7 @@ class _Awarding:
         """The marks of every line, by its number."""
         points: dict[int, list[str]] = {number: [] for number in self.lines}
         for line in self.derivation.lines:
-            if line.shown == "silent" or line.number in self.further:
+            if line.shown == "silent" or line.number in self.further or self._is_idle(line):
                 continue
             rule = self.rule(line)
             for point in () if rule is None else rule.earned(self.style).split():
@@ -292,7 +293,7 @@ class _Awarding:
                     points[line.number].append(point)
         earned: set[str | None] = set()
         for line in self.derivation.lines:
-            if line.number in self.ends:
+            if line.number in self.ends and not self._is_idle(line):
                 end = self.ends[line.number]
                 # What is printed has to be reached by something.
                 lone = end is not None and end.shown and end.part not in earned
@@ -311,6 +312,17 @@ class _Awarding:
             if points[line.number]:
                 earned.add(self.part(line))
         return self._settled(points)
+
+    def _is_idle(self, line: Line) -> bool:
+        """Whether its part has come to a coefficient that cannot be, and asks for more."""
+        last = len(self.order)
+        return any(
+            each.kind == "impossible"
+            and each.premises
+            and each.part == self.part(line)
+            and self.order.get(each.item, last) < self.order.get(line.item or "", 0)
+            for each in self.derivation.notes
+        )
 
     def rule(self, line: Line) -> Rule | None:
         """The first rule of the table that fits a line."""

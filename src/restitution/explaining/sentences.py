@@ -359,6 +359,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "meeting.towards": "{body} hits {wall}{again} if it moves towards {wall}.",
     "meeting.away": "{body} does not hit {wall}{again} if it does not move towards {wall}.",
+    "condition.towards-if": (
+        "{body} hits {wall}{again} if it moves towards {wall}, that is, if {told}:"
+    ),
+    "condition.away-if": (
+        "{body} does not hit {wall}{again} if it does not move towards {wall}, that is, if {told}:"
+    ),
     "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
     "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
     # --- given facts ------------------------------------------------------------------------------
@@ -610,6 +616,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.same": "the {quantity} is the {value}",
     "derived.share": "the {quantity} is {share} of the {value}",
     "derived.since": "Since {facts:and}:",
+    "derived.anyway": "{fact} in any case.",
+    "derived.moves": "{body} moves in the direction of {way}, so {fact}:",
+    "derived.moves-put": (
+        "{body} moves in the direction of {way}, so {fact}. Substituting for {letters:and}:"
+    ),
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.as": "as {reasons:and}",

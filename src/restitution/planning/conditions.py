@@ -6,10 +6,12 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Degrees,
     Expression,
+    Letter,
     Name,
     Quantity,
     has_quantity,
@@ -115,7 +117,10 @@ class Conditions:
         return self.finished(line, sign, x, wanted)
 
     def stated(self, fact: Fact, wanted: Expression | None) -> int | None:
-        """The line of one of them; where it holds of itself, that which says it in letters."""
+        """The line of one of them; where it holds of itself, a silent one that says it in letters.
+
+        No range comes of that: a working only says that it holds.
+        """
         line = self.condition(fact, wanted)
         if line is not None:
             return line
@@ -126,7 +131,7 @@ class Conditions:
             tree_of(self.scene.put(self.scene.scalar(side))[0]) for side in (link.left, link.right)
         ]
         relation = Relation(((Link(trees[0], link.sign, trees[1]),),))
-        return self.judge.write((Move("put"),), pool, relation)
+        return self.judge.write((Move("put"),), pool, relation, shown="silent")
 
     def _past_a_right_angle(
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
@@ -238,8 +243,12 @@ class Conditions:
                 sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
                 for side in (link.left, link.right)
             ]
+            way = link.sign
+            if values[1] == 0 and self._stands_turned(pool, values[0]):
+                # As it stands above: the sense turns, and not the terms.
+                way, values[0] = FLIPPED[way], tidy(-values[0])
             trees = [tree_of(each) for each in values]
-            first = Relation(((Link(trees[0], link.sign, trees[1]),),))
+            first = Relation(((Link(trees[0], way, trees[1]),),))
             if first != relation:
                 line = self.judge.write(put, pool, first)
                 if line is not None:
@@ -268,6 +277,19 @@ class Conditions:
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _stands_turned(self, pool: Sequence[Ref], value: sp.Expr) -> bool:
+        """Whether a line above says what a letter for a component is, in the opposite sense."""
+        desk = self.scene.desk
+        for ref in pool:
+            if not isinstance(ref, int) or not isinstance(desk.line(ref).relation, Relation):
+                continue
+            own = desk.relation(ref)
+            if len(own.options) == 1 and isinstance(own.only[0].left, Letter):
+                x = self.worths.value(own.only[-1].right)
+                if self.scene.model.identically_zero(x + value):
+                    return True
+        return False
 
     def _is_meeting(self, ref: Ref) -> bool:
         """Whether a given fact is that two bodies meet, or do not: it is told in words."""
