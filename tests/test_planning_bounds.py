@@ -69,7 +69,7 @@ SAYS = {
             "wall W: along j\nsphere A: mass m, velocity -u i\nsphere B: mass k m, at rest\n"
             "A hits W: e = 2/3\nA hits B: along i, e = 1/4\ngiven A hits W again\nfind range of k"
         ),
-        ["A hits W again if it moves towards W:", "k > 4"],
+        ["if it moves towards W, that is, if v < 0: (4 − k)u/(6(1 + k)) < 0", "k > 4"],
     ),
     "a range in two parts": (
         (

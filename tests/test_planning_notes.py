@@ -220,3 +220,15 @@ def test_a_mass_that_is_asked() -> None:
         "m_B = 3",
         "velocity(A, 1) = j",
     ]
+
+
+def test_what_comes_after_an_impossible_coefficient_earns_nothing() -> None:
+    """The coefficient has its answer mark; the energy lost below it has none."""
+    text = (
+        "sphere A: mass m, velocity 4u at 30°\nsphere B: mass m, velocity 2u at 120°\n"
+        "A hits B: along i\ngiven velocity(A) parallel to velocity(B, 0)\n"
+        "find e, speed(A)"
+    )
+    (part,) = explain(solve(parse(text))).parts
+    assert part.item_marks[0] > 0
+    assert part.item_marks[1] == 0

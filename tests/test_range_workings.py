@@ -151,3 +151,31 @@ find e, velocity(B)
     assert working.lower().count("this holds for") == 1
     assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ 2(u − kv)/((k − 1)(u + v)) ≤ 1 only." in working
     assert "As 0 ≤ e ≤ 1, this holds for 0 ≤ e ≤ 1" not in working
+
+
+def test_a_condition_is_not_said_where_the_part_asks_for_it() -> None:
+    text = "sphere A: mass m, velocity u at 30°\nsphere B: mass k m, at rest\nA hits B: along i\n"
+    text += "given velocity(A) perpendicular to i\nfind e in terms of k\nfind range of k"
+    working = str(explain(restitution.solve(parse(text))))
+    assert "this holds for" not in working
+    assert "k ≥ 1" in working
+
+
+def test_a_condition_is_true_at_the_ends_of_the_letters_and_speaks_of_no_others() -> None:
+    text = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+    text += "given speed(P) = v\nfind sin(alpha) in terms of u, v, e\n"
+    text += "find energy_lost in terms of m, u, v"
+    working = " ".join(str(explain(restitution.solve(parse(text)))).split())
+    assert "This holds for eu < v < u and e < 1 only." in working
+    assert working.count("This holds for") == 1
+
+
+def test_which_way_a_body_moves_gives_the_sign_and_what_holds_anyway_is_said() -> None:
+    text = "sphere A: mass m, velocity 3u i\nsphere B: mass 4m, velocity -u i\n"
+    text += (
+        "A hits B: along i\ngiven velocity(A) opposite to i, velocity(B) in the direction of i\n"
+    )
+    text += "find range of e"
+    working = " ".join(str(explain(restitution.solve(parse(text)))).split())
+    assert "B moves in the direction of 𝐢, so w > 0:" in working
+    assert "v < 0 in any case." in working

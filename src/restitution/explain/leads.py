@@ -291,6 +291,10 @@ class Leads:
             else:
                 yield say("derived.cancel", factor=laid, reasons=known)
             return
+        divided = self._divided(line)
+        if divided is not None:
+            yield divided
+            return
         needed = self._of_the_story(line)
         if needed is not None:
             yield needed
@@ -303,6 +307,28 @@ class Leads:
                 yield say("derived.by", how=how)
         elif source is not None:
             yield from self._source(source, line)
+
+    def _divided(self, line: Line) -> Sentence | None:
+        """By what top and bottom of a fraction are divided, where only its form changes."""
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        own = self._derivation.line(refs[0]) if line.move.id == "rearrange" and refs else None
+        if own is None or not isinstance(own.relation, Relation):
+            return None
+        match own.relation.options[0][-1].right, line.relation:
+            case Binary("/", top, _), Relation(((Link(left, "=", Binary("/", rest, below)),),)):
+                if left != own.relation.options[0][0].left:
+                    return None
+                if any(map(has_quantity, (top, rest, below))):
+                    return None
+            case _:
+                return None
+        inside = {each.right for each in walk(below) if isinstance(each, Binary) and each.op == "/"}
+        for each in inside:
+            if isinstance(each, Letter | Apply) and tidy(
+                _value(top) - _value(rest) * _value(each)
+            ).equals(0):
+                return say("derived.divided", factor=self._naming.laid(each))
+        return None
 
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
         """How an offset gives the sine of an angle that is given, said the first time."""

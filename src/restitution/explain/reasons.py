@@ -256,8 +256,14 @@ class Reasons:
             for link in own.relation.options[0]:
                 for term, square in _squares(link.right, links[0].sign):
                     if self._is_left(link.right, term, links[0].right):
-                        laid = self._laid(Relation(((Link(square, ">=", ZERO),),)))
-                        yield say("derived.fact", fact=laid)
+                        facts = [Link(square, ">=", ZERO)]
+                        match term:
+                            case Binary("/", _, Letter(name) as below) if (
+                                name in self._roles and self._roles[name].kind == "positive"
+                            ):
+                                facts.append(Link(below, ">", ZERO))
+                        for fact in facts:
+                            yield say("derived.fact", fact=self._laid(Relation(((fact,),))))
                         return
 
     def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:

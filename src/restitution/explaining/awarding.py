@@ -188,7 +188,7 @@ RULES: tuple[Rule, ...] = (
     # Inequalities, ranges and greatest values.
     _rule(
         "condition-as-inequality",
-        ("sign", "put", "fact"),
+        ("sign", "put", "fact", "compare"),
         "M",
         when=("new-inequality", "on-the-way"),
     ),
@@ -839,6 +839,9 @@ def _opposite(work: _Awarding, line: Line) -> bool:
 
 
 def _new_inequality(work: _Awarding, line: Line) -> bool:
+    """An inequality that comes of none; a comparison only where it is that of a place on a wall."""
+    if line.move.id == "compare" and not any(e.id.startswith("within ") for e in work.facts(line)):
+        return False
     return _unequal(line) and not any(map(_unequal, work.cited(line)))
 
 

@@ -589,6 +589,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
     "derived.combine": "Eliminating {letter} from {equations:and}:",
     "derived.add": "From {equations:and}:",
+    "derived.divided": "Dividing top and bottom by {factor}:",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "derived.solve": "Solving {equations:and}:",

@@ -63,10 +63,16 @@ def write_quotient(claims: Claims, line: int, symbol: sp.Symbol, end: Link) -> B
         terms.append(tree_of(d))
     known = judge.known([*names, symbol.name])
     whole = total(terms)
+    divided = judge.write(
+        (Move("rearrange"),),
+        [line, *known],
+        Relation(((Link(end.left, "=", Binary("/", tree_of(c), whole)),),)),
+    )
     name = _letter_for(scene, whole)
     let = scene.desk.write(Move("let"), (), Meaning(name, whole))
     by_name = Relation(((Link(end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
-    quotient = judge.write((Move("put"),), [line, let, *known], by_name)
+    above = line if divided is None else divided
+    quotient = judge.write((Move("put"),), [above, let, *known], by_name)
     if quotient is None:
         return None
     roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
