@@ -11,8 +11,13 @@ from test_planning_closing import lines, moves, planned, said
 from restitution.explain.derived import explanation_of
 from restitution.explain.text import to_text
 from restitution.explaining.derivation import Derivation, Line, Link, Move, Relation
+from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation
-from restitution.solve import Solution
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solve import Solution, solve
+from restitution.solve.letters import roles
 
 TARGET = "sphere A: mass m, velocity {velocity}\nsphere B: mass {mass}, at rest\n"
 
@@ -348,3 +353,16 @@ def test_a_time_is_seen_to_be_a_quotient(velocity: str, quotient: str) -> None:
         "P hits W: e = 1/2\nfind time(1), position(P)"
     )
     assert quotient in text
+
+
+def test_what_a_square_is_divided_by_stands_beside_it_before_it_is_shown() -> None:
+    problem = parse(
+        "wall W: along j\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
+        "given energy_lost = 1/3 energy(0)\nshow sin^2(theta) = 1/(3(1 - e^2))"
+    )
+    derivation = plan(solve(problem))
+    assert not follow(derivation, Oracle(roles(problem)))
+    assert said(derivation)[-2:] == [
+        "3(1 - e^2) sin^2(theta) = 1",
+        "sin^2(theta) = 1/(3(1 - e^2))",
+    ]

@@ -46,6 +46,7 @@ from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range
 from restitution.solve.solution import ItemResult
 
 # By these a line becomes the printed form, in the order in which they are tried.
+_TO_CLEAR = (Move("rearrange"), Move("cancel"))
 _LAST: tuple[Move, ...] = (
     Move("rearrange"),
     Move("put"),
@@ -385,10 +386,40 @@ class _Equation:
         lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
         for each in lines:
-            line = self._last([each, *(other for other in lines if other != each), *known])
+            others = [other for other in lines if other != each]
+            line = self._cleared(each, known) or self._last([each, *others, *known])
             if line is not None:
                 return line
         raise NotPlannedError("a relation of letters")
+
+    def _cleared(self, line: int, known: Sequence[Ref]) -> int | None:
+        """A square that is a quotient of letters, from a line into which values were put.
+
+        What is divided by stands on the other side first.
+        """
+        match self.link:
+            case Link(Binary("^") as power, "=", Binary("/", above, below)) if letters(below):
+                pass
+            case _:
+                return None
+        desk = self.scene.desk
+        own = desk.line(line)
+        base, *_ = (each for each in (*own.premises, 0) if isinstance(each, int))
+        if own.relation != self.relation or own.move.id != "rearrange" or line != len(desk.lines):
+            return None
+        if not base or desk.line(base).move.id != "put":
+            return None
+        desk.lines.pop()
+        between = chain(swept(product(below, power)), (above, None))
+        first = self.judge.write(_TO_CLEAR, [base, *known], between)
+        last = None if first is None else self._last([first, *known])
+        if last is None:
+            del desk.lines[line - 1 :]
+            desk.lines.append(own)
+            return None
+        if desk.known(power) is not None:
+            desk.know(power, self.scene.scalar(self.link.right), (last,))
+        return last
 
     def _last(self, pool: Sequence[Ref]) -> int | None:
         line = self.judge.write(_LAST, pool, self.relation)
