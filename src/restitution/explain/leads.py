@@ -243,7 +243,7 @@ class Leads:
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(_is_offset, given), None)) is not None:
                 # Once the offset is known, the same fact gives the line in numbers.
-                yield say("so") if offset.id in self._given else self._offset(offset)
+                yield self._worked_out(offset) if offset.id in self._given else self._offset(offset)
                 self._given.add(offset.id)
             else:
                 yield say("given.data")
@@ -269,7 +269,7 @@ class Leads:
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
-            yield say("so") if apart is None else apart
+            yield apart or self._none_in(line) or say("so")
             return
         turned = self._turned(line) or self._along_the_line(line)
         if turned is not None:
@@ -301,12 +301,23 @@ class Leads:
         elif line.move.id == "identity" and line.move.record in _BY:
             how = say(self._identity(line))
             equations = () if source is None else self._numbers(source)
-            if equations:
+            told = self._angles_given(line)
+            if told is not None and told.id not in self._given:
+                self._given.add(told.id)
+                yield say("derived.since-by", facts=(self._naming.fact(told),), how=how)
+            elif equations:
                 yield say("derived.by-from", how=how, equations=equations)
             else:
                 yield say("derived.by", how=how)
         elif source is not None:
             yield from self._source(source, line)
+
+    def _worked_out(self, fact: Fact) -> Sentence:
+        """That an offset is known by now, from which the line of centres follows."""
+        angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
+        names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
+        letters = tuple(map(self._naming.laid, sorted(names, key=lambda each: each.name)))
+        return say("derived.put", letters=letters) if letters else say("so")
 
     def _divided(self, line: Line) -> Sentence | None:
         """By what top and bottom of a fraction are divided, where only its form changes."""
@@ -352,7 +363,7 @@ class Leads:
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""
         name = _BY[line.move.record or ""]
-        base = next(filter(None, map(self._cited, line.premises)), None)
+        base = next(filter(None, map(self._cited, line.premises)), self._angles_given(line))
         if line.move.record != "sum-of-angles" or base is None:
             return name
         assert isinstance(line.relation, Relation)
@@ -368,6 +379,16 @@ class Leads:
             if form in _TANGENTS:
                 return _TANGENTS[form]
         return name
+
+    def _angles_given(self, line: Line) -> Fact | None:
+        """The given sum or difference of angles of which a line is the tangent."""
+        facts = (self._derivation.fact(each) for each in line.premises if isinstance(each, str))
+        for each in facts:
+            if each is not None and each.kind == "given" and len(each.relation.options) == 1:
+                match each.relation.only:
+                    case (Link(Binary("+" | "-"), "="),):
+                        return each
+        return None
 
     def _turned(self, line: Line) -> Sentence | None:
         """How an angle is made of two others; None of a line that makes none."""
@@ -455,6 +476,28 @@ class Leads:
             return say("resolved-spheres.before-sense", axis=way)
         return say(_RESOLVED[event.wall, stage < event.number])
 
+    def _none_in(self, line: Line) -> Sentence | None:
+        """That a velocity at right angles to a direction has no component in it."""
+        assert isinstance(line.relation, Relation)
+        if line.move.record != "perpendicular" or not is_zero(line.relation.only[-1].right):
+            return None
+        meanings = [
+            own.relation.quantity
+            for own in map(self._cited, line.premises)
+            if own is not None and isinstance(own.relation, Meaning)
+        ]
+        for each in meanings:
+            match each:
+                case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
+                    laid, way = self._naming.laid(velocity), self._naming.laid(axis)
+                    return say("given.none-in", velocity=laid, axis=way)
+                case Quantity("angle", (Quantity("velocity") as velocity, Quantity() as axis)) if (
+                    axis.kind == "line_of_centres" and self._naming.side(axis) is not None
+                ):
+                    laid = self._naming.laid(velocity)
+                    return say("given.none-along", velocity=laid, line=self._naming.side(axis))
+        return None
+
     def _apart(self, line: Line) -> Sentence | None:
         """Who moves across the line of centres, and who along it, where that is a right angle."""
         refs = [ref for ref in line.premises if isinstance(ref, int)]
@@ -497,6 +540,8 @@ class Leads:
                 yield say("given.compare")
             case "times":
                 yield say("flight.add")
+            case "made":
+                yield say(self._made(line))
             case "formula":
                 yield say("derived.formula")
             case "solve" if equations:
@@ -543,6 +588,21 @@ class Leads:
             case _:
                 if equations:
                     yield say("derived.add", equations=equations)
+
+    @staticmethod
+    def _made(line: Line) -> SentenceId:
+        """What a line makes of values above it: their ratio, their product, or their difference."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+                return "made.fraction-lost"
+            case Binary("/", Quantity(), Quantity()):
+                return "made.ratio"
+            case Binary("*", Quantity(), Quantity()):
+                return "made.product"
+            case Binary("-", Quantity(), Quantity()):
+                return "made.difference"
+        return "made.by-these"
 
     def _named(self, tree: Expression) -> Sentence | lay.Layout:
         """What is put in: a letter, or words with an article."""

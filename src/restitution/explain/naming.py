@@ -302,12 +302,12 @@ class Naming:
         match tree:
             case Quantity("along" | "across" as kind, (vector, axis)):
                 return self._component(kind, vector, axis)
-            case Quantity("restitution", (), stage):
-                return self._during(say("derived.coefficient"), stage)
-            case Quantity("impulse", (), stage):
-                return self._during(say("derived.impulse-size"), stage)
-            case Quantity("impulse", (Name(body),), stage):
-                return self._during(say("derived.impulse", of=(body,)), stage)
+            case Quantity("restitution", (), _):
+                return self._during(say("derived.coefficient"), tree)
+            case Quantity("impulse", (), _):
+                return self._during(say("derived.impulse-size"), tree)
+            case Quantity("impulse", (Name(body),), _):
+                return self._during(say("derived.impulse", of=(body,)), tree)
             case Quantity("speed", (Name(body),), _):
                 return self._after(say("derived.speed", of=(body,)), tree, body)
             case Quantity("energy", bodies, stage):
@@ -319,12 +319,12 @@ class Naming:
                 return self._after(say("derived.momentum", of=(body,)), tree, body)
             case Quantity("momentum", (), _):
                 return self._after(say("derived.momentum-all"), tree, None)
-            case Quantity("energy_lost", _, stage):
-                return self._during(say("derived.energy-lost"), stage)
+            case Quantity("energy_lost", _, _):
+                return self._during(say("derived.energy-lost"), tree)
             case Quantity("total_energy_lost", _, _):
                 return say("derived.energy-lost-all")
-            case Quantity("deflection", (Name(body),), stage):
-                return self._during(say("derived.deflection", of=(body,)), stage)
+            case Quantity("deflection", (Name(body),), _):
+                return self._during(say("derived.deflection", of=(body,)), tree)
             case Quantity("angle", arguments, _):
                 return say("derived.angle", of=tuple(self.side(each) for each in arguments))
             case Quantity("time", (), int(stage)) if stage in self.events:
@@ -347,8 +347,9 @@ class Naming:
 
     def _of_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of the same quantity at another time."""
+        kinds = (tree.kind, f"total_{tree.kind}")
         return any(
-            (each.kind, each.arguments) == (tree.kind, tree.arguments) and each.stage != tree.stage
+            each.kind in kinds and each.arguments == tree.arguments and each.stage != tree.stage
             for each in self._often
         )
 
@@ -523,13 +524,20 @@ class Naming:
         return say("event.after", event=self._event(self.events[number]))
 
     def _after(self, words: Sentence, tree: Quantity, body: str | None) -> Sentence:
-        when = self._when(self._settled(tree) if body else _number(tree.stage), body)
+        number = self._settled(tree) if body else _number(tree.stage)
+        when = self._when(number, body)
+        if when is None and number and self.several and self._of_other_times(tree):
+            when = self._plain_when(number)
         return words if when is None else say("derived.when", quantity=words, when=when)
 
-    def _during(self, words: Sentence, stage: Stage) -> Sentence:
+    def _during(self, words: Sentence, tree: Quantity) -> Sentence:
         """What belongs to one event."""
-        number = _number(stage)
-        if number not in self.events or not self.several or number == self.now:
+        number = _number(tree.stage)
+        if number not in self.events or not self.several:
+            return words
+        # Of several impacts, the angle through which a body turns could be that of them all.
+        whole = tree.kind == "deflection"
+        if number == self.now and not (whole or self._of_other_times(tree)):
             return words
         during = say("event.during", event=self._event(self.events[number]))
         return say("derived.when", quantity=words, when=during)

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Number,
     Quantity,
     Unit,
@@ -36,7 +37,16 @@ class Source:
     """
 
     kind: Literal[
-        "compare", "combine", "add", "divide", "square-add", "put", "formula", "times", "solve"
+        "compare",
+        "combine",
+        "add",
+        "divide",
+        "square-add",
+        "put",
+        "made",
+        "formula",
+        "times",
+        "solve",
     ]
     numbered: tuple[int, ...] = ()
     letters: tuple[Expression, ...] = ()
@@ -66,6 +76,14 @@ def _is_vector(tree: Expression) -> bool:
         case Quantity() | Apply():
             return False
     return any(map(_is_vector, children(tree)))
+
+
+def _gives_value(relation: object) -> bool:
+    """Whether a line says what one quantity is, or the letter of one."""
+    match relation:
+        case Relation(options=((Link(Quantity() | Letter(), "="), *_),)):
+            return True
+    return False
 
 
 def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], Link] | None:
@@ -246,6 +264,21 @@ class Sources:
             if isinstance(each.relation, Relation)
         )
 
+    def _is_made_of(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line is worked out of the values of quantities: their ratio, say."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Binary) or line.relation.options[0][0].sign != "=":
+            return False
+        parts = set(walk(left)) - {left}
+        above = [self._lines[each].relation for each in cited if each in self._lines]
+        subjects = [each.only[0].left for each in above if _gives_value(each)]
+        return (
+            len(subjects) == len(cited) > 0
+            and parts.issuperset(subjects)
+            and any(isinstance(each, Quantity) for each in subjects)
+        )
+
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
@@ -259,6 +292,8 @@ class Sources:
         facts = self._given(line.premises)
         if self._is_sum_of_times(line, cited):
             return Source("times")
+        if not facts and self._is_made_of(line, cited):
+            return Source("made")
         numbered = () if target is None or target == above else (target,)
         last = bool(values) and values == [above]
         if not (numbered or letters or facts):

@@ -13,6 +13,7 @@ from restitution.explaining.derivation import Derivation
 from restitution.explaining.marks import Marks, written
 from restitution.explaining.saying import Sentence, Words, say, words_of
 from restitution.render.layout import Layout
+from restitution.render.text import NO_BREAK
 
 if TYPE_CHECKING:
     from restitution.draw.scene import Scene
@@ -28,7 +29,7 @@ class Row:
     ``operands[0]`` None goes on from the line above. ``points`` are what an examiner would give;
     ``reasons`` go on from the line as words (*as α is acute*), ``asides`` stand behind it in
     brackets, as does its
-    ``number``, by which others name it; a line with ``alternatives`` offers several values, and
+    ``number`` last, by which others name it; a line with ``alternatives`` offers several values, and
     one that is an ``answer`` gives what was asked.
     """
 
@@ -54,9 +55,10 @@ class Row:
             spoken += [str(say("list.comma"))]
             spoken += words_of(self.reasons, str(say("list.comma")))
         number = (say("derived.value", value=self.number),) if self.number else ()
-        for each in (number, self.asides):
+        for each in (self.asides, number):
             if each:
-                gap = " " if spoken else ""
+                # A number behind words stands apart from them.
+                gap = "" if not spoken else 3 * NO_BREAK if each is number else " "
                 spoken += [f"{gap}(", *words_of(each, str(say("list.semicolon"))), ")"]
         return tuple(spoken)
 

@@ -184,7 +184,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if columns(left) > room:
         lines.append(" " * _INDENT + left)
         current = start
-    note = said(row.note)
+    note = _held(said(row.note))
     gap = "" if goes_on(row.note) else "   "
     # Behind a line that is alone, marks need no more room than they have.
     own = width - (columns(row.mark) + 2 if row.mark else 0)
@@ -221,6 +221,12 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
         made += _plain([" " * indent + each for each in wrapped(words, own - indent)])
     made[-1] = replace(made[-1], mark=row.mark)
     return made
+
+
+def _held(words: str) -> str:
+    """Words behind a line of which a few in brackets at the end stay on one line."""
+    before, bracket, last = words.rpartition(" (")
+    return before + bracket + last.replace(" ", NO_BREAK) if len(last) <= _SHORT else words
 
 
 def goes_on(words: Words) -> bool:

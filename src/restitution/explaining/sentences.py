@@ -253,11 +253,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "after:"
     ),
     "turned.on": (
-        "{body} goes on along the line of centres, so it turns through the difference of its "
-        "angles to that line:"
+        "Along the line of centres {body} keeps its sense, so it turns through the difference of "
+        "its angles to that line:"
     ),
     "turned.back": (
-        "{body} is sent back along the line of centres, so it turns through 180° less both its "
+        "Along the line of centres {body} is sent back, so it turns through 180° less both its "
         "angles to that line:"
     ),
     "turned.square": (
@@ -383,6 +383,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
     "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
+    "given.none-in": "So {velocity} has no component in the direction of {axis}:",
+    "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
@@ -592,6 +594,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divided": "Dividing top and bottom by {factor}:",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
+    "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
+    "made.ratio": "So the ratio is",
+    "made.product": "So the product is",
+    "made.difference": "So the difference is",
+    "made.by-these": "With these values:",
     "derived.solve": "Solving {equations:and}:",
     "derived.solve-this": "Solving this equation:",
     "derived.formula": "By the formula for the roots of a quadratic:",
@@ -624,6 +631,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
+    "derived.since-by": "Since {facts:and}, {how}:",
     "derived.as": "as {reasons:and}",
     "derived.would": "{value} would give {result} by {equations:and}",
     "derived.the": "the {quantity}",
