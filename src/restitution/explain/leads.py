@@ -179,6 +179,8 @@ class Leads:
                 return say("moves-off.title", body=rested[0])
         if record.id == "tan-direction" and self._moves_along(line):
             return say("moves-along.title", body=bodies[0])
+        if record.id == "speed" and (one := self._one_component(line)) is not None:
+            return one
         if self._by_products(line):
             return say("restitution.products")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
@@ -199,6 +201,27 @@ class Leads:
                 for each in lines
             )
         )
+
+    def _one_component(self, line: Line) -> Sentence | None:
+        """How a body moves of whose velocity all components but one are zero."""
+        assert isinstance(line.relation, Relation)
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        own = [e for e in map(self._cited, numbers) if e is not None]
+        lasting = [e.relation for e in own if isinstance(e.relation, Relation)]
+        parts = [e.options[0][0].left for e in lasting if not is_zero(e.options[0][-1].right)]
+        right = line.relation.options[0][0].right
+        if len(parts) != 1 or any(isinstance(e, Binary) and e.op == "+" for e in _under(right)):
+            return None
+        part = parts[0]
+        if isinstance(part, Letter) and part.name in self._naming.meanings:
+            part = self._naming.meanings[part.name].quantity
+        match part:
+            case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)):
+                event = self._naming.event_of_axis(axis)
+                if event is None or event.wall:
+                    return say("derived-speed.one", body=body)
+                return say(f"derived-speed.{kind}", body=body)
+        return None
 
     def _is_given_off(self, line: Line, body: str) -> bool:
         """Whether a line takes the direction that is given of a sphere that was at rest."""
@@ -252,6 +275,9 @@ class Leads:
             title = self.resolved(line)
             if title is not None and title != above:
                 yield title
+            return
+        if self._beside_normal(line):
+            yield say("wall.beside-normal")
             return
         if line.move.record == "wall-direction":
             yield say("so")
@@ -311,6 +337,11 @@ class Leads:
                 yield say("derived.by", how=how)
         elif source is not None:
             yield from self._source(source, line)
+
+    def _beside_normal(self, line: Line) -> bool:
+        """Whether a line gives the direction of a wall by its normal, which stands above."""
+        own = [each for each in map(self._cited, line.premises) if each is not None]
+        return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
 
     def _worked_out(self, fact: Fact) -> Sentence:
         """That an offset is known by now, from which the line of centres follows."""
@@ -682,6 +713,11 @@ class Leads:
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
+
+
+def _under(tree: Expression) -> tuple[Expression, ...]:
+    """What stands under a root, and its size if it is no sum."""
+    return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
 
 
 def _size(tree: Expression) -> Expression:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from restitution.explain.bold_letters import BoldLetters, Used
-from restitution.explain.measured import Measures, with_unit
+from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -162,9 +162,9 @@ class Naming:
                 case Binary("*", size, Quantity() as whole) if _is_share(size):
                     share = self.laid(size)
                     return say("derived.share", quantity=left, share=share, value=self.side(whole))
-            return say("derived.is", quantity=left, value=right)
+            return say("derived.is", quantity=left, value=self._measured(link, right))
         if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
-            bound: Sentence | lay.Layout | str = right
+            bound: Sentence | lay.Layout | str = self._measured(link, right)
             match link.right:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                     bound = say("derived.called", quantity=right)
@@ -172,6 +172,14 @@ class Naming:
                     bound = say("derived.part", share=self.laid(size), value=self.side(whole))
             return say(_BOUNDS[link.sign], quantity=left, value=bound)
         return self.relation(fact.relation)
+
+    def _measured(
+        self, link: Link, right: Sentence | lay.Layout | str
+    ) -> Sentence | lay.Layout | str:
+        """A given number with the unit of the quantity of which it is the value."""
+        if not isinstance(right, lay.Layout) or not is_plain(right) or is_zero(link.right):
+            return right
+        return with_unit(right, Measures(self.problem, self.meanings).unit(link.left))
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -347,9 +355,12 @@ class Naming:
 
     def _of_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of the same quantity at another time."""
-        kinds = (tree.kind, f"total_{tree.kind}")
         return any(
-            each.kind in kinds and each.arguments == tree.arguments and each.stage != tree.stage
+            each.arguments == tree.arguments
+            and (
+                each.kind == f"total_{tree.kind}"
+                or (each.kind == tree.kind and each.stage != tree.stage)
+            )
             for each in self._often
         )
 
@@ -572,16 +583,22 @@ class Naming:
         """A time by what it is counted from: an event, or where the clock starts."""
         match time:
             case Binary("+", Quantity("time", (), int(number)), length) if number in self.events:
-                return say(
-                    "derived.later", time=self._in_seconds(length), event=self._started(number)
-                )
+                return self._after_by(length, self._started(number))
         fact = self.derivation.fact("start")
         if any(isinstance(each, Quantity) for each in walk(time)) or fact is None:
             return say("derived.at-time", time=self.laid(time))
         left = fact.relation.only[0].left
         begins = left.stage if isinstance(left, Quantity) else None
-        start = self._started(begins if isinstance(begins, int) else 0)
-        return say("derived.later", time=self._in_seconds(time), event=start)
+        return self._after_by(time, self._started(begins if isinstance(begins, int) else 0))
+
+    def _after_by(self, time: Expression, event: Sentence) -> Sentence:
+        """How long after an event: *2 s after the impact*, *at time r/u after the impact*."""
+        laid = self._in_seconds(time)
+        return say(
+            "derived.later" if laid != self.laid(time) else "derived.later-at",
+            time=laid,
+            event=event,
+        )
 
     def _started(self, number: int) -> Sentence:
         """The event, or the start, from which a time is counted."""

@@ -10,6 +10,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.refuted import claim_of, refutation
 from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.problem import Extremum
 from restitution.render import layout as lay
 
 # These notes are of one item each.
@@ -68,11 +69,19 @@ class Notes:
             return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
         if first.kind == "unwritten":
             name = "note.unwritten-from" if first.premises else "note.unwritten"
-            return say(name, item=items[0], answer=first.reason)
+            return say(name, item=self._in_words(first), answer=first.reason)
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         name = "note.none-asks" if first.reason.endswith("?") else "note.none"
         return say(name, items=items, reason=first.reason)
+
+    def _in_words(self, note: Note) -> Sentence | str:
+        """An item: a greatest or a least value in words, and not as it was typed."""
+        match self._ends.item(note.item):
+            case Extremum(kind, expression):
+                name = "derived.greatest" if kind == "maximum" else "derived.least"
+                return say(name, quantity=self._naming.laid(expression))
+        return self._ends.text(note.item)
 
     def _impossible(self, note: Note, items: tuple[str, ...]) -> Sentence:
         """The value of a coefficient, and the bound that it breaks."""

@@ -33,8 +33,16 @@ def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | 
     if isinstance(asked, Show) and isinstance(asked.relation, Meets):
         return claim_of_meeting(asked.relation, naming)
     if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
-        return naming.relation(note.claim)
+        laid = naming.relation(note.claim)
+        return _with_article(laid)
     return ends.text(note.item)
+
+
+def _with_article(laid: lay.Layout) -> Sentence | lay.Layout:
+    """An equation among words: where it begins with words, they have their article."""
+    if isinstance(laid, lay.Relation) and isinstance(laid.operands[0], lay.Words | lay.Phrase):
+        return say("derived.the", quantity=laid)
+    return laid
 
 
 def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -> Sentence:
@@ -43,7 +51,8 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     relation = asked.relation if isinstance(asked, Show) else None
     claim = claim_of(note, naming, ends)
     values = tuple(_side(each, naming) for each in note.instance)
-    sides = tuple(laid for each in note.sides if len((laid := _side(each, naming)).operands) > 1)
+    equations = (_side(each, naming) for each in note.sides)
+    sides = tuple(_with_article(each) for each in equations if len(each.operands) > 1)
     match relation:
         case Compare() if isinstance(asked, Show) and asked.subject is not None:
             return _of_subject(asked, claim, note, naming)

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Quantity,
@@ -136,6 +137,9 @@ class Rows:
             if each.sign == "≈":
                 sides_[n] = to_three_figures(trees[n]) or sides_[n]
         signs = [_sign(each) for each in links]
+        angle = self._tangent_of(line, links[0])
+        if angle is not None:
+            sides_[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
         for n in range(len(sides_) - 1, 1, -1):
             if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
                 del sides_[n], signs[n - 1]
@@ -145,9 +149,42 @@ class Rows:
         if self._towards(line, links, sides_):
             sides_[0] = self._away(links[0].left)
             sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
+        reasons: tuple[Sentence, ...] = ()
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides_, signs)
-        return Row(tuple(sides_), tuple(signs))
+            reasons = self._placed(line, links[-1])
+        return Row(tuple(sides_), tuple(signs), reasons=reasons)
+
+    def _tangent_of(self, line: Line, link: Link) -> Expression | None:
+        """The given sum or difference of angles of which a row is the tangent, if it is left out.
+
+        None where the row has the tangent of an angle on a side.
+        """
+        if line.move.record != "sum-of-angles" or not isinstance(link.left, Binary):
+            return None
+        if link.left.op != "/" or isinstance(link.right, Apply):
+            return None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-") as angle, "="),):
+                        return angle
+        return None
+
+    def _placed(self, line: Line, link: Link) -> tuple[Sentence, ...]:
+        """Where a body is by its coordinates, behind its position vector, if that was asked."""
+        end, asked = self._ends.of(line), self._ends.asked(line)
+        if end is None or end.shown or not self._ends.is_place(line):
+            return ()
+        match asked:
+            case Value(expression=Quantity("position", (Name(body),))):
+                (first, _), *others = as_answer(link.right, True) or ((None, ""),)
+                if first is None:
+                    return ()
+                place = lay.Relation((first, *(e for e, _ in others)), tuple(s for _, s in others))
+                return (say("place.so", body=body, place=place if others else first),)
+        return ()
 
     def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
         """Whether a row gives a rebound as a negative component towards a wall."""
@@ -193,10 +230,8 @@ class Rows:
                     signs.append(hundred[1])
                 return
             place = self._ends.is_place(line)
-            for side, sign in as_answer(right, place) if links[-1].sign == "=" else ():
-                if place and sign == "=" and len(sides) == len(links) + 1:
-                    sides[-1] = side  # a place is told by its coordinates
-                elif side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
+            for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
+                if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
         nothing = sides[-1] == lay.Number("0")

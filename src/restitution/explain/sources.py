@@ -78,7 +78,7 @@ def _is_vector(tree: Expression) -> bool:
     return any(map(_is_vector, children(tree)))
 
 
-def _gives_value(relation: object) -> bool:
+def _gives_value(relation: Relation) -> bool:
     """Whether a line says what one quantity is, or the letter of one."""
     match relation:
         case Relation(options=((Link(Quantity() | Letter(), "="), *_),)):
@@ -272,7 +272,9 @@ class Sources:
             return False
         parts = set(walk(left)) - {left}
         above = [self._lines[each].relation for each in cited if each in self._lines]
-        subjects = [each.only[0].left for each in above if _gives_value(each)]
+        subjects = [
+            each.only[0].left for each in above if isinstance(each, Relation) and _gives_value(each)
+        ]
         return (
             len(subjects) == len(cited) > 0
             and parts.issuperset(subjects)

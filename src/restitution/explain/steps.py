@@ -28,9 +28,8 @@ class Row:
 
     ``operands[0]`` None goes on from the line above. ``points`` are what an examiner would give;
     ``reasons`` go on from the line as words (*as α is acute*), ``asides`` stand behind it in
-    brackets, as does its
-    ``number`` last, by which others name it; a line with ``alternatives`` offers several values, and
-    one that is an ``answer`` gives what was asked.
+    brackets, as does its ``number`` last, by which others name it; a line with ``alternatives``
+    offers several values, and one that is an ``answer`` gives what was asked.
     """
 
     operands: tuple[Layout | None, ...]
@@ -152,6 +151,19 @@ class Working:
     def marks(self) -> int:
         """The marks of the whole question."""
         return sum(part.marks for part in self.parts)
+
+    @property
+    def left_over(self) -> tuple[str, ...]:
+        """The warnings that the steps do not give themselves."""
+        notes = {
+            note.reason
+            for part in self.parts
+            for note in part.derivation.notes
+            if note.kind == "impossible" and note.premises
+        }
+        return tuple(
+            each for each in self.warnings if not any(each.endswith(note) for note in notes if note)
+        )
 
     def rows(self) -> tuple[Row, ...]:
         """Every line of mathematics, in order."""

@@ -50,7 +50,7 @@ def to_text(explanation: Working, width: int = 80, styled: bool = False) -> str:
         lines += [*_strong(wrapped(explanation.title, width)), _Line()]
     for part in explanation.parts:
         lines += _part(part, width)
-    for warning in explanation.warnings:
+    for warning in explanation.left_over:
         lines += _plain(wrapped(note(warning), width))
     while lines and lines[-1] == _Line():
         lines.pop()
@@ -124,9 +124,9 @@ def _unbroken(layout: Layout) -> str:
     if isinstance(layout, Relation):
         first, *rest = map(_unbroken, layout.operands)
         signs = zip(layout.signs, rest, strict=True)
-        if len(rest) == 1 and columns(first) + columns(rest[0]) <= _SHORT:
-            return f"{first}{NO_BREAK}{layout.signs[0]}{NO_BREAK}{rest[0]}"
-        return " ".join([first, *(f"{sign}{NO_BREAK}{each}" for sign, each in signs)])
+        pieces = [f"{sign}{NO_BREAK}{each}" for sign, each in signs]
+        short = bool(rest) and columns(first) + columns(rest[0]) <= _SHORT
+        return f"{first}{NO_BREAK if short else ' '}{' '.join(pieces)}" if pieces else first
     return one_line(layout).replace(" ", NO_BREAK)
 
 

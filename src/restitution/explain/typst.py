@@ -45,7 +45,7 @@ def to_markup(explanation: Working) -> str:
     blocks: list[str] = []
     for part in explanation.parts:
         blocks += _part(part)
-    blocks += [f"#emph[{words(note(each))}]" for each in explanation.warnings]
+    blocks += [f"#emph[{words(note(each))}]" for each in explanation.left_over]
     return "\n\n".join(blocks) + "\n"
 
 

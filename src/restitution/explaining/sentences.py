@@ -425,7 +425,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
     ),
     "contact.wall": "{body} is then on the line of {wall}:",
-    "circle.at": "{body} is then at the distance {radius} from the centre of {wall}:",
+    "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
@@ -484,10 +484,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- answers ----------------------------------------------------------------------------------
     "note.none": "{items:and}: no answer, as {reason}.",
-    "note.unwritten": "{item}: {answer}. The working of this is not written out.",
+    "note.unwritten": "{item:capital}: {answer}. The working of this is not written out.",
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",
-    "note.unwritten-from": "{item}: {answer}. The steps from here are not written out.",
+    "note.unwritten-from": "{item:capital}: {answer}. The steps from here are not written out.",
     "note.none-either": "{items:and}: no answer either.",
     "note.none-asks": "{items:and}: no answer, as {reason}",
     "note.none-data-above-one": (
@@ -549,6 +549,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.at-the-start": "at the start",
     "derived.at-time": "at time {time}",
     "derived.later": "{time} after {event}",
+    "derived.later-at": "at time {time} after {event}",
     "event.start": "the start",
     "derived.of": "of {event}",
     "derived.velocity": "velocity of {bodies:and}",
@@ -595,6 +596,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
+    "place.so": "so {body} is at {place}",
+    "derived-speed.one": "The velocity of {body} has one component only",
+    "derived-speed.along": "{body} moves along the line of centres",
+    "derived-speed.across": "{body} moves perpendicular to the line of centres",
+    "wall.beside-normal": "At right angles to the normal:",
     "made.ratio": "So the ratio is",
     "made.product": "So the product is",
     "made.difference": "So the difference is",

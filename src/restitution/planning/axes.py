@@ -192,6 +192,7 @@ def write_wall(scene: Scene, wall: str) -> int:
         Move("law", "wall-direction", number, (body,)),
         frame.refs,
         Relation(((Link(direction, "perpendicular to", vector(*map(tree_of, normal))),),)),
+        "silent" if any(isinstance(each, int) for each in frame.refs) else "line",
     )
     along = whole_direction(frame.t)[0] if known is None else normal.turned_left()
     if scene.model.sign(along.x) < 0:
