@@ -54,7 +54,7 @@ sphere B: mass m, at rest
 A hits B: along i, e = 1/3
 find deflection(A)
 """,
-        ("difference of its\nangles", "δ = arctan(3√3/2) − 60°"),
+        ("difference\nof its angles", "δ = arctan(3√3/2) − 60°"),
     ),
     "sent back": (
         """

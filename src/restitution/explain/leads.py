@@ -220,7 +220,8 @@ class Leads:
                 event = self._naming.event_of_axis(axis)
                 if event is None or event.wall:
                     return say("derived-speed.one", body=body)
-                return say(f"derived-speed.{kind}", body=body)
+                along = kind == "along"
+                return say("derived-speed.along" if along else "derived-speed.across", body=body)
         return None
 
     def _is_given_off(self, line: Line, body: str) -> bool:
