@@ -256,7 +256,7 @@ def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, mediu
             "centres-slanted",
             ["= (7/5)𝐢 + ⅕𝐣 = (1.4𝐢 + 0.2𝐣) m s⁻¹", "= 7 − 1 = 6 N s", "v = 1 m s⁻¹"],
         ),
-        ("times-between-walls", ["t₂ = 7/2 s", "= (21/2, 3) m "]),
+        ("times-between-walls", ["t₂ = 7/2 s", "at (21/2, 3) m "]),
         (
             "wall-impulse",
             ["= 2√13 ≈ 7.21 m s⁻¹", "= 3 J", "e = 0.5 ", "stays 8 cos 30° = 4√3 m s⁻¹"],

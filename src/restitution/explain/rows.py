@@ -177,13 +177,18 @@ class Rows:
         end, asked = self._ends.of(line), self._ends.asked(line)
         if end is None or end.shown or not self._ends.is_place(line):
             return ()
+        assert isinstance(line.relation, Relation)
         match asked:
             case Value(expression=Quantity("position", (Name(body),))):
-                (first, _), *others = as_answer(link.right, True) or ((None, ""),)
-                if first is None:
+                shown = as_answer(link.right, True)
+                if not shown:
                     return ()
-                place = lay.Relation((first, *(e for e, _ in others)), tuple(s for _, s in others))
-                return (say("place.so", body=body, place=place if others else first),)
+                sides, signs = [each for each, _ in shown], tuple(sign for _, sign in shown[1:])
+                if is_plain(self._naming.laid(link.right)):
+                    unit = self._measures.unit(line.relation.options[0][0].left)
+                    sides[-1] = with_unit(sides[-1], unit)
+                place = lay.Relation(tuple(sides), signs) if signs else sides[0]
+                return (say("place.so", body=body, place=place),)
         return ()
 
     def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
