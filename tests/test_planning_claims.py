@@ -89,7 +89,7 @@ WORKINGS = {
             "sphere A, B, C: mass m\nsphere A: velocity u i\nsphere B, C: at rest\n"
             "A hits B: along i\nB hits C: along i\ngiven e < 1\nshow A and B collide again"
         ),
-        ["v > x"],
+        ["v_1 > v_2"],
     ),
     "an angle less than another": (
         WALL + "show angle(velocity(P), W) <= alpha",
@@ -306,7 +306,7 @@ SAID = {
     ),
     "an energy without the square": (
         OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",
-        "≥ ½mu² sin²α, as ((1 − k)u cos α/(1 + k))² ≥ 0",
+        "≥ ½mu² sin²α as ((1 − k)u cos α/(1 + k))² ≥ 0",
     ),
 }
 

@@ -185,7 +185,7 @@ def test_the_follower_accepts(name: str) -> None:
 
 def test_the_angle_is_introduced_as_acute_and_both_sides_are_told() -> None:
     text = printed("an angle by the speed of the sphere that was at rest")
-    assert text.startswith("Let θ be the acute angle between the line of centres and 𝐢.")
+    assert "Let θ be the acute angle between the line of centres and 𝐢." in " ".join(text.split())
     assert "The line of centres may be on either side of 𝐢:" in text
     assert "≈ 53.1° or −53.1°" in text
     assert "B moves along the line of centres:" in text

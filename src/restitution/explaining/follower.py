@@ -466,6 +466,13 @@ class _Reader:
             self._scopes[ref] = common_scope(map(self._scope, known))
         return self._scopes[ref]
 
+    def _homes(self, ref: Ref) -> set[str | None]:
+        """The parts whose own facts a line rests on, or that of a fact."""
+        if isinstance(ref, str):
+            return {self.facts[ref].part} if ref in self.facts else set()
+        known = (each for each in self.lines[ref].premises if each in self._known_refs)
+        return {part for each in known for part in self._homes(each)}
+
     @cached_property
     def _known_refs(self) -> frozenset[Ref]:
         return frozenset((*self.lines, *self.facts))
@@ -577,8 +584,8 @@ class _Reader:
                 continue
             other = {c.number for c in self.derivation.cases if each.number in c.lines}
             part = self.parts.get(line.item or "")
-            if line.item is not None and not self._holds(each.number, part):
-                continue  # it rests on what holds in another part
+            if line.item is not None and not self._homes(each.number) <= {None, part}:
+                continue  # it rests on what another part is given
             if not case or not other or case & other:
                 yield Complaint("said-before", line.number, each.number)
                 return

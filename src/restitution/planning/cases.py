@@ -16,6 +16,7 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
     Raises NotPlannedError where the solutions do not part at lines of alternatives.
     """
     if all(_same(draft, drafts[0]) for draft in drafts):
+        drafts[0].splits = before.splits if len(drafts) > 1 else drafts[0].splits
         return drafts[0]
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:

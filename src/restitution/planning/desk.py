@@ -144,6 +144,9 @@ class Desk:
     item: str | None = None
     part: str | None = None
     splits: tuple[tuple[int, int], ...] = ()
+    apart: bool = False
+    """Whether the part that is written takes nothing from what another is given in the same words:
+    where it has several solutions, that has them too."""
     version: int = 0
     """How often what is known has changed."""
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
@@ -215,8 +218,15 @@ class Desk:
 
     def holds(self, ref: Ref) -> bool:
         """Whether what a line rests on is in force in the part that is written."""
+        if self.apart:
+            return self._homes(ref) <= {None, self.part}
         scope = self._own.get(ref, self._scope(ref))
         return scope is None or self.part in scope
+
+    def _homes(self, ref: Ref) -> frozenset[str | None]:
+        """The parts whose own facts a line rests on, or that of a fact."""
+        under = self.under(ref) | {ref}
+        return frozenset(each.part for each in self.facts if each.id in under)
 
     # --- values ---------------------------------------------------------------------------------
 

@@ -294,7 +294,7 @@ class _Extremum:
             primitive = poly.primitive()[1]
             a, b, c = (primitive.nth(n) for n in (2, 1, 0))
             common, inner = sp.Poly(2 * a * self.symbol + b, self.symbol).primitive()
-            factor = tidy(sp.sympify(common) ** 2 / (4 * a))
+            factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
             squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
             own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
             outer = tidy(cancelled(each / primitive.as_expr()))

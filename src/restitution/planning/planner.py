@@ -149,7 +149,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     """The desk with the lines of a part; of a ``partial`` one, as far as there are any."""
     if not part.items:
         return desk
-    desk.part = part.part.label
+    desk.part, desk.apart = part.part.label, len(part.branches) > 1
     if not part.branches or all(isinstance(each.error, MissingError) for each in part.items):
         for index, each in enumerate(part.items, 1):
             if each.error is None:

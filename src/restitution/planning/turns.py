@@ -141,6 +141,10 @@ def _from_a_unit(
             case Polar(_, told, origin, None) if not each.velocity.stage:
                 if (origin or Unit("i")) == unit:
                     angle = told
+        if angle is None and not each.velocity.stage:
+            onward = scene.scalar(Quantity("along", (each.velocity, unit)))
+            if scene.model.decide(onward, ">=", 0):
+                angle = _angle_of_data(scene, body.name, frame)
         own = replace(each, angle=None, named=Quantity("angle", (each.velocity, unit)), told=())
         seen.append(own if angle is None else _told(scene, own, body.name, angle))
     fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))

@@ -423,18 +423,8 @@ def _assemble(
             Number(str(q)),
         )
         return product(number, *letters_above, *other, *functions_above)
-    if surd_layout and letters_above and isinstance(letters_above[0], Brackets):
-        # (1 + e)u√3, since √3(1 + e) could be read as the root of the whole.
-        body = [*letters_above, *surd_layout]
-    elif (
-        surd_layout
-        and letters_above
-        and isinstance(letters_above[0], Power)
-        and isinstance(letters_above[0].base, Brackets)
-    ):
-        body = [*letters_above, *surd_layout]
-    else:
-        body = [*surd_layout, *letters_above]
+    # A root of a number comes first: √3(1 + e)u. That of the whole would be √(3(1 + e)u).
+    body = [*surd_layout, *letters_above]
     numerator_parts = [*numerals, *body, *other, *functions_above]
     numerator = product(*numerator_parts) if numerator_parts else ONE
     if q != 1:
