@@ -414,6 +414,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-along.title": "{body} moves along the line of centres",
+    "moves-along.why": (
+        "Smooth spheres push each other along the line of centres only. A sphere that has no "
+        "velocity across that line before the impact has none after it. So it moves along the "
+        "line, and its speed is the size of its one component."
+    ),
+    "moves-along.mistakes": (
+        "Usual mistake: giving it a share of the other sphere's velocity across the line."
+    ),
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (

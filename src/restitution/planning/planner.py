@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import sympy as sp
 
 from restitution.components import model, protected_letters
 from restitution.errors import MissingError
-from restitution.explaining.derivation import Derivation, Meaning
+from restitution.explaining.derivation import (
+    Derivation,
+    ItemEnd,
+    Link,
+    Meaning,
+    Relation,
+    equation,
+)
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import with_identities, with_ranges, without_spare
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
@@ -18,6 +28,7 @@ from restitution.planning.checking import require_true
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
+from restitution.planning.forms import tree_of
 from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.items import write_item
 from restitution.planning.open_lines import write_open_lines
@@ -297,9 +308,20 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     kinds = {each.function for each in walk(end.answer.only[0].right) if isinstance(each, Apply)}
     told = {type(each).__name__ for each in value.atoms(*_RATIOS)}
     if "tan" in kinds and told == {"sin", "cos"}:
-        kinds = kinds - {"tan"} | told  # a tangent is as good as both
-    if kinds & _NAMES != told:
+        _end_in(scene, end, value)
+    elif kinds & _NAMES != told:
         raise NotPlannedError("an answer in another form")
+
+
+def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:
+    """Ends the last line of an item in the form of its answer, sines and cosines for a tangent."""
+    line = scene.desk.line(end.line)
+    assert isinstance(line.relation, Relation)
+    last = Link(line.relation.only[-1].right, "=", tree_of(value), "rearrange")
+    whole = replace(line, relation=Relation(((*line.relation.only, last),)))
+    subject = end.answer.only[0].left
+    scene.desk.lines[end.line - 1] = whole
+    scene.desk.ends[-1] = replace(end, answer=equation(subject, last.right))
 
 
 # The ways in which an item may be written, in this order: by a plan; by a plan in which equations
