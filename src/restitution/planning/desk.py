@@ -225,7 +225,7 @@ class Desk:
 
     def _homes(self, ref: Ref) -> frozenset[str | None]:
         """The parts whose own facts a line rests on, or that of a fact."""
-        under = self.under(ref) | {ref}
+        under = self.under(ref) if isinstance(ref, int) else {ref}
         return frozenset(each.part for each in self.facts if each.id in under)
 
     # --- values ---------------------------------------------------------------------------------
