@@ -54,6 +54,9 @@ _STAGED = frozenset(
     ("velocity", "speed", "direction", "deflection", "impulse", "energy", "energy_lost")
     + ("momentum", "line_of_centres", "position", "total_energy_lost", "distance")
 )
+_PLAIN = 12
+"""So many events may come before a velocity of which the direction is plain."""
+
 _OF_AN_EVENT = frozenset({"deflection", "impulse", "energy_lost", "line_of_centres"})
 _AXES: Mapping[Expression, Expression] = {
     Unit("i"): Unit("j"),
@@ -114,6 +117,7 @@ class _Facts:
         self.problem = problem
         self.events = events_of(problem)
         self.walls = {each.name: each for each in problem.walls}
+        self._normals: dict[int, Expression | None] = {}
 
     def facts(self) -> Iterator[Fact]:
         """All facts: of bodies, of events, then what is given."""
@@ -550,6 +554,12 @@ class _Facts:
 
     def _into_the_wall(self, step: Impact, number: int) -> Expression | None:
         """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
+        # A velocity rests on all walls on the way, and each of them on the velocity before it.
+        if number not in self._normals:
+            self._normals[number] = self._normal_into(step, number)
+        return self._normals[number]
+
+    def _normal_into(self, step: Impact, number: int) -> Expression | None:
         along = self._along(self.walls[step.second])
         if along is None:
             return None
@@ -574,6 +584,8 @@ class _Facts:
         from restitution.explaining.algebra import NotComparableError
         from restitution.oracle import Oracle, compared
 
+        if number > _PLAIN:
+            return False
         world = _world_of(self.problem)
         for wall in self.problem.walls:
             along = self._along(wall)
