@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 
 import sympy as sp
@@ -18,8 +17,6 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solve.letters import roles
 from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
-
-_NAME = re.compile(r"[^\W\d]\w*")
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -57,7 +54,12 @@ def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
         and each.error is None
     }
     told = {each for answer in answers for each in answer.condition}
-    return len(told) == 1 and any(name in _NAME.findall(text) for name in ranges for text in told)
+    return len(told) == 1 and any(name in _names_in(text) for name in ranges for text in told)
+
+
+def _names_in(text: str) -> list[str]:
+    """The letters of a condition, which is in the language of statements."""
+    return "".join(c if c.isalnum() or c == "_" else " " for c in text).split()
 
 
 def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[Answer]) -> bool:
@@ -75,9 +77,7 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
     )
     if asked is None:
         return False
-    names = {
-        each for answer in answers for text in answer.condition for each in _NAME.findall(text)
-    }
+    names = {each for answer in answers for text in answer.condition for each in _names_in(text)}
     known = set(roles(solution.problem))
     own = item.item.expression if isinstance(item.item, Value) else None
     return bool(names & known - {*asked, own.name if isinstance(own, Letter) else ""})

@@ -699,7 +699,7 @@ class Leads:
     ) -> tuple[str, lay.Layout, Sentence | lay.Layout] | None:
         """Which way a body moves, where that is given, and so the sign of its component."""
         sense = self._derivation.fact(names[0]) if len(names) == 1 else None
-        if sense is None or not sense.id.startswith("sense "):
+        if sense is None or sense.id.partition(" ")[0] != "sense":
             return None
         match sense.relation.only:
             case (Link(Quantity("along", (Quantity("velocity", (Name(body),)), axis)), sign),):

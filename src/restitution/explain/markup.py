@@ -267,7 +267,7 @@ def _inline(words: Words, escape: object) -> str:
 
 
 def _text(text: str) -> str:
-    return "".join(_LATEX.get(c) or _sign(c) for c in text)
+    return "".join(_LATEX.get(c) or _sign(c) for c in text).replace("\u00a0", "~")
 
 
 def _sign(c: str) -> str:
