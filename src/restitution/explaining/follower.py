@@ -272,6 +272,7 @@ class _Reader:
         self.setting = setting_of(derivation, oracle)
         self._scopes: dict[Ref, frozenset[str | None] | None] = {}
         self._given_in = scopes_of(derivation.facts)
+        self._home_parts: dict[Ref, frozenset[str | None]] = {}
 
     def complaints(self) -> Iterator[Complaint]:
         numbers = list(self._numbers())
@@ -466,12 +467,15 @@ class _Reader:
             self._scopes[ref] = common_scope(map(self._scope, known))
         return self._scopes[ref]
 
-    def _homes(self, ref: Ref) -> set[str | None]:
+    def _homes(self, ref: Ref) -> frozenset[str | None]:
         """The parts whose own facts a line rests on, or that of a fact."""
         if isinstance(ref, str):
-            return {self.facts[ref].part} if ref in self.facts else set()
-        known = (each for each in self.lines[ref].premises if each in self._known_refs)
-        return {part for each in known for part in self._homes(each)}
+            return frozenset({self.facts[ref].part} if ref in self.facts else ())
+        if ref not in self._home_parts:
+            self._home_parts[ref] = frozenset()
+            known = (each for each in self.lines[ref].premises if each in self._known_refs)
+            self._home_parts[ref] = frozenset().union(*map(self._homes, known))
+        return self._home_parts[ref]
 
     @cached_property
     def _known_refs(self) -> frozenset[Ref]:
