@@ -5,11 +5,10 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
 
 import pytest
 from corruptions import corruptions
-from laws_of_workings import answers as wrong_answers
+from workings import planned
 
 from restitution.explain.derived import explanation_of
 from restitution.explain.text import to_text
@@ -17,11 +16,8 @@ from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Line, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
-from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solve import solve
 from restitution.solve.letters import roles
 
 INSIDE = """
@@ -38,17 +34,6 @@ sphere P: at (-9, 5), velocity 3i
 P hits C: e = 2/3
 find position(P), velocity(P), time(1)
 """
-
-
-@cache
-def planned(statement: str) -> tuple[Problem, Derivation]:
-    """A statement and its working, which the follower accepts and which has its answers."""
-    problem = parse(statement)
-    solution = solve(problem)
-    derivation = plan(solution)
-    assert follow(derivation, Oracle(roles(problem))) == ()
-    assert wrong_answers(solution, derivation) == []
-    return problem, derivation
 
 
 def printed(problem: Problem, derivation: Derivation) -> str:

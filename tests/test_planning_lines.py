@@ -6,10 +6,9 @@ Each working is followed line by line, and its answers are those of the solver.
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import pytest
-from laws_of_workings import answers as wrong_answers
+from workings import planned
 
 from restitution.explain.derived import explanation_of
 from restitution.explain.text import to_text
@@ -21,9 +20,6 @@ from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import Negate
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.planner import plan
-from restitution.problem import Problem
-from restitution.solve import solve
 from restitution.solve.letters import roles
 
 STATEMENTS = {
@@ -160,17 +156,6 @@ given momentum(A) = 8i + 4j
 find x, y, impulse(A)
 """,
 }
-
-
-@cache
-def planned(statement: str) -> tuple[Problem, Derivation]:
-    """A statement and its working, which the follower accepts and which has its answers."""
-    problem = parse(statement)
-    solution = solve(problem)
-    derivation = plan(solution)
-    assert follow(derivation, Oracle(roles(problem))) == ()
-    assert wrong_answers(solution, derivation) == []
-    return problem, derivation
 
 
 def printed(name: str) -> str:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
-from laws_of_workings import answers as wrong_answers
+from workings import planned
 
 from restitution.explain.derived import explanation_of
 from restitution.explain.text import to_text
@@ -13,11 +12,8 @@ from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
-from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solve import solve
 from restitution.solve.letters import roles
 
 AT_REST = """
@@ -26,17 +22,6 @@ sphere B: mass 1, radius 5, at (20, 7), at rest
 A hits B: e = 1/2
 find time(1), line_of_centres, velocity(B), distance(A, B, at 6)
 """
-
-
-@cache
-def planned(statement: str) -> tuple[Problem, Derivation]:
-    """A statement and its working, which the follower accepts and which has its answers."""
-    problem = parse(statement)
-    solution = solve(problem)
-    derivation = plan(solution)
-    assert follow(derivation, Oracle(roles(problem))) == ()
-    assert wrong_answers(solution, derivation) == []
-    return problem, derivation
 
 
 def printed(problem: Problem, derivation: Derivation) -> str:

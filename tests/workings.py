@@ -1,0 +1,27 @@
+"""Workings of the planner, each accepted by the follower before a test looks at it."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from laws_of_workings import answers as wrong_answers
+
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.problem import Problem
+from restitution.solve import solve
+from restitution.solve.letters import roles
+
+
+@cache
+def planned(statement: str) -> tuple[Problem, Derivation]:
+    """A statement and its working, which the follower accepts and which has its answers."""
+    problem = parse(statement)
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert wrong_answers(solution, derivation) == []
+    return problem, derivation
