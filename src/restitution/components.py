@@ -108,7 +108,7 @@ def _less_than_a_turn(angle: sp.Expr, oracle: Oracle) -> bool:
             ends = (sp.Max(ends[0], 0), ends[1])
         elif proved_sign(oracle, atom) == -1:
             ends = (ends[0], sp.Min(ends[1], 0))
-        products = [coefficient * each for each in ends]
+        products = [coefficient * end for end in ends]
         low, high = low + min(products), high + max(products)
     return bool(-2 * sp.pi < low) and bool(high < 2 * sp.pi)
 
@@ -118,9 +118,9 @@ def _renamed(formula: Formula, put: Mapping[sp.Symbol, sp.Symbol]) -> Formula:
         case Relation(value, operator):
             return Relation(value.xreplace(put), operator)
         case All(parts):
-            return All(tuple(_renamed(each, put) for each in parts))
+            return All(tuple(_renamed(part, put) for part in parts))
         case Some(parts):
-            return Some(tuple(_renamed(each, put) for each in parts))
+            return Some(tuple(_renamed(part, put) for part in parts))
 
 
 @dataclass(frozen=True)
@@ -304,7 +304,7 @@ class Model:
             return known
         names = {old.name: new.name for old, new in put.items()}
         roles = {names.get(name, name): role for name, role in known.roles.items()}
-        return Oracle(roles, tuple(_renamed(each, put) for each in known.facts))
+        return Oracle(roles, tuple(_renamed(fact, put) for fact in known.facts))
 
     def _presented(self, known: Oracle) -> dict[sp.Symbol, sp.Symbol]:
         """Hidden unknowns by the names that people see."""
@@ -747,7 +747,7 @@ def _letters_of(problem: Problem) -> set[str]:
 
 def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
     """A letter for each component that an impact changes, the same in all parts."""
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     given = _named_by_let(problem, spheres)
     impacts = [(n, each) for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
     struck = [(n, tuple(b for b in (e.first, e.second) if b in spheres)) for n, e in impacts]

@@ -247,7 +247,7 @@ class _Reader:
             values[what] = self._value(trees[what], what, values)
         self._values = _one_kind(values)
         if self._values["e"] is None:
-            if any(_is_inexact(each) for each in _leaves(self._values.values())):
+            if any(_is_inexact(leaf) for leaf in _leaves(self._values.values())):
                 raise MissingError("the coefficient of restitution e was not given")
             self._values["e"] = self._symbol("e")
 
@@ -356,7 +356,7 @@ def _symbols(trees: dict[str, Any]) -> dict[str, Any]:
     A coefficient of restitution may be zero; a letter alone one of a velocity's components, and
     not in the other (``p i + 2j``), is any real number; all others are positive.
     """
-    if not any(isinstance(each, Expression) and letters(each) for each in _leaves(trees.values())):
+    if not any(isinstance(leaf, Expression) and letters(leaf) for leaf in _leaves(trees.values())):
         return {}
     import sympy
 
@@ -436,11 +436,11 @@ def _is_inexact(value: Any) -> bool:
 
 def _one_kind(values: dict[str, Any]) -> dict[str, Any]:
     """All numbers exact, or, if any is a float or an array, all of them floats."""
-    leaves = [each for each in _leaves(values.values()) if each is not None]
-    symbols = any(_free_symbols(each) for each in leaves)
-    if symbols and any(_is_array(each) for each in leaves):
+    leaves = [leaf for leaf in _leaves(values.values()) if leaf is not None]
+    symbols = any(_free_symbols(leaf) for leaf in leaves)
+    if symbols and any(_is_array(leaf) for leaf in leaves):
         raise UnsupportedError("letters and arrays cannot be mixed in one impact")
-    inexact = any(_is_inexact(each) for each in leaves)
+    inexact = any(_is_inexact(leaf) for leaf in leaves)
     convert = _as_float if inexact and not symbols else _as_exact
 
     def each(value: Any, what: str) -> Any:

@@ -93,8 +93,8 @@ class Ensemble(Generic[T]):
         lines = [f"{counted(len(self.values), 'case')}: {', '.join(counts)}"]
         if self.stopped:
             lines.append(f"  stopped: {self.stopped}")
-        for each in self.failures[:_SHOWN]:
-            lines.append(f"  case {each.index}, {_shown(each.case)}: {_brief(each.error)}")
+        for failure in self.failures[:_SHOWN]:
+            lines.append(f"  case {failure.index}, {_shown(failure.case)}: {_brief(failure.error)}")
         if len(self.failures) > _SHOWN:
             lines.append(f"  and {len(self.failures) - _SHOWN} more in .failures")
         return "\n".join(lines)
@@ -266,7 +266,7 @@ class _Run:
         for future in [each for each in self._under_way if each.done() and not each.cancelled()]:
             self._finish(future)
         count = self._begun if total is None else total
-        failures = {each.index: each for each in self._failures}
+        failures = {failure.index: failure for failure in self._failures}
         missing = (k for k in range(count) if k not in self._values and k not in failures)
         return Ensemble(
             tuple(map(self._values.get, range(count))),

@@ -242,7 +242,7 @@ def _by_kernel(
 
     count = math.prod(shape)
     flat = [_flat(each, shape, vectors=k < _VECTORS) for k, each in enumerate(data)]
-    pairs = [each.reshape(count, 2) for each in results]
+    pairs = [result.reshape(count, 2) for result in results]
     # The results are written line by line of the cache: the first row starts one.
     first = min(count, -pairs[0].ctypes.data % _LINE // _ROW)
     steps = (count - first) // _KERNEL
@@ -255,7 +255,7 @@ def _by_kernel(
             fused(
                 tuple(each.ctypes.data + (not same) * row * each.strides[0] for each, same in flat),
                 tuple(strides),
-                tuple(each.ctypes.data + row * _ROW for each in pairs),
+                tuple(pair.ctypes.data + row * _ROW for pair in pairs),
                 stop - start,
             )
         )
@@ -267,7 +267,7 @@ def _by_kernel(
             good = all(pool.map(work, range(threads)))
     for start, stop in (0, first), (first + steps * _KERNEL, count):
         edge = [each[: stop - start] if same else each[start:stop] for each, same in flat]
-        good = good and _by_numpy(edge, [each[start:stop] for each in pairs], (stop - start,))
+        good = good and _by_numpy(edge, [pair[start:stop] for pair in pairs], (stop - start,))
     return good
 
 

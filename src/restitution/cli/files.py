@@ -105,8 +105,8 @@ def hint(text: bytes, told: RestitutionError | Note) -> Iterator[str]:
     lines = _lines(text)
     after = mended("\n".join(lines), told.fixes[0]).split("\n")
     # A cure may begin a line, or join two: what stands below keeps its distance from the end.
-    below = len(lines) - max(each.end_line for each in told.fixes[0].edits if _near(each, told))
-    others = len({each.line for each in told.fixes[0].edits} - {told.line})
+    below = len(lines) - max(edit.end_line for edit in told.fixes[0].edits if _near(edit, told))
+    others = len({edit.line for edit in told.fixes[0].edits} - {told.line})
     for line in after[told.line - 1 : len(after) - below]:
         if len(line) <= _SHOWN:
             yield f"  fix | {printable(line)}"

@@ -170,7 +170,7 @@ def write_file(output: str, content: bytes, statements: list[str]) -> None:
         sys.stdout.buffer.flush()
         return
     path = Path(output)
-    if any(_same_file(path, each) for each in statements):
+    if any(_same_file(path, statement) for statement in statements):
         raise RefusedError(f"{path} is one of the statements: it would be overwritten", "--output")
     try:
         path.write_bytes(content)

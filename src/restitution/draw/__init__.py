@@ -83,7 +83,7 @@ def figure(solution: Solution) -> Scene | None:
     """
     from restitution.draw.path import path_figure
 
-    solved = [each for each in solution.parts.values() if each.branches]
+    solved = [part for part in solution.parts.values() if part.branches]
     if solved and _says_more(solution, solved[-1]):
         plan = path_figure(solution, solved[-1], solved[-1].branches[0])
         if plan is not None:

@@ -92,8 +92,8 @@ def before_and_after(
         shift = Vector(x + PANEL / 2 - (box[0] + box[2]) / 2, MARGIN - bottom)
         shapes += [_moved(shape, shift) for shape in drawing.shapes]
         labels += [
-            replace(each, at=each.at + shift, moves=tuple(move + shift for move in each.moves))
-            for each in drawing.labels
+            replace(label, at=label.at + shift, moves=tuple(move + shift for move in label.moves))
+            for label in drawing.labels
         ]
         frames.append((x, 0.0, x + PANEL, height))
     lowered = _with_axes(shapes, labels, frames[0]) if _needs_axes(view) else 0.0
@@ -122,7 +122,7 @@ def _fitted(view: View, panels: Sequence[When]) -> tuple[float, list[Drawing]]:
     while True:
         scale = longest / fastest if fastest else 1.0
         drawings = [_panel(view, when, scale) for when in panels]
-        boxes = [each.box() for each in drawings]
+        boxes = [drawing.box() for drawing in drawings]
         if max(b[2] - b[0] for b in boxes) <= PANEL - 2 * EDGE or longest < SHORTEST:
             return scale, drawings
         longest *= 0.93

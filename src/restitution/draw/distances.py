@@ -247,7 +247,7 @@ def _has_room(start: Vector, end: Vector, plan: Plan, others: Sequence[Distance]
     """Whether a dimension line crosses no path or wall and no other, nor lies along one."""
     lines = [(leg.start, leg.end) for leg in plan.legs]
     lines += [(wall.start, wall.end) for wall in plan.walls]
-    lines += [(each.start, each.end) for each in others]
+    lines += [(other.start, other.end) for other in others]
     if any(_touch(start, end, a, b) for a, b in lines):
         return False
     return not any(

@@ -115,12 +115,12 @@ def place(scene: Scene) -> Placed:
     drawn = [
         *(padded(piece.box, MARGIN) for piece in pieces),
         *(padded(label.box, MARGIN) for label in labels),
-        *(padded(each.box, MARGIN) for each in headings),
+        *(padded(heading.box, MARGIN) for heading in headings),
         *(piece.box for panel in scene.panels for piece in _frame(panel)),
     ]
     box = union([scene.box, *drawn])
     words = (*headings, *_note(scene.note, box))
-    return Placed(scene, labels, words, union([box, *(padded(each.box, MARGIN) for each in words)]))
+    return Placed(scene, labels, words, union([box, *(padded(word.box, MARGIN) for word in words)]))
 
 
 # --- offers ---------------------------------------------------------------------------------------
@@ -159,7 +159,7 @@ class _Ground:
 
     def around(self, box: Box) -> _Ground:
         """The same, without what lies apart from a box."""
-        pieces = [each for each in self.pieces if overlap(each.box, box)]
+        pieces = [piece for piece in self.pieces if overlap(piece.box, box)]
         solid = [each for each in self.solid if overlap(each, box)]
         return _Ground(self.region, pieces, solid, self.discs)
 
@@ -336,10 +336,10 @@ def _placed(
 ) -> list[_Offer] | None:
     """A place for every label, or None if there is none for one of them."""
     everything = [*pieces, *(each for panel in scene.panels for each in _frame(panel))]
-    solid = [each.box for each in headings]
+    solid = [heading.box for heading in headings]
     fixed = _fixed(scene, everything, solid)
     solid += [each.box for each in fixed.values()]
-    discs = [each for each in scene.shapes if isinstance(each, Disc) and not each.ghost]
+    discs = [shape for shape in scene.shapes if isinstance(shape, Disc) and not shape.ghost]
     grounds = [_Ground(_region(label, scene), everything, solid, discs) for label in scene.labels]
     offers = {
         index: _offers(label, grounds[index])
@@ -465,7 +465,7 @@ def _grown(scene: Scene, by: float) -> Scene:
 
 def _trimmed(grown: Scene, scene: Scene, labels: Sequence[PlacedLabel]) -> Scene:
     """The grown scene without the room at its bottom that no label has taken."""
-    lowest = min((each.box[1] for each in labels), default=math.inf) - 2 * MARGIN
+    lowest = min((label.box[1] for label in labels), default=math.inf) - 2 * MARGIN
 
     def bottom(large: Box, small: Box) -> Box:
         return large[0], min(max(large[1], lowest), small[1]), large[2], large[3]
@@ -499,7 +499,7 @@ def _heading(panel: Panel, pieces: Sequence[Piece]) -> PlacedLabel:
     """The name of a panel above it, and above what reaches out of it."""
     left, _, right, top = panel.box
     column = (left, top, right, math.inf)
-    top = max([top, *(each.box[3] for each in pieces if overlap(each.box, column))])
+    top = max([top, *(piece.box[3] for piece in pieces if overlap(piece.box, column))])
     return _line(Words(panel.name), Vector((left + right) / 2, top + 1.6), HEADING_SIZE, 0.5)
 
 

@@ -479,17 +479,19 @@ class _Drawing:
                 self.labels.append(Label(name_of(name), at, gap=1.4))
 
     def distances(self) -> None:
-        for each in distances(self.plan, *self._exact()):
-            for start, end in each.leads:
+        for distance in distances(self.plan, *self._exact()):
+            for start, end in distance.leads:
                 self.shapes.append(Line("leader", start, end))
-            self.shapes.append(Arrow("measure", each.start, each.end, both=True))
-            middle = (each.start + each.end) / 2
-            spots = tuple(each.start + (each.end - each.start) * k for k in (0.35, 0.65, 0.2, 0.8))
-            across = unit(each.end - each.start).turned_left()
+            self.shapes.append(Arrow("measure", distance.start, distance.end, both=True))
+            middle = (distance.start + distance.end) / 2
+            spots = tuple(
+                distance.start + (distance.end - distance.start) * k for k in (0.35, 0.65, 0.2, 0.8)
+            )
+            across = unit(distance.end - distance.start).turned_left()
             if abs(across.y) > 0.5 and across.y > 0:
                 across = -across
             sides = (*sides_towards(across)[:3], *sides_towards(-across)[:3])
-            self.labels.append(Label(each.label, middle, sides, gap=0.8, size=2.7, moves=spots))
+            self.labels.append(Label(distance.label, middle, sides, gap=0.8, size=2.7, moves=spots))
 
     def _exact(self) -> tuple[Story, Branch]:
         """The story in letters: with what is sought as letters still, in a question."""

@@ -308,7 +308,11 @@ class _Reader:
         for event in self.impulses:
             if number is not None:
                 self.found.impulses.setdefault(event, number)
-        turned = [each for each in self.deflections if each not in self.found.deflections]
+        turned = [
+            deflection
+            for deflection in self.deflections
+            if deflection not in self.found.deflections
+        ]
         letter = self.letter(("delta", *_GREEK)) if turned else None
         for event, body in turned:
             if letter is not None:

@@ -75,7 +75,7 @@ def _file(pictures: Sequence[Placed], titles: Sequence[str]) -> str:
             body += [f'<g transform="translate({at})">', *drawn, "</g>"]
         down += top - placed.box[1] + GAP
     left, top = (pictures[0].box[0], pictures[0].box[3]) if len(pictures) == 1 else (0.0, 0.0)
-    width = _number(max(each.box[2] - each.box[0] for each in pictures))
+    width = _number(max(picture.box[2] - picture.box[0] for picture in pictures))
     height = _number(down - GAP)
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
     description = " ".join(
@@ -106,9 +106,9 @@ def _file(pictures: Sequence[Placed], titles: Sequence[str]) -> str:
 def _picture(placed: Placed, glyphs: dict[str, str]) -> Iterator[str]:
     """What is drawn and written in a picture; ``glyphs`` grows by the outlines that it uses."""
     yield from _shapes(placed.scene)
-    for each in placed.labels:
-        if each.leader is not None:
-            data = _polyline(each.leader)
+    for label in placed.labels:
+        if label.leader is not None:
+            data = _polyline(label.leader)
             yield f'<path class="leader" d="{data}"{_stroke(style.STROKES["leader"])}/>'
     for each in (*placed.labels, *placed.words):
         yield _label(each, glyphs)
@@ -132,7 +132,7 @@ _STYLE = (
 
 
 def _shapes(scene: Scene) -> Iterator[str]:
-    frames = [_frame(each) for each in scene.panels]
+    frames = [_frame(panel) for panel in scene.panels]
     yield from _group("frame", frames, style.STROKES["frame"])
     # What lies beneath comes first: walls and reference lines, then spheres, then arrows.
     for shape in sorted(scene.shapes, key=_depth):
@@ -282,7 +282,7 @@ def _label(placed: PlacedLabel, glyphs: dict[str, str]) -> str:
 def _stroke(stroke: style.Stroke, colour: str = INK) -> str:
     text = f' stroke="{colour}" stroke-width="{_number(stroke.width)}"'
     if stroke.dashes:
-        text += f' stroke-dasharray="{" ".join(_number(each) for each in stroke.dashes)}"'
+        text += f' stroke-dasharray="{" ".join(_number(dash) for dash in stroke.dashes)}"'
     if stroke.round:
         text += ' stroke-linecap="round"'
     return text + _opacity("stroke", stroke.strength)
@@ -297,7 +297,7 @@ def _circle(centre: Vector, radius: float) -> str:
 
 
 def _polyline(points: Iterable[Vector]) -> str:
-    return "M" + "L".join(_point(each) for each in points)
+    return "M" + "L".join(_point(point) for point in points)
 
 
 def _arc(centre: Vector, radius: float, start: float, end: float) -> str:
@@ -306,7 +306,7 @@ def _arc(centre: Vector, radius: float, start: float, end: float) -> str:
     angles = [start, start + span / 2, start + span]
     points = [centre + Vector(math.cos(a), math.sin(a)) * radius for a in angles]
     r = _number(radius)
-    return "M" + f"A{r} {r} 0 0 0 ".join(_point(each) for each in points)
+    return "M" + f"A{r} {r} 0 0 0 ".join(_point(point) for point in points)
 
 
 def _point(point: Vector) -> str:

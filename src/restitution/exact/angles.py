@@ -112,10 +112,10 @@ def _of_plain_angles(tangent: Expr) -> Rational | None:
     """
     parts = tangent.atoms(sympy.sin, sympy.cos, sympy.tan)
     turns = [x.args[0] / sympy.pi for x in parts]
-    if not turns or not all(each.is_Rational for each in turns):
+    if not turns or not all(turn.is_Rational for turn in turns):
         return None
-    below = math.lcm(*(int(each.q) for each in turns))
-    unit = Rational(math.gcd(*(int(each * below) for each in turns)), 2 * below)
+    below = math.lcm(*(int(turn.q) for turn in turns))
+    unit = Rational(math.gcd(*(int(turn * below) for turn in turns)), 2 * below)
     count = (sympy.atan(tangent) / sympy.pi / unit).evalf(30)
     nearest = int(sympy.floor(count + HALF))
     if abs(count - nearest) > Float("1e-20") or any(abs(t / unit) > 40 for t in (*turns, nearest)):

@@ -57,7 +57,7 @@ def _surds_inside(
     for index, (base, power) in enumerate(powers):
         if power != 1 or not isinstance(base, Add) or len(base.args) > 4:
             continue
-        if not any(is_surd(each) for each in base.atoms(Pow)):
+        if not any(is_surd(atom) for atom in base.atoms(Pow)):
             continue
         whole = _collected_in(sympy.expand(surd * base), tuple(base.free_symbols))
         if cost(whole) < cost(surd) + cost(base) + 1:  # two pairs of brackets
@@ -98,8 +98,8 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
         if value.is_Rational or value in tried:
             continue
         tried.add(value)
-        parts = [tidy_number(sympy.expand(each) / value) for each in poly.coeffs()]
-        if any(not _is_simple(each) for each in parts):
+        parts = [tidy_number(sympy.expand(coeff) / value) for coeff in poly.coeffs()]
+        if any(not _is_simple(part) for part in parts):
             continue
         quotient = Add(
             *[

@@ -45,7 +45,7 @@ def _denest(value: Expr) -> Expr:
     """Each root simplified, the innermost first."""
     if value.is_Atom or not value.has(Pow):
         return value
-    value = value.func(*[_denest(each) for each in value.args])
+    value = value.func(*[_denest(argument) for argument in value.args])
     if not isinstance(value, Pow) or not isinstance(value.exp, Rational) or value.exp.q == 1:
         return value
     base = value.base
@@ -97,7 +97,7 @@ def tidy_parts(value: Expr) -> Expr:
     """A number that contains functions: its arguments are tidied."""
     if value.is_Atom:
         return value
-    arguments = [_inside(each) for each in value.args]
+    arguments = [_inside(argument) for argument in value.args]
     return value.func(*arguments) if tuple(arguments) != value.args else value
 
 

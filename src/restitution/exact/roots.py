@@ -46,11 +46,11 @@ def square_of_root(root: Expr, back: dict[Symbol, Expr]) -> Expr | None:
 
 def joined_roots(factors: list[Expr]) -> list[Expr]:
     """√(a − b) √(a + b), which SymPy keeps apart, as √(a² − b²)."""
-    roots = [each for each in factors if isinstance(each, Pow) and abs(each.exp) == HALF]
+    roots = [factor for factor in factors if isinstance(factor, Pow) and abs(factor.exp) == HALF]
     for first, second in combinations(roots, 2):
         if not (first.base.free_symbols and second.base.free_symbols):
             continue
-        rest = [each for each in factors if each not in (first, second)]
+        rest = [factor for factor in factors if factor not in (first, second)]
         if first.exp == second.exp:
             inside = conjugates(first.base, second.base)
             if inside is not None:
@@ -123,9 +123,9 @@ def root_of(inside: Expr) -> Expr:
 def mask_roots(value: Expr, back: dict[Symbol, Expr]) -> Expr:
     """Each root of letters replaced by one letter, each letter under a root by a square."""
     roots = {
-        each.base
-        for each in value.atoms(Pow)
-        if isinstance(each.exp, Rational) and each.exp.q == 2 and each.base.free_symbols
+        atom.base
+        for atom in value.atoms(Pow)
+        if isinstance(atom.exp, Rational) and atom.exp.q == 2 and atom.base.free_symbols
     }
     known = {root.base: symbol for symbol, root in back.items() if isinstance(root, Pow)}
     letters: dict[Expr, Expr] = {}
@@ -150,7 +150,7 @@ def mask_roots(value: Expr, back: dict[Symbol, Expr]) -> Expr:
                 return Pow(known[node.base], 2 * node.exp.p)
         if isinstance(node, Add) and node in known:
             return known[node] ** 2
-        return node.func(*[walk(each) for each in node.args])
+        return node.func(*[walk(argument) for argument in node.args])
 
     return walk(value)
 
@@ -173,7 +173,7 @@ def _reduce_square(value: Expr, symbol: Symbol, square: Expr) -> Expr:
     if symbol not in value.free_symbols:
         return value
     if isinstance(value, Mul):
-        return Mul(*[_reduce_square(each, symbol, square) for each in value.args])
+        return Mul(*[_reduce_square(argument, symbol, square) for argument in value.args])
     if isinstance(value, Pow) and value.base == symbol and value.exp.is_Integer:
         return symbol ** (value.exp % 2) * square ** (value.exp // 2)
     poly = sympy.Poly(sympy.expand(value), symbol)

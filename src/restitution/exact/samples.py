@@ -109,8 +109,8 @@ def admissible_points(
         yield {}
         return
     inside: set[Any] = set()
-    for each in value.atoms(*TRIGONOMETRIC):
-        inside |= each.free_symbols
+    for atom in value.atoms(*TRIGONOMETRIC):
+        inside |= atom.free_symbols
     for _ in range(count):
         yield {x: _sample(x, generator, x in inside and bool(x.is_positive)) for x in letters}
 
@@ -146,10 +146,10 @@ def value_at(
 def _scale(value: Expr, point: dict[Symbol, Float]) -> Any:
     """How large an expression is where no sum in it cancels."""
     if value.is_Add:
-        sizes = [_scale(each, point) for each in value.args]
-        return max(each for each in sizes if each.is_real)
+        sizes = [_scale(argument, point) for argument in value.args]
+        return max(size for size in sizes if size.is_real)
     if value.is_Mul and value.has(Add):
-        return math.prod(_scale(each, point) for each in value.args)
+        return math.prod(_scale(argument, point) for argument in value.args)
     if value.is_Pow and value.exp.is_Rational and value.exp > 0 and value.base.has(Add):
         return _scale(value.base, point) ** value.exp
     return abs(value.evalf(15, subs=point))

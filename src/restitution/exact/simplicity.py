@@ -120,7 +120,7 @@ def cost(expression: Expr) -> float:
         if _is_negative_number(expression.exp):
             return 1.5 + _cost_below(expression)
         return _cost_power(expression)
-    return 1.0 + sum(cost(each) for each in expression.args if isinstance(each, Expr))
+    return 1.0 + sum(cost(argument) for argument in expression.args if isinstance(argument, Expr))
 
 
 def _cost_power(power: Expr) -> float:

@@ -68,13 +68,13 @@ def _tidy(expression: Expr) -> Expr:
         expression = _fewer_bars(expression)
     starts = [expression]
     if any(
-        not each.args[0].is_Symbol
-        for each in expression.atoms(*TRIGONOMETRIC, sympy.atan, sympy.acos, sympy.asin)
+        not atom.args[0].is_Symbol
+        for atom in expression.atoms(*TRIGONOMETRIC, sympy.atan, sympy.acos, sympy.asin)
     ):
         expanded = sympy.expand_trig(expression)
         if expanded != expression and node_count(expanded, SEARCHED) < SEARCHED:
             starts.append(expanded)
-    found = [_tidy_letters(each) for each in starts]
+    found = [_tidy_letters(start) for start in starts]
     if isinstance(expression, Mul) and expression.has(sympy.Abs):
         found.append(_with_bars(expression))
     return _compounded(_oriented(min(found, key=cost)))
@@ -84,7 +84,7 @@ def _compounded(value: Expr) -> Expr:
     """sin(α − θ) for sin α cos θ − cos α sin θ, and so on, throughout."""
     if value.is_Atom or not (value.has(sympy.sin) or value.has(sympy.tan)):
         return value
-    arguments = [_compounded(each) for each in value.args]
+    arguments = [_compounded(argument) for argument in value.args]
     if tuple(arguments) != value.args:
         value = rebuilt(value, arguments)
     if isinstance(value, Add) and len(value.args) == 2:
@@ -143,7 +143,7 @@ def _fewer_bars(value: Expr) -> Expr:
 
 def _with_bars(value: Mul) -> Expr:
     """A product with one |x| in it, tidied as one thing, and the bars put where they matter."""
-    bars = [each for each in value.args if isinstance(each.as_base_exp()[0], sympy.Abs)]
+    bars = [argument for argument in value.args if isinstance(argument.as_base_exp()[0], sympy.Abs)]
     if len(bars) != 1:
         return value
     base, power = bars[0].as_base_exp()
@@ -162,7 +162,7 @@ def _oriented(value: Expr) -> Expr:
     """(1 − e)² for (e − 1)² throughout."""
     if value.is_Atom or not value.has(Add):
         return value
-    arguments = [_oriented(each) for each in value.args]
+    arguments = [_oriented(argument) for argument in value.args]
     if isinstance(value, Pow) and value.exp.is_even and isinstance(arguments[0], Add):
         arguments[0] = forward(arguments[0])
     return value if tuple(arguments) == value.args else rebuilt(value, arguments)
@@ -257,7 +257,7 @@ def _restore(value: Expr, back: dict[Symbol, Expr]) -> Expr:
         return back.get(value, value)
     if value.is_Atom or not (value.free_symbols & back.keys()):
         return value
-    arguments = [_restore(each, back) for each in value.args]
+    arguments = [_restore(argument, back) for argument in value.args]
     return rebuilt(value, arguments)
 
 
@@ -292,7 +292,7 @@ def _core(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
     if cost(value) < cost(restored) - (3 if has_fractions(value) else 1):
         if not isinstance(value, Add):
             return value
-        terms = Add(*[_core(each, angles) for each in value.args])
+        terms = Add(*[_core(argument, angles) for argument in value.args])
         return terms if cost(terms) <= cost(value) else value
     return restored
 
@@ -313,7 +313,7 @@ def _tidy_roots(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
             root = root_of(inside)
             return root if value.exp.p == 1 else Pow(root, value.exp.p)
         return Pow(inside, value.exp)
-    arguments = [_tidy_roots(each, angles) for each in value.args]
+    arguments = [_tidy_roots(argument, angles) for argument in value.args]
     if isinstance(value, Mul):
         arguments = joined_roots(arguments)
     return value.func(*arguments) if tuple(arguments) != value.args else value
@@ -325,7 +325,7 @@ def _tidy_set(value: Any) -> Any:
         low, high = (tidy(each) for each in (value.start, value.end))
         return sympy.Interval(low, high, value.left_open, value.right_open)
     if isinstance(value, sympy.FiniteSet):
-        return sympy.FiniteSet(*[tidy(each) for each in value.args])
+        return sympy.FiniteSet(*[tidy(argument) for argument in value.args])
     if isinstance(value, sympy.Union):
-        return sympy.Union(*[_tidy_set(each) for each in value.args])
+        return sympy.Union(*[_tidy_set(argument) for argument in value.args])
     return value

@@ -105,7 +105,7 @@ def _homogeneous(poly: sympy.Poly, s: Symbol, c: Symbol) -> Expr | None:
     """A polynomial raised to one degree in s and c by factors s² + c² = 1, or None."""
     degrees = [sum(powers) for powers, _ in poly.terms()]
     top = max(degrees)
-    if any((top - each) % 2 for each in degrees) or top - min(degrees) > 6:
+    if any((top - degree) % 2 for degree in degrees) or top - min(degrees) > 6:
         return None
     return sympy.expand(
         Add(

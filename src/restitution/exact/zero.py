@@ -106,11 +106,11 @@ def digits_apart(value: Expr) -> int | None:
             above, below = _log(abs(int(x.p))), _log(int(x.q))
         elif x.is_Add:
             above, below = bounds(x.args[0])
-            for each in x.args[1:]:
-                a, b = bounds(each)
+            for argument in x.args[1:]:
+                a, b = bounds(argument)
                 above, below = max(above + b, a + below) + math.log(2), below + b
         elif x.is_Mul:
-            parts = [bounds(each) for each in x.args]
+            parts = [bounds(argument) for argument in x.args]
             above, below = sum(a for a, _ in parts), sum(b for _, b in parts)
         elif x.is_Pow and x.exp.is_Rational:
             above, below = bounds(x.base)

@@ -158,7 +158,7 @@ def _file(
         "title": title,
         "parts": parts,
         "warnings": list(dict.fromkeys(warnings)),
-        "notes": [_note(each) for each in notes],
+        "notes": [_note(note) for note in notes],
         "error": _error(error),
     }
 
@@ -237,7 +237,7 @@ def _note(note: Note) -> Object:
 
 
 def _fixes(fixes: Iterable[Fix]) -> list[Object]:
-    return [asdict(each) for each in fixes]
+    return [asdict(fix) for fix in fixes]
 
 
 def _plain(exact: str | tuple[str, str]) -> str | list[str]:

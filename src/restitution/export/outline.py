@@ -70,9 +70,9 @@ def outline(problem: Problem) -> Object:
     return {
         "title": problem.title,
         "parts": [part.label for part in problem.parts],
-        "spheres": [_sphere(each) for each in problem.spheres],
-        "walls": [_wall(each) for each in problem.walls],
-        "points": [each.name for each in problem.points],
+        "spheres": [_sphere(sphere) for sphere in problem.spheres],
+        "walls": [_wall(wall) for wall in problem.walls],
+        "points": [point.name for point in problem.points],
         "steps": list(told.steps()),
     }
 
@@ -171,11 +171,11 @@ def _direction(tree: Any) -> Object | None:
     if isinstance(tree, Unit):
         return {"way": tree.axis, "text": tree.axis}
     is_vector = any(
-        isinstance(each, Unit | Pair | Polar)
-        or (isinstance(each, Quantity) and each.kind in ("velocity", "line_of_centres"))
-        for each in walk(tree)
+        isinstance(node, Unit | Pair | Polar)
+        or (isinstance(node, Quantity) and node.kind in ("velocity", "line_of_centres"))
+        for node in walk(tree)
     )
-    is_angle = not is_vector and not any(isinstance(each, Name) for each in walk(tree))
+    is_angle = not is_vector and not any(isinstance(node, Name) for node in walk(tree))
     return {"way": "angle" if is_angle else "vector", "text": _text(tree)}
 
 
@@ -184,7 +184,7 @@ class _Told:
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
-        self._bodies: dict[str, list[int]] = {each.name: [] for each in problem.spheres}
+        self._bodies: dict[str, list[int]] = {sphere.name: [] for sphere in problem.spheres}
         self._now = 0
 
     def steps(self) -> Iterator[Object]:
@@ -209,10 +209,10 @@ class _Told:
             case Unknown(letters):
                 return {"letters": _letters(letters)}
             case Given():
-                return {"relations": [self._relation(each) for each in step.relations]}
+                return {"relations": [self._relation(relation) for relation in step.relations]}
             case Find():
                 return {
-                    "items": [self._item(each) for each in step.items],
+                    "items": [self._item(item) for item in step.items],
                     "in_terms_of": _letters(step.in_terms_of),
                 }
             case Show():
@@ -257,9 +257,9 @@ class _Told:
         if not is_dataclass(value) or isinstance(value, type | AtTime):
             return value
         changes = {
-            each.name: self._staged(getattr(value, each.name))
-            for each in fields(value)
-            if each.name not in ("place", "stage")
+            field.name: self._staged(getattr(value, field.name))
+            for field in fields(value)
+            if field.name not in ("place", "stage")
         }
         made = replace(value, **changes)
         if not isinstance(made, Quantity) or not KINDS[made.kind].staged:
@@ -281,4 +281,4 @@ class _Told:
 
 
 def _letters(letters: Sequence[str] | None) -> str | None:
-    return ", ".join(write_expression(Letter(each)) for each in letters) if letters else None
+    return ", ".join(write_expression(Letter(letter)) for letter in letters) if letters else None

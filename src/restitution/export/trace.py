@@ -61,9 +61,9 @@ def _value(label: str, value: Any, depth: int) -> Iterator[str]:
         yield f"{head}{value}"
         return
     held = [
-        (each.name, getattr(value, each.name))
-        for each in fields(value)
-        if each.name != "place" and getattr(value, each.name) not in (None, (), "", False)
+        (field.name, getattr(value, field.name))
+        for field in fields(value)
+        if field.name != "place" and getattr(value, field.name) not in (None, (), "", False)
     ]
     inside = [(name, each) for name, each in held if _is_nested(each)]
     plain = [_plain(name, each) for name, each in held if not _is_nested(each)]
@@ -130,7 +130,7 @@ def _demand(demand: Equation | Condition | AnyOf) -> str:
             sign = {">=": "≥", "!=": "≠"}.get(demand.relation, demand.relation)
             return f"{to_text(from_sympy(demand.value))} {sign} 0   (else {demand.reason})"
         case AnyOf():
-            options = " or ".join(_demand(each).partition("   ")[0] for each in demand.options)
+            options = " or ".join(_demand(option).partition("   ")[0] for option in demand.options)
             return f"{options}   (else {demand.reason})"
 
 
@@ -153,7 +153,7 @@ def _derivation(problem: Problem) -> Iterator[str]:
         )
         move = line.move
         names = (move.id, move.record, move.event, *move.bodies, move.eliminated)
-        by = " ".join(str(each) for each in names if each is not None)
+        by = " ".join(str(name) for name in names if name is not None)
         premises = ", ".join(map(str, line.premises))
         yield f"{line.number}. {written}   [{by}{f'; from {premises}' if premises else ''}]"
     for end in derivation.items:

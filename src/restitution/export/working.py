@@ -260,7 +260,7 @@ def _answers(part: PartSolution, names: _Names, units: Units) -> list[Object]:
             "undecided": item.undecided,
             "counterexample": None
             if item.counterexample is None
-            else [tree(to_mathml(each)) for each in instances(item.counterexample)],
+            else [tree(to_mathml(instance)) for instance in instances(item.counterexample)],
             "error": None if item.error is None else item.error.message,
             "rejected": [
                 {"value": _value(item, root), "reason": root.reason} for root in item.rejected

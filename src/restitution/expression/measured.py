@@ -51,7 +51,7 @@ Decide = Callable[[Measured, Slot], Expression]
 
 def has_unit(tree: Any) -> bool:
     """Whether a unit stands anywhere in an expression."""
-    return any(isinstance(each, Measured) for each in walk(tree))
+    return any(isinstance(node, Measured) for node in walk(tree))
 
 
 def without_units(
@@ -125,13 +125,13 @@ def _polar(tree: Polar, slot: Slot, inside: Callable[[Any, Slot], Expression]) -
 
 def _is_vector(tree: Any) -> bool:
     """Whether an expression is a vector, from the way it is written."""
-    return any(isinstance(each, Unit | Pair) for each in walk(tree))
+    return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
 def _is_number(tree: Any) -> bool:
     """Whether an expression is a number without a unit."""
     others = Letter | Name | Quantity | Unit | Pair | Polar | Measured
-    return not any(isinstance(each, others) for each in walk(tree))
+    return not any(isinstance(node, others) for node in walk(tree))
 
 
 def scaled(tree: Expression, factor: Fraction) -> Expression:

@@ -304,9 +304,9 @@ def dimension_of_any(
     operands: Iterable[Expression], of_letters: Mapping[str, Dimension] = _NOTHING
 ) -> Dimension | None:
     """The dimension of the first operand whose quantities, or known letters, tell it."""
-    for each in operands:
-        if has_quantity(each) or letters(each) & of_letters.keys():
-            found = dimension_of(each, of_letters)
+    for operand in operands:
+        if has_quantity(operand) or letters(operand) & of_letters.keys():
+            found = dimension_of(operand, of_letters)
             if found is not None:
                 return found
     return None

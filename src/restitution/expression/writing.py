@@ -153,7 +153,7 @@ def _polar(tree: Polar) -> str:
 
 
 def _quantity(tree: Quantity) -> str:
-    arguments = [_write(each)[0] for each in tree.arguments]
+    arguments = [_write(argument)[0] for argument in tree.arguments]
     if isinstance(tree.stage, AtTime):
         arguments.append(f"at {_at_least(tree.stage.time, _SUM)}")
     elif tree.stage is not None:

@@ -214,8 +214,8 @@ def _impact(bodies: _Bodies, step: Impact) -> Iterator[StatementError]:
 def _relation(bodies: _Bodies, relation: Relation) -> Iterator[StatementError]:
     match relation:
         case Compare(operands):
-            for each in operands:
-                yield from _in(bodies, each, _POINT)
+            for operand in operands:
+                yield from _in(bodies, operand, _POINT)
         case Aligned(left, _, right):
             yield from _in(bodies, left, _WALL)
             yield from _in(bodies, right, _WALL)
@@ -307,10 +307,10 @@ def _is_number(bodies: _Bodies, tree: Expression) -> bool:
     """Whether an expression holds numbers and letters alone, but is not zero."""
     if isinstance(tree, Number) and tree.value == 0:
         return False
-    for each in walk(tree):
-        if isinstance(each, Quantity | Pair | Polar | Name) or type(each).__name__ == "Unit":
+    for node in walk(tree):
+        if isinstance(node, Quantity | Pair | Polar | Name) or type(node).__name__ == "Unit":
             return False
-        if isinstance(each, Letter) and each.name in bodies.lets:
+        if isinstance(node, Letter) and node.name in bodies.lets:
             return False  # it may name a vector
     return True
 

@@ -105,7 +105,7 @@ class _Region:
         return (edit.column, edit.end_column) == (start + 1, len(self.text.rstrip()) + 1)
 
     def holds(self, fix: Fix) -> bool:
-        return all(self.first <= each.line <= each.end_line <= self.last for each in fix.edits)
+        return all(self.first <= edit.line <= edit.end_line <= self.last for edit in fix.edits)
 
     def first_mistake(self, text: str, read: FirstMistake) -> StatementError | None:
         lines = list(logical_lines(text))
@@ -189,7 +189,11 @@ def _into_the_event(text: str, line: Line, within: MistakeWithin) -> Fix | None:
     if len(line.source.plain) > _LONGEST:
         return None
     match = _CENTRES.match(line.source.plain)
-    events = [each for each in logical_lines(text) if " hits " in each.source.plain]
+    events = [
+        logical_line
+        for logical_line in logical_lines(text)
+        if " hits " in logical_line.source.plain
+    ]
     if match is None or len(events) != 1 or len(line.source.pieces) > 1:
         return None
     source = events[0].source

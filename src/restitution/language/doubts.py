@@ -101,7 +101,7 @@ def _angles(problem: Problem) -> Iterator[Expression]:
     for _, step in problem.steps():
         if isinstance(step, Impact):
             directions.append(step.along)
-    yield from (each for each in directions if isinstance(each, Number))
+    yield from (direction for direction in directions if isinstance(direction, Number))
     angles = _letters_for_angles(problem)
     for relation in _relations(problem):
         if isinstance(relation, Compare) and any(_is_angle(x, angles) for x in relation.operands):
@@ -172,7 +172,7 @@ def _idle_facts(problem: Problem) -> Iterator[Note]:
         like = [each for each in used if (each in GREEK) == (first in GREEK) and each != "e"]
         meant = f": did you mean {like[0]}?" if len(named) == len(like) == 1 else ""
         stand = "stands" if len(named) == 1 else "stand"
-        alone = [each for each in fact.operands if isinstance(each, Letter)]
+        alone = [operand for operand in fact.operands if isinstance(operand, Letter)]
         fixes = _quantities_meant(problem, alone[0]) if len(alone) == len(named) == 1 else ()
         fixes = tuple(fix for fix in fixes if fix.edits[0].text.startswith("speed"))
         yield _note(
@@ -262,7 +262,11 @@ def _axes(problem: Problem) -> Iterator[Note]:
     """``along x``, where x is a letter of nothing else: an angle, and probably the axis."""
     directions = [wall.along for wall in problem.walls]
     directions += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
-    axes = [each for each in directions if isinstance(each, Letter) and each.name in _AXES]
+    axes = [
+        direction
+        for direction in directions
+        if isinstance(direction, Letter) and direction.name in _AXES
+    ]
     if not axes:
         return
     used = set(_used(problem, axes))
@@ -284,7 +288,7 @@ _AXES = {"x": "i", "y": "j"}
 
 def _used(problem: Problem, besides: Iterable[Expression]) -> Iterator[str]:
     """The letters that stand anywhere but in some expressions, the unwritten e of an impact too."""
-    apart = {id(each) for each in besides}
+    apart = {id(beside) for beside in besides}
     for tree in trees(problem):
         if id(tree) not in apart:
             yield from letters(tree)

@@ -265,27 +265,27 @@ def _rewritten(problem: Problem, of_letters: Mapping[str, Dimension], rewrite: R
         problem,
         spheres=tuple(
             replace(
-                each,
-                mass=put(each.mass, MASS, f"the mass of {each.name}"),
-                velocity=put(each.velocity, SPEED, f"the velocity of {each.name}"),
-                position=put(each.position, LENGTH, f"the place of {each.name}"),
-                radius=put(each.radius, LENGTH, f"the radius of {each.name}"),
+                sphere,
+                mass=put(sphere.mass, MASS, f"the mass of {sphere.name}"),
+                velocity=put(sphere.velocity, SPEED, f"the velocity of {sphere.name}"),
+                position=put(sphere.position, LENGTH, f"the place of {sphere.name}"),
+                radius=put(sphere.radius, LENGTH, f"the radius of {sphere.name}"),
             )
-            for each in problem.spheres
+            for sphere in problem.spheres
         ),
         walls=tuple(
             replace(
-                each,
-                along=turned(each.along),
-                through=place(each.through),
-                start=place(each.start),
-                end=place(each.end),
-                centre=place(each.centre),
-                radius=put(each.radius, LENGTH, f"the radius of {each.name}"),
+                wall,
+                along=turned(wall.along),
+                through=place(wall.through),
+                start=place(wall.start),
+                end=place(wall.end),
+                centre=place(wall.centre),
+                radius=put(wall.radius, LENGTH, f"the radius of {wall.name}"),
             )
-            for each in problem.walls
+            for wall in problem.walls
         ),
-        points=tuple(replace(each, position=place(each.position)) for each in problem.points),
+        points=tuple(replace(point, position=place(point.position)) for point in problem.points),
         parts=tuple(
             replace(
                 part,
@@ -350,13 +350,15 @@ def _relation(
     if not isinstance(relation, Compare):
         return relation
     operands: tuple[Any, ...] = relation.operands
-    plain = [each for each in operands if not isinstance(each, Measured)]
+    plain = [operand for operand in operands if not isinstance(operand, Measured)]
     dimension = dimension_of_any(plain, of_letters)
     tells = [each for each in plain if dimension_of_any([each], of_letters) is not None]
     what = write_expression(tells[0]) if tells and not has_unit(tells[0]) else "this value"
     angle = any(isinstance(each, Quantity) and each.kind in _ANGLES for each in plain)
     slot = Slot(dimension, what, angle)
-    return replace(relation, operands=tuple(rewrite(each, slot) for each in relation.operands))
+    return replace(
+        relation, operands=tuple(rewrite(operand, slot) for operand in relation.operands)
+    )
 
 
 # --- what a unit does -----------------------------------------------------------------------------
@@ -449,7 +451,7 @@ def _left_out(units: list[Measured]) -> Iterator[Note]:
     """One note for all units that say what is understood."""
     if not units:
         return
-    typed = list(dict.fromkeys(f"'{each.unit}'" for each in units))
+    typed = list(dict.fromkeys(f"'{unit.unit}'" for unit in units))
     listed = ", ".join(typed[:-1]) + " and " + typed[-1] if typed[1:] else typed[0]
     was = "were" if typed[1:] else "was"
     first = min(units, key=_place_of_unit)
@@ -457,7 +459,7 @@ def _left_out(units: list[Measured]) -> Iterator[Note]:
     yield Note(
         f"units are not needed, as all is in SI: {listed} {was} left out",
         *_place_of_unit(first),
-        (Fix(label, tuple(Edit(*each.stretch, "") for each in units)),),
+        (Fix(label, tuple(Edit(*unit.stretch, "") for unit in units)),),
     )
 
 

@@ -145,10 +145,10 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
 def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
     """Mistakes without what was told before: a name that no line declares is told once."""
     found: list[StatementError] = []
-    for each in mistakes:
-        a_name = "unknown name" in each.message and "did you mean" not in each.message
-        if not (a_name and any(other.message == each.message for other in found)):
-            found.append(each)
+    for mistake in mistakes:
+        a_name = "unknown name" in mistake.message and "did you mean" not in mistake.message
+        if not (a_name and any(other.message == mistake.message for other in found)):
+            found.append(mistake)
     return found
 
 
@@ -187,7 +187,7 @@ def _told_once(
 
 def _line_of(lines: list[Line], number: int) -> Line:
     """The logical line that holds a line of the text."""
-    return [each for each in lines if each.source.pieces[0][1] <= number][-1]
+    return [line for line in lines if line.source.pieces[0][1] <= number][-1]
 
 
 def _with_a_guess(mistake: StatementError, line: Line, story: _Story) -> StatementError:

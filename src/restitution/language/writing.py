@@ -159,11 +159,11 @@ def _step(kinds: Mapping[str, str], step: Step) -> str:
         case Let(letter, expression):
             return f"let {_letter(letter)} = {write_expression(expression)}"
         case Given(relations):
-            return f"given {', '.join(_relation(kinds, each) for each in relations)}"
+            return f"given {', '.join(_relation(kinds, relation) for relation in relations)}"
         case Unknown(letters):
             return f"unknown {', '.join(map(_letter, letters))}"
         case Find(items):
-            line = f"find {', '.join(item_text(each) for each in items)}"
+            line = f"find {', '.join(item_text(item) for item in items)}"
             return line + _terms(step.in_terms_of)
         case Show():
             return f"show {_shown(kinds, step)}" + _terms(step.in_terms_of)

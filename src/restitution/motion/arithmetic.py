@@ -156,8 +156,8 @@ class ExactNumbers:
             return Fraction(int(x.p), int(x.q))
         if x.is_Add or x.is_Mul:
             first, *others = map(self._translated, x.args)
-            for each in others:
-                first = first + each if x.is_Add else first * each
+            for other in others:
+                first = first + other if x.is_Add else first * other
             return first
         if not (x.is_Pow and x.exp.is_Rational):
             raise TypeError(x)

@@ -153,7 +153,7 @@ class _Course:
         return self.so_far(self.now)
 
     def so_far(self, end: Any) -> Run:
-        stretches = tuple(tuple(each) for each in self.stretches)
+        stretches = tuple(tuple(stretch) for stretch in self.stretches)
         return Run(self.table, end, tuple(self.struck), stretches, self.kind)
 
     def name(self, body: int) -> str:
@@ -258,8 +258,8 @@ class _Course:
             if (each.first, each.second) < (chosen.first, chosen.second):
                 chosen, each = each, chosen
             others.append(each)
-        for each in others:
-            heappush(self.due, each)
+        for other in others:
+            heappush(self.due, other)
         return chosen._replace(moment=max(earliest.moment, self.now))
 
     def popped(self) -> _Due | None:
@@ -347,7 +347,7 @@ class _Course:
     def refuse_collapse(self, due: _Due, e: Any, *, faint: bool, slides: bool) -> None:
         """Raise a CollapseError where bodies that touch already strike each other for ever."""
         balls = [each for each in (due.first, due.second) if each < len(self.balls)]
-        row = max(self.in_a_row[each] for each in balls)
+        row = max(self.in_a_row[ball] for ball in balls)
         names = self.name(due.first), self.name(due.second)
         if slides and (due.first, due.second) in self.inside:
             what = f"{names[0]} comes to slide along {names[1]}, in impacts without end"
@@ -487,7 +487,7 @@ class Run:
         return Motion(tracks, struck, tuple(_walls(self.table, tracks)), 0.0, end)
 
     def _pieces(self, stretches: tuple[_Stretch, ...], end: float) -> Iterator[Piece]:
-        starts = [float(self._kind.time(each.start)) for each in stretches]
+        starts = [float(self._kind.time(stretch.start)) for stretch in stretches]
         for start, stop, each in zip(starts, [*starts[1:], end], stretches):
             yield Piece(start, stop, _floats(each.place), _floats(each.velocity))
 

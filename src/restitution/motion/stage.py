@@ -118,15 +118,15 @@ def _trimmed(motion: Motion, stopped: str | None, stage: Stage) -> Attempt:
     first, last = min(stage.times.values()), max(stage.times.values())
     start, end = motion.start, motion.end
     span = end - start
-    for each in overlaps(motion, max(right - left, top - bottom)):
-        if each.start >= last - 1e-9 * span:
-            if each.start < end:
-                end = max(each.start - _APART * span, (last + each.start) / 2)
-                stopped = _meeting(each.first, each.second, stage)
-        elif each.end <= first + 1e-9 * span and not stage.given.placed:
-            start = max(start, min(each.end + _APART * span, (first + each.end) / 2))
+    for overlap in overlaps(motion, max(right - left, top - bottom)):
+        if overlap.start >= last - 1e-9 * span:
+            if overlap.start < end:
+                end = max(overlap.start - _APART * span, (last + overlap.start) / 2)
+                stopped = _meeting(overlap.first, overlap.second, stage)
+        elif overlap.end <= first + 1e-9 * span and not stage.given.placed:
+            start = max(start, min(overlap.end + _APART * span, (first + overlap.end) / 2))
         else:
-            return Attempt(motion, math.inf, _meeting(each.first, each.second, stage))
+            return Attempt(motion, math.inf, _meeting(overlap.first, overlap.second, stage))
     if stopped is not None:
         told = f"It ends before {stopped}, which the question does not tell."
         motion = replace(motion, notes=(*motion.notes, told))
@@ -220,7 +220,9 @@ def _notes(stage: Stage, tracks: Sequence[Track]) -> Iterator[str]:
         yield "Lengths and times are free: the question gives none."
     seen = {track.name for track in tracks}
     for name in stage.story.spheres:
-        if name not in seen and not any(name in each.bodies for each in stage.story.happenings):
+        if name not in seen and not any(
+            name in happening.bodies for happening in stage.story.happenings
+        ):
             yield f"{name} is not shown: its place is not told."
 
 

@@ -308,7 +308,7 @@ def translated(x: Exact, number: Callable[[Fraction], Any], sqrt: Callable[[Any]
     """X in another arithmetic, given what makes a number and a root there."""
     return sum(
         (
-            number(factor) * prod(sqrt(translated(each.square, number, sqrt)) for each in roots)
+            number(factor) * prod(sqrt(translated(root.square, number, sqrt)) for root in roots)
             for factor, roots in terms(x)
         ),
         start=number(Fraction(0)),

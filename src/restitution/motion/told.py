@@ -165,9 +165,9 @@ def staged(
     """
     if not story.happenings:
         raise _no("no event is told")
-    for each in story.happenings:
-        if each.e is not None and not -1e-9 <= float(each.e) <= 1 + 1e-9:
-            raise _no(f"e would be {float(each.e):.3g}, and it lies in [0, 1]")
+    for happening in story.happenings:
+        if happening.e is not None and not -1e-9 <= float(happening.e) <= 1 + 1e-9:
+            raise _no(f"e would be {float(happening.e):.3g}, and it lies in [0, 1]")
     try:
         moves, given = flights.events(story), flights.told_places(story)
     except (RestitutionError, ArithmeticError) as error:

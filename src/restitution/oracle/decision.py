@@ -59,7 +59,7 @@ _Tree = Any  # _Condition | bool | ("and" | "or", list of trees)
 def satisfy(world: Polynomials, formulas: Sequence[Formula]) -> Reply:
     """Whether some values of the letters satisfy all formulas."""
     try:
-        trees = [_conditions(world, each) for each in formulas]
+        trees = [_conditions(world, formula) for formula in formulas]
     except TooLargeError:
         return UNKNOWN
     tree = _simplified(("and", trees))
@@ -77,9 +77,9 @@ def _conditions(world: Polynomials, formula: Formula) -> _Tree:
         case Relation():
             return _condition(world, formula)
         case All(parts):
-            return ("and", [_conditions(world, each) for each in parts])
+            return ("and", [_conditions(world, part) for part in parts])
         case Some(parts):
-            return ("or", [_conditions(world, each) for each in parts])
+            return ("or", [_conditions(world, part) for part in parts])
 
 
 def _condition(world: Polynomials, relation: Relation) -> _Tree:
@@ -169,8 +169,8 @@ def _names(world: Polynomials, polynomial: PolyElement) -> set[str]:
 def _used(world: Polynomials, tree: _Tree) -> list[str]:
     """The generators of a question, with those that define them."""
     used: set[str] = set()
-    for each in _polynomials(tree):
-        used |= _names(world, each)
+    for polynomial in _polynomials(tree):
+        used |= _names(world, polynomial)
     while True:
         before = len(used)
         for each in (*world.relations, *(bound.polynomial for bound in world.bounds)):
@@ -185,8 +185,10 @@ def _worth_asking(world: Polynomials, used: Sequence[str], tree: _Tree) -> bool:
     polynomials = _polynomials(tree)
     return (
         len(used) <= MOST_GENERATORS
-        and sum(len(each) for each in polynomials) <= MOST_MONOMIALS
-        and all(sum(each.degrees()) <= MOST_DEGREE for each in polynomials if each)
+        and sum(len(polynomial) for polynomial in polynomials) <= MOST_MONOMIALS
+        and all(
+            sum(polynomial.degrees()) <= MOST_DEGREE for polynomial in polynomials if polynomial
+        )
     )
 
 
@@ -245,13 +247,15 @@ def covers(
 ) -> Literal["yes", "no", "unknown"]:
     """Whether for all values that satisfy the facts some of the free letters satisfy the claim."""
     try:
-        outer = _simplified(("and", [_conditions(world, each) for each in facts]))
+        outer = _simplified(("and", [_conditions(world, fact) for fact in facts]))
         inner = _simplified(_conditions(world, claim))
     except TooLargeError:
         return "unknown"
     both = ("and", [outer, inner])
     used = _used(world, both)
-    degree = max((sum(each.degrees()) for each in _polynomials(both) if each), default=0)
+    degree = max(
+        (sum(polynomial.degrees()) for polynomial in _polynomials(both) if polynomial), default=0
+    )
     if len(used) > MOST_QUANTIFIED or len(used) * degree > MOST_EFFORT:
         return "unknown"
     import z3
@@ -278,8 +282,8 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
     question = _Question(world, used, scale)
     solver = z3.SolverFor("QF_NRA", ctx=question.context)
     solver.set("timeout", MILLISECONDS)
-    for each in question.definitions(used, used):
-        solver.add(each)
+    for definition in question.definitions(used, used):
+        solver.add(definition)
     solver.add(question.statement(tree))
     answer, reason = checked(solver)
     if answer == "unsat":
@@ -364,8 +368,8 @@ class _Question:
                 formulas.append(_related(number - self._number(low), ">=" if closed_low else ">"))
             if high is not None:
                 formulas.append(_related(self._number(high) - number, ">=" if closed_high else ">"))
-        defining = [(each, "=") for each in world.relations] + [
-            (each.polynomial, ">" if each.strict else ">=") for each in world.bounds
+        defining = [(relation, "=") for relation in world.relations] + [
+            (bound.polynomial, ">" if bound.strict else ">=") for bound in world.bounds
         ]
         for polynomial, operator in defining:
             own = _names(world, polynomial)

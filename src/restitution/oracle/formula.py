@@ -62,16 +62,16 @@ def negation(formula: Formula) -> Formula:
         case Relation(value, _):
             return Relation(-value, ">")
         case All(parts):
-            return Some(tuple(negation(each) for each in parts))
+            return Some(tuple(negation(part) for part in parts))
         case Some(parts):
-            return All(tuple(negation(each) for each in parts))
+            return All(tuple(negation(part) for part in parts))
 
 
 def joined(formulas: Iterable[Formula]) -> Formula:
     """All of the formulas, without an *and* inside an *and*."""
     parts: list[Formula] = []
-    for each in formulas:
-        parts.extend(each.parts if isinstance(each, All) else (each,))
+    for formula in formulas:
+        parts.extend(formula.parts if isinstance(formula, All) else (formula,))
     return parts[0] if len(parts) == 1 else All(tuple(parts))
 
 

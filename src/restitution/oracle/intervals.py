@@ -21,7 +21,7 @@ def proves(claim: Formula, facts: Formula, roles: Mapping[str, Role]) -> bool:
     # A fact about other letters can be left out; these need not be bounded then.
     names = letters_of(claim)
     parts = facts.parts if isinstance(facts, All) else (facts,)
-    kept = tuple(each for each in parts if letters_of(each) <= names)
+    kept = tuple(part for part in parts if letters_of(part) <= names)
     return refutes(All((*kept, negation(claim))), roles)
 
 
@@ -34,7 +34,7 @@ def refutes(formula: Formula, roles: Mapping[str, Role]) -> bool:
         if role.low is None or role.high is None:
             return False
         box.append((float(role.low), float(role.high)))
-    values = tuple(dict.fromkeys(each.value for each in relations(formula)))
+    values = tuple(dict.fromkeys(relation.value for relation in relations(formula)))
     try:
         program = Program.of(values)
     except BeyondError:
@@ -68,6 +68,6 @@ def _nowhere(formula: Formula, signs: Mapping[sp.Expr, frozenset[int]]) -> bool:
             allowed = {"=": {0}, "!=": {1, -1}, ">": {1}, ">=": {0, 1}}[operator]
             return not signs[value] & allowed
         case All(parts):
-            return any(_nowhere(each, signs) for each in parts)
+            return any(_nowhere(part, signs) for part in parts)
         case Some(parts):
-            return all(_nowhere(each, signs) for each in parts)
+            return all(_nowhere(part, signs) for part in parts)

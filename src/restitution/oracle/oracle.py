@@ -173,10 +173,10 @@ class Oracle:
 
     def _decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
         formulas = [_without_numbers(each) for each in (*self.facts, claim)]
-        values = [each.value for each in relations(joined(formulas))]
+        values = [relation.value for relation in relations(joined(formulas))]
         try:
-            world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
-            prepared = [_prepared(each, self.roles) for each in formulas]
+            world = Polynomials([_angular(value, self.roles) for value in values], self.roles)
+            prepared = [_prepared(formula, self.roles) for formula in formulas]
             answer = decision.covers(world, prepared[:-1], prepared[-1], free)
         except (TooLargeError, BeyondError):
             answer = "unknown"
@@ -212,16 +212,16 @@ class Oracle:
 
     def _all(self, claim: All) -> Verdict:
         decide = self.decide if self._plain else self._decide
-        parts = [decide(each) for each in claim.parts]
-        tried = max((each.trials for each in parts), default=0)
-        for each in parts:
-            if each.answer == "refuted":
-                return each
-        for each in parts:
-            if each.answer == "undecided":
+        parts = [decide(part) for part in claim.parts]
+        tried = max((part.trials for part in parts), default=0)
+        for part in parts:
+            if part.answer == "refuted":
+                return part
+        for part in parts:
+            if part.answer == "undecided":
                 return Verdict("undecided", "undecided", None, tried)
         order: tuple[Proof, ...] = ("intervals", "decision", "algebra")
-        proofs = {each.proof for each in parts}
+        proofs = {part.proof for part in parts}
         return Verdict("proved", next((p for p in order if p in proofs), "algebra"), None, tried)
 
     def _by_decision(
@@ -325,7 +325,7 @@ class Oracle:
         formulas = [_without_numbers(each) for each in (*self.facts, *more)]
         values = [each.value for formula in formulas for each in relations(formula)]
         try:
-            world = Polynomials([_angular(each, self.roles) for each in values], self.roles)
+            world = Polynomials([_angular(value, self.roles) for value in values], self.roles)
             prepared = [_prepared(each, self.roles) for each in formulas]
             reply = decision.satisfy(world, prepared)
             if reply.satisfiable == "unknown" and reply is not decision.UNKNOWN:
@@ -368,7 +368,7 @@ class Oracle:
             return (
                 self.admits(candidate)
                 and self._every.holds(candidate, exactly=True) is True
-                and all(each.holds(candidate, exactly=True) is False for each in testers)
+                and all(tester.holds(candidate, exactly=True) is False for tester in testers)
             )
 
         return simpler(point, self.roles, serves)
@@ -379,7 +379,7 @@ class _Tester:
 
     def __init__(self, formula: Formula) -> None:
         self.formula = formula
-        self._values = tuple(dict.fromkeys(each.value for each in relations(formula)))
+        self._values = tuple(dict.fromkeys(relation.value for relation in relations(formula)))
         self._program = Program.of(self._values)
         self._tree = _placed(formula, {value: n for n, value in enumerate(self._values)})
         self.letters = letters_of(formula)
@@ -414,7 +414,7 @@ def _placed(formula: Formula, places: Mapping[sp.Expr, int]) -> _Tree:
         case Relation(value, operator):
             return places[value], _SIGNS[operator]
         case All(parts) | Some(parts):
-            return isinstance(formula, All), [_placed(each, places) for each in parts]
+            return isinstance(formula, All), [_placed(part, places) for part in parts]
 
 
 def _holds(tree: _Tree, signs: Sequence[int | None]) -> bool | None:
@@ -528,12 +528,12 @@ def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
     if x.is_Symbol:
         return {x: sp.Integer(1)}
     if x.is_Add:
-        first, *others = (_powers(each) for each in x.args)
-        return first if all(each == first for each in others) else None
+        first, *others = (_powers(argument) for argument in x.args)
+        return first if all(other == first for other in others) else None
     if x.is_Mul:
         total: dict[sp.Symbol, sp.Expr] = {}
-        for each in x.args:
-            own = _powers(each)
+        for argument in x.args:
+            own = _powers(argument)
             if own is None:
                 return None
             for symbol, power in own.items():
@@ -544,7 +544,7 @@ def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
         return None if inside is None else {s: power * x.exp for s, power in inside.items()}
     if isinstance(x, sp.Abs):
         return _powers(x.args[0])
-    inner = [_powers(each) for each in x.args]
+    inner = [_powers(argument) for argument in x.args]
     return {} if inner and all(each == {} for each in inner) else None
 
 
@@ -574,10 +574,10 @@ def holds_with(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | 
                 return None
             return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[operator]
         case All(parts):
-            truths = [holds_with(each, signs) for each in parts]
+            truths = [holds_with(part, signs) for part in parts]
             return False if False in truths else None if None in truths else True
         case Some(parts):
-            truths = [holds_with(each, signs) for each in parts]
+            truths = [holds_with(part, signs) for part in parts]
             return True if True in truths else None if None in truths else False
 
 
@@ -612,9 +612,9 @@ def _without_numbers(formula: Formula) -> Formula:
                 return formula
             return TRUE if holds_with(Relation(value, operator), {value: sign}) else FALSE
         case All(parts):
-            return All(tuple(_without_numbers(each) for each in parts))
+            return All(tuple(_without_numbers(part) for part in parts))
         case Some(parts):
-            return Some(tuple(_without_numbers(each) for each in parts))
+            return Some(tuple(_without_numbers(part) for part in parts))
 
 
 def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
@@ -622,9 +622,9 @@ def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
         case Relation(value, operator):
             return Relation(_angular(value, roles), operator)
         case All(parts):
-            return All(tuple(_prepared(each, roles) for each in parts))
+            return All(tuple(_prepared(part, roles) for part in parts))
         case Some(parts):
-            return Some(tuple(_prepared(each, roles) for each in parts))
+            return Some(tuple(_prepared(part, roles) for part in parts))
 
 
 def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:

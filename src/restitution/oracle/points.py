@@ -77,7 +77,7 @@ class Program:
     @classmethod
     def of(cls, expressions: Sequence[sp.Expr]) -> Program:
         """Compiles expressions. Raises BeyondError for a function that is not known here."""
-        return _compiled(tuple(sp.sympify(each, strict=True) for each in expressions))
+        return _compiled(tuple(sp.sympify(expression, strict=True) for expression in expressions))
 
     def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The sign of every expression at a point; None where it is undefined or not certain.
@@ -165,8 +165,8 @@ class Program:
         for place, operation, arguments in steps:
             if operation == "multiply":
                 middle, error = values[arguments[0]]
-                for each in arguments[1:]:
-                    m, r = values[each]
+                for argument in arguments[1:]:
+                    m, r = values[argument]
                     product = middle * m
                     if error == 0.0 and r == 0.0:
                         if middle == 0.0 or m == 0.0:
@@ -191,8 +191,8 @@ class Program:
             elif operation == "add":
                 middle = error = size = 0.0
                 whole = True
-                for each in arguments:
-                    m, r = values[each]
+                for argument in arguments:
+                    m, r = values[argument]
                     middle += m
                     error += r
                     size += abs(m)
@@ -214,7 +214,9 @@ class Program:
             elif operation == "root":
                 values[place] = _ball_root(values[arguments[0]], arguments[1], arguments[2])
             else:
-                values[place] = _ball_function(operation, [values[each] for each in arguments])
+                values[place] = _ball_function(
+                    operation, [values[argument] for argument in arguments]
+                )
         return values
 
     def _fractions(self, point: Point) -> list[Fraction]:
@@ -225,9 +227,11 @@ class Program:
             elif operation == "letter":
                 values.append(Fraction(point[arguments[0]]))
             elif operation == "add":
-                values.append(sum((values[each] for each in arguments), Fraction(0)))
+                values.append(sum((values[argument] for argument in arguments), Fraction(0)))
             elif operation == "multiply":
-                values.append(math.prod((values[each] for each in arguments), start=Fraction(1)))
+                values.append(
+                    math.prod((values[argument] for argument in arguments), start=Fraction(1))
+                )
             else:
                 values.append(values[arguments[0]] ** arguments[1])
         return values
@@ -247,7 +251,7 @@ class Program:
 @lru_cache(maxsize=512)
 def _compiled(expressions: tuple[sp.Expr, ...]) -> Program:
     compiler = _Compiler()
-    results = tuple(compiler.place(each) for each in expressions)
+    results = tuple(compiler.place(expression) for expression in expressions)
     rational = all(operation in _RATIONAL for operation, _ in compiler.instructions)
     letters = frozenset(a[0] for operation, a in compiler.instructions if operation == "letter")
     return Program(tuple(compiler.instructions), results, rational, letters)
@@ -299,9 +303,9 @@ class _Compiler:
         if x in _NOTHING:
             return "nothing", ()
         if x.is_Add:
-            return "add", tuple(self.place(each) for each in x.args)
+            return "add", tuple(self.place(argument) for argument in x.args)
         if x.is_Mul:
-            return "multiply", tuple(self.place(each) for each in x.args)
+            return "multiply", tuple(self.place(argument) for argument in x.args)
         if x.is_Pow and x.exp.is_Integer:
             return "power", (self.place(x.base), int(x.exp))
         if x.is_Pow and x.exp.is_Rational:
@@ -311,7 +315,7 @@ class _Compiler:
         name = _FUNCTIONS.get(type(x))
         if name is None:
             raise BeyondError(str(x))
-        return name, tuple(self.place(each) for each in x.args)
+        return name, tuple(self.place(argument) for argument in x.args)
 
 
 # --- floats with a bound of their error ----------------------------------------------------------
@@ -333,7 +337,7 @@ def ball(value: Value) -> Ball:
         middle = to_float(mpi_mid(interval, dps_to_prec(30)))
         return middle, abs(middle) * 2 * _EPSILON + _TINY
     if isinstance(value, Enclosed):
-        low, high = (to_float(each) for each in value.ends)
+        low, high = (to_float(end) for end in value.ends)
         middle = low + (high - low) / 2
         return middle, (high - low) + abs(middle) * 2 * _EPSILON + _TINY
     middle = float(value)
@@ -453,8 +457,8 @@ def _enclosed(
     if operation == "root":
         return power_in(precision, values[arguments[0]], arguments[1], arguments[2])
     inner: list[Interval] = []
-    for each in arguments:
-        own = values[each]
+    for argument in arguments:
+        own = values[argument]
         if own is None:
             raise BeyondError
         inner.append(own)

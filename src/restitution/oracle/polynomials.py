@@ -64,11 +64,13 @@ class Polynomials:
         self._order: list[tuple[Any, str]] = []
         self._divisors: dict[sp.Expr, int] = {}
         self._numbers: dict[sp.Expr, tuple[sp.Expr, bool]] = {}
-        expressions = [_algebraic(sp.sympify(each, strict=True)) for each in expressions]
+        expressions = [
+            _algebraic(sp.sympify(expression, strict=True)) for expression in expressions
+        ]
         self._bases: list[sp.Rational] = []
         self._bases = _bases({x for each in expressions for x in self._plain_angles(each)})
-        for each in expressions:
-            self._divide(each)
+        for expression in expressions:
+            self._divide(expression)
         ends = [end for each in list(self._divisors) for end in self._ends(each)]
         for end in ends:
             self._divide(end)
@@ -169,8 +171,8 @@ class Polynomials:
         elif x.is_Rational:
             pass
         elif x.is_Add or x.is_Mul:
-            for each in x.args:
-                self._collect(each)
+            for argument in x.args:
+                self._collect(argument)
         elif x.is_Pow and x.exp.is_Integer:
             self._collect(x.base)
         elif x.is_Pow and x.exp.is_Rational:
@@ -188,8 +190,8 @@ class Polynomials:
             self._collect(x.args[0])
             self._new(("abs", x.args[0]), f"size{len(self._order)}", "0+")
         elif isinstance(x, sp.Max | sp.Min):
-            for each in x.args:
-                self._collect(each)
+            for argument in x.args:
+                self._collect(argument)
             self._new(("extreme", x), f"extreme{len(self._order)}")
         else:
             self._new(("other", x), f"other{len(self._order)}")
@@ -235,8 +237,8 @@ class Polynomials:
                     ends = any(role.closed)
                     sense = ("real", "0+" if ends else "+")
         elif isinstance(atom, _INVERSE):
-            for each in atom.args:
-                self._collect(each)
+            for argument in atom.args:
+                self._collect(argument)
             sense = (
                 ("+", "real")
                 if isinstance(atom, sp.atan | sp.asin) or q > 1
@@ -289,8 +291,8 @@ class Polynomials:
     def _define_extreme(self, own: PolyElement, x: sp.Expr) -> None:
         sense = 1 if isinstance(x, sp.Max) else -1
         product = self.ring.one
-        for each in x.args:
-            above, below = self.quotient(each)
+        for argument in x.args:
+            above, below = self.quotient(argument)
             rest = own * below - above
             product = product * rest
             self.bounds.append(Bound(rest * below * sense, False))
@@ -328,7 +330,7 @@ class Polynomials:
         n = q
         cn, sn = self._multiple(c, s, n)
         if isinstance(atom, sp.atan2):
-            (y, yb), (x, xb) = (self.quotient(each) for each in atom.args)
+            (y, yb), (x, xb) = (self.quotient(argument) for argument in atom.args)
             r = self._generators[self._keys["radius", atom]]
             self.relations.append(r * cn * xb - x)
             self.relations.append(r * sn * yb - y)
@@ -397,13 +399,13 @@ class Polynomials:
             return self._generators[self._keys["letter", x.name]], one
         if x.is_Add:
             total: Quotient = self.quotient(x.args[0])
-            for each in x.args[1:]:
-                total = self._sum(total, self.quotient(each))
+            for argument in x.args[1:]:
+                total = self._sum(total, self.quotient(argument))
             return total
         if x.is_Mul:
             above, below = one, one
-            for each in x.args:
-                a, b = self.quotient(each)
+            for argument in x.args:
+                a, b = self.quotient(argument)
                 above, below = self._product(above, a), self._product(below, b)
             return above, below
         if x.is_Pow and x.exp.is_Integer:

@@ -88,7 +88,7 @@ def to_latex(layout: Layout) -> str:
             return _sum(terms)
         case Product(factors, times):
             if times:
-                return f" {_SIGNS[times]} ".join(to_latex(each) for each in factors)
+                return f" {_SIGNS[times]} ".join(to_latex(factor) for factor in factors)
             return _product(factors)
         case Fraction(Number(a), Number(b)):
             return rf"\tfrac{{{a}}}{{{b}}}"
@@ -108,7 +108,7 @@ def to_latex(layout: Layout) -> str:
         case Percent(inside):
             return rf"{_unit_number(inside)}\%"
         case Coordinates(items):
-            body = ",\\ ".join(to_latex(each) for each in items)
+            body = ",\\ ".join(to_latex(item) for item in items)
             return _fenced(body, layout, "()")
         case Relation(operands, signs):
             parts = [to_latex(operands[0])]
@@ -195,9 +195,9 @@ def _is_tall(layout: Layout) -> bool:
         case Sum(terms):
             return any(_is_tall(term) for _, term in terms)
         case Product(factors):
-            return any(_is_tall(each) for each in factors)
+            return any(_is_tall(factor) for factor in factors)
         case Coordinates(items) | Phrase(items):
-            return any(_is_tall(each) for each in items)
+            return any(_is_tall(item) for item in items)
         case Root(inside) | Brackets(inside):
             return _is_tall(inside)
         case Power(base):
@@ -215,4 +215,4 @@ def _unit_number(inside: Layout) -> str:
 
 def _phrase(items: tuple[Layout, ...], separator: str) -> str:
     gap = {"": "", " ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{escape(separator)}}}")
-    return gap.join(to_latex(each) for each in items)
+    return gap.join(to_latex(item) for item in items)

@@ -54,7 +54,7 @@ def _node(layout: Layout) -> str:
             return _row(_sum(terms))
         case Product(factors, times):
             if times:
-                return _row(f"<mo>{times}</mo>".join(_node(each) for each in factors))
+                return _row(f"<mo>{times}</mo>".join(_node(factor) for factor in factors))
             return _row(_product(factors))
         case Fraction(above, below):
             return f"<mfrac>{_node(above)}{_node(below)}</mfrac>"
@@ -73,7 +73,7 @@ def _node(layout: Layout) -> str:
         case Percent(inside):
             return _row(_unit_number(inside) + _postfix("%"))
         case Coordinates(items):
-            return _fenced("<mo>,</mo>".join(_node(each) for each in items), "()")
+            return _fenced("<mo>,</mo>".join(_node(item) for item in items), "()")
         case Relation(operands, signs):
             parts = [_node(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
@@ -81,7 +81,7 @@ def _node(layout: Layout) -> str:
             return _row("".join(parts))
         case Phrase(items, separator):
             gap = f"<mtext>{escape(separator).replace(' ', '&#xa0;')}</mtext>"
-            return _row(gap.join(_node(each) for each in items))
+            return _row(gap.join(_node(item) for item in items))
 
 
 def _row(body: str) -> str:

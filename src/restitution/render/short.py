@@ -29,21 +29,21 @@ def is_short(x: Any) -> bool:
     """
     x = sp.sympify(x, strict=True)
     factors = sp.Mul.make_args(x)
-    sums = [each for each in factors if each.is_Add]
-    turned = [each for each in factors if _base(each).is_Function]
-    surds = [each for each in factors if each.is_Pow and not each.exp.is_Integer]
-    if any(_base(each).free_symbols or not _base(each).is_Rational for each in surds):
+    sums = [factor for factor in factors if factor.is_Add]
+    turned = [factor for factor in factors if _base(factor).is_Function]
+    surds = [factor for factor in factors if factor.is_Pow and not factor.exp.is_Integer]
+    if any(_base(surd).free_symbols or not _base(surd).is_Rational for surd in surds):
         return False
     if len(sums) + len(turned) > 1 or (surds and (sums or turned)):
         return False
-    if any(_base(each).is_Add and not each.is_Add for each in factors):
+    if any(_base(factor).is_Add and not factor.is_Add for factor in factors):
         return False
     if any(not _is_plain_sum(each) for each in sums):
         return False
     if any(len(sp.Add.make_args(_base(each).args[0])) > 2 for each in turned):
         return False
     numbers = {abs(n) for each in x.atoms(sp.Rational) for n in (int(each.p), int(each.q))}
-    small = all(each < 1000 for each in numbers)
+    small = all(number < 1000 for number in numbers)
     return small and _digits(x) <= _MOST_DIGITS and len(x.free_symbols) <= _MOST_LETTERS
 
 
@@ -53,10 +53,10 @@ def _base(factor: sp.Expr) -> sp.Expr:
 
 def _is_plain_sum(total: sp.Expr) -> bool:
     plain = total.is_polynomial(*total.free_symbols) and all(
-        each.is_Integer or each.is_Symbol or each.is_Mul or each.is_Pow
-        for each in sp.Add.make_args(total)
+        term.is_Integer or term.is_Symbol or term.is_Mul or term.is_Pow
+        for term in sp.Add.make_args(total)
     )
-    roots = any(not each.exp.is_Integer for each in total.atoms(sp.Pow))
+    roots = any(not atom.exp.is_Integer for atom in total.atoms(sp.Pow))
     return bool(plain) and len(total.args) == 2 and not roots and not total.has(sp.Function)
 
 
@@ -64,12 +64,12 @@ def _digits(x: sp.Expr) -> int:
     """How many digits the numbers of an expression have, but for powers and those of angles."""
     if x.is_Rational:
         sizes = (abs(int(x.p)), int(x.q))
-        return sum(len(str(each)) for each in sizes if each != 1)
+        return sum(len(str(size)) for size in sizes if size != 1)
     if x.is_Pow:
         return _digits(x.base)
     if x.is_Function:
         return 0
-    return sum(_digits(each) for each in x.args)
+    return sum(_digits(argument) for argument in x.args)
 
 
 def angle_label(tree: Expression, value: float, drawn: float, typed: Layout) -> Layout | None:

@@ -118,14 +118,14 @@ def _text(layout: Layout) -> str:
         case Percent(inside):
             return f"{_unit_number(inside)}%"
         case Coordinates(items):
-            return f"({', '.join(_text(each) for each in items)})"
+            return f"({', '.join(_text(item) for item in items)})"
         case Relation(operands, signs):
             parts = [_text(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
                 parts += [sign, _text(operand)]
             return " ".join(parts)
         case Phrase(items, separator):
-            return separator.join(_text(each) for each in items)
+            return separator.join(_text(item) for item in items)
 
 
 def width(text: str) -> int:

@@ -67,7 +67,7 @@ def mathematics(layout: Layout) -> str:
             return _sum(terms)
         case Product(factors, times):
             if times:
-                return f" {times} ".join(mathematics(each) for each in factors)
+                return f" {times} ".join(mathematics(factor) for factor in factors)
             return _product(factors)
         case Fraction(above, below):
             return f"frac({mathematics(above)}, {mathematics(below)})"
@@ -93,7 +93,7 @@ def mathematics(layout: Layout) -> str:
         case Coordinates(items):
             # A comma of its own would end an argument of the function around it.
             comma = literal(",") + " "
-            return f"lr(({comma.join(mathematics(each) for each in items)}))"
+            return f"lr(({comma.join(mathematics(item) for item in items)}))"
         case Relation(operands, signs):
             parts = [mathematics(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
@@ -101,7 +101,7 @@ def mathematics(layout: Layout) -> str:
             return " ".join(parts)
         case Phrase(items, separator):
             # Without spaces around it: beside words they would be printed too.
-            return literal(separator).join(mathematics(each) for each in items)
+            return literal(separator).join(mathematics(item) for item in items)
 
 
 def _letters(name: str) -> str:

@@ -40,7 +40,7 @@ class Move:
 
 def events(story: Story) -> list[Move]:
     """The events of a story in floats."""
-    return [_move(story, each) for each in story.happenings]
+    return [_move(story, happening) for happening in story.happenings]
 
 
 def _move(story: Story, event: Happening) -> Move:

@@ -283,13 +283,13 @@ def velocities(
 def _components(story: Story) -> list[float]:
     """Every component of every velocity, along and across the line of centres."""
     found = []
-    for each in story.happenings:
-        c = each.centres if each.centres is not None else each.impulse
+    for happening in story.happenings:
+        c = happening.centres if happening.centres is not None else happening.impulse
         if c is None:
             continue
         n = floats(c)
         size = math.hypot(*n) or 1.0
-        for v in (*each.before.values(), *each.after.values()):
+        for v in (*happening.before.values(), *happening.after.values()):
             u = floats(v)
             found += [u.dot(n) / size, u.cross(n) / size, math.hypot(*u)]
     return found
@@ -305,10 +305,12 @@ def _pattern(story: Story) -> tuple[bool, ...]:
 def _legibility(story: Story) -> float:
     """The shortest velocity of an event as a share of the longest, for the worst of the events."""
     worst = 1.0
-    for each in story.happenings:
-        if not isinstance(each.step, Impact | Kick):
+    for happening in story.happenings:
+        if not isinstance(happening.step, Impact | Kick):
             continue
-        sizes = [math.hypot(*floats(v)) for v in (*each.before.values(), *each.after.values())]
+        sizes = [
+            math.hypot(*floats(v)) for v in (*happening.before.values(), *happening.after.values())
+        ]
         largest = max(sizes, default=0.0)
         moving = [x for x in sizes if x > 1e-12 * (largest or 1.0)]
         if moving:

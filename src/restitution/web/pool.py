@@ -126,7 +126,7 @@ class Pool:
     async def close(self) -> None:
         """Kill the processes."""
         self._closed = True
-        await asyncio.gather(*(asyncio.to_thread(each.dismiss) for each in self._hands))
+        await asyncio.gather(*(asyncio.to_thread(hand.dismiss) for hand in self._hands))
 
     @property
     def again(self) -> int:

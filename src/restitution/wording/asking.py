@@ -22,7 +22,7 @@ from restitution.wording.words import listed, words
 def groups(scene: Scene, find: Find) -> list[Words]:
     """The items of a line, with those of one kind together: the speeds of A and B."""
     plain = find.in_terms_of is not None
-    nouns = [_item(scene, each, plain) for each in find.items]
+    nouns = [_item(scene, item, plain) for item in find.items]
     out: list[Words] = []
     while nouns:
         taken = _alike(nouns)
@@ -35,7 +35,7 @@ def names_of(scene: Scene, ask: Find | Show) -> list[Words]:
     """Each item of a line by itself: ``the speed of A``; what is to be shown as a clause."""
     if isinstance(ask, Show):
         return [_shown(scene, ask)]
-    return [_together([_item(scene, each, True)]) for each in ask.items]
+    return [_together([_item(scene, item, True)]) for item in ask.items]
 
 
 def in_terms(find: Find | Show) -> Words:
@@ -146,14 +146,14 @@ def _alike(nouns: Sequence[Noun]) -> int:
     """How many at the beginning can be told together: of one kind, or of one body."""
     first = nouns[0]
     same_kind = same_body = 1
-    for each in nouns[1:]:
-        if not first.kind or each.kind != first.kind or each.when != first.when:
+    for noun in nouns[1:]:
+        if not first.kind or noun.kind != first.kind or noun.when != first.when:
             break
         same_kind += 1
-    for each in nouns[1:]:
-        if not (_plain(first) and _plain(each)):
+    for noun in nouns[1:]:
+        if not (_plain(first) and _plain(noun)):
             break
-        if each.body != first.body or each.when != first.when:
+        if noun.body != first.body or noun.when != first.when:
             break
         same_body += 1
     return max(same_kind, same_body)
@@ -170,17 +170,17 @@ def _is_direction(one: Noun) -> bool:
 
 def _together(nouns: Sequence[Noun]) -> Words:
     first = nouns[0]
-    bodies = [each.body for each in nouns]
+    bodies = [noun.body for noun in nouns]
     if len(nouns) == 1:
         head = first.head
     elif first.kind == "value":
-        head = words("the values of ", listed([each.head[1:] for each in nouns]))
+        head = words("the values of ", listed([noun.head[1:] for noun in nouns]))
     elif first.tail:
         head = words("the components of ", of_bodies("velocity", bodies), first.tail)
-    elif all(each.kind == first.kind for each in nouns):
+    elif all(noun.kind == first.kind for noun in nouns):
         head = of_bodies(first.kind, bodies)
     else:
-        head = kinds_of([each.kind for each in nouns], first.body)
+        head = kinds_of([noun.kind for noun in nouns], first.body)
     asked = words(head, " ", first.when) if first.when else head
     if first.where:
         return words(asked, _where(first))

@@ -98,8 +98,8 @@ def clauses(scene: Scene, relations: Sequence[Relation]) -> list[Words]:
 def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun, Words]]:
     """The first relations, as far as each gives another body's velocity at the same moment."""
     found: list[tuple[Noun, Words]] = []
-    for each in relations:
-        match each:
+    for relation in relations:
+        match relation:
             case Compare((Quantity("velocity") as moving, value), ("=",)) if not (
                 has_quantity(value) or isinstance(value, Polar)
             ):
@@ -116,8 +116,8 @@ def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun,
 
 def mathematics(relation: Compare) -> lay.Layout:
     """A relation of letters as one line of mathematics."""
-    sides = [values.laid(each) for each in relation.operands]
-    signs = tuple(lay.SIGNS.get(each, each) for each in relation.operators)
+    sides = [values.laid(operand) for operand in relation.operands]
+    signs = tuple(lay.SIGNS.get(operator, operator) for operator in relation.operators)
     return lay.Relation(tuple(sides), signs)
 
 
@@ -132,7 +132,7 @@ def _compare(scene: Scene, relation: Compare) -> Words:
     relation = _without_zero(relation)
     operands, operators = relation.operands, relation.operators
     figures = to_figures(relation.figures)
-    if not any(has_quantity(each) for each in operands):
+    if not any(has_quantity(operand) for operand in operands):
         return words(mathematics(relation), figures)
     if len(operands) == 2:
         left, right = operands
@@ -148,7 +148,7 @@ def _compare(scene: Scene, relation: Compare) -> Words:
     elif plain(scene, *operands):
         return words(_chain(scene, relation), figures)
     shown_each, where = formula(scene, operands)
-    signs = tuple(lay.SIGNS.get(each, each) for each in operators)
+    signs = tuple(lay.SIGNS.get(operator, operator) for operator in operators)
     return words(lay.Relation(tuple(shown_each), signs), figures, ", ", where)
 
 

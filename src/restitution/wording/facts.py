@@ -47,9 +47,9 @@ def facts_of(scene: Scene) -> list[Fact]:
     return [
         *(Fact(frozenset((name,)), nature=nature) for name, nature in natures),
         *(
-            Fact(letters_of(each), words(mathematics(each)))
-            for each in _relations(problem)
-            if _said_positive(each) not in positive
+            Fact(letters_of(relation), words(mathematics(relation)))
+            for relation in _relations(problem)
+            if _said_positive(relation) not in positive
         ),
     ]
 
@@ -59,19 +59,19 @@ def _relations(problem: Problem) -> Iterator[Compare]:
     lets = named_letters(problem)
     for part, step in problem.steps():
         if part.label is None and isinstance(step, Given):
-            for each in step.relations:
+            for relation in step.relations:
                 if (
-                    isinstance(each, Compare)
-                    and is_letter_fact(each)
-                    and not letters_of(each) & lets
+                    isinstance(relation, Compare)
+                    and is_letter_fact(relation)
+                    and not letters_of(relation) & lets
                 ):
-                    yield each
+                    yield relation
 
 
 def letters_of(relation: Relation) -> frozenset[str]:
     """The letters of a relation of expressions."""
     if isinstance(relation, Compare):
-        return frozenset().union(*(letters(each) for each in relation.operands))
+        return frozenset().union(*(letters(operand) for operand in relation.operands))
     return frozenset()
 
 
@@ -81,12 +81,12 @@ def told(sentences: Sequence[Sentence], facts: Sequence[Fact]) -> tuple[list[Sen
     pending = [each for each in facts if not (each.nature == "acute" and each.letters <= acute)]
     seen: frozenset[str] = frozenset()
     out: list[Sentence] = []
-    for each in sentences:
-        here = letters_in(each)
+    for sentence in sentences:
+        here = letters_in(sentence)
         seen |= here
         due = [fact for fact in pending if fact.letters & here and fact.letters <= seen]
         pending = [fact for fact in pending if fact not in due]
-        out.append(_where(each, due))
+        out.append(_where(sentence, due))
     return out, [each for each in pending if not each.nature]
 
 
@@ -101,13 +101,13 @@ def _where(said: Sentence, facts: Sequence[Fact]) -> Sentence:
 def _phrases(facts: Sequence[Fact]) -> list[Words]:
     """Facts in words: ``p and q are constants``, ``tan α = ¾``."""
     out: list[Words] = []
-    for nature in dict.fromkeys(each.nature for each in facts if each.nature):
+    for nature in dict.fromkeys(fact.nature for fact in facts if fact.nature):
         names = [name for each in facts if each.nature == nature for name in each.letters]
         noun = nature.removeprefix("a ")
         several = noun if noun == nature else f"{noun}s"
         verb = f" is {nature}" if len(names) == 1 else f" are {several}"
         out.append(words(listed([lay.letter(name) for name in names]), verb))
-    return out + [each.said for each in facts if not each.nature]
+    return out + [fact.said for fact in facts if not fact.nature]
 
 
 def _said_acute(said: Sentence) -> frozenset[str]:
@@ -143,7 +143,9 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
         mass, velocity = sphere.mass, sphere.velocity
         if isinstance(mass, Expression):
             factors = letters(mass)
-            positive |= {each for each in factors if len(factors) > 1 and each[:1] not in "mM"}
+            positive |= {
+                factor for factor in factors if len(factors) > 1 and factor[:1] not in "mM"
+            }
         if isinstance(velocity, Expression):
             positive |= letters(velocity) & _NUMBERS
             if scene.style.fixes(SPEED) and not isinstance(velocity, Polar):
@@ -158,7 +160,7 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
         if isinstance(run, Expression) and values.is_vector(run):
             signed |= _components(run)
     signed -= positive
-    bounded = {_said_positive(each) for each in _relations(scene.problem)} - {None}
+    bounded = {_said_positive(relation) for relation in _relations(scene.problem)} - {None}
     positive, signed = positive | (signed & bounded), signed - bounded
     # One of which more is said is not called positive as well.
     more = {name for each in _relations(scene.problem) for name in letters_of(each)} - bounded

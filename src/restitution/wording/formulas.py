@@ -76,17 +76,17 @@ def said(scene: Scene, tree: Expression) -> Noun:
 
 def plain(scene: Scene, *trees: Expression) -> bool:
     """Whether expressions can be said in words that people can follow."""
-    return all(cost(scene, each) <= _MOST for each in trees)
+    return all(cost(scene, tree) <= _MOST for tree in trees)
 
 
 def cost(scene: Scene, tree: Expression) -> float:
     """How much there is to follow in an expression, if it were told in words: a quantity is 1."""
     if not has_quantity(tree):
         return 0
-    inner = [cost(scene, each) for each in children(tree)]
+    inner = [cost(scene, child) for child in children(tree)]
     match tree:
         case Quantity(_, arguments):
-            return max([1, *(cost(scene, each) for each in arguments)])
+            return max([1, *(cost(scene, argument) for argument in arguments)])
         case Negate() | Apply():
             if isinstance(tree, Apply) and tree.function == "abs":
                 scalar = isinstance(tree.argument, Binary) and not values.is_vector(tree.argument)
@@ -140,11 +140,11 @@ def formula(scene: Scene, trees: Sequence[Expression]) -> tuple[list[lay.Layout]
     """Expressions as mathematics, with letters for quantities, and what these denote."""
     quantities: list[Expression] = []
     for tree in trees:
-        for each in _quantities(scene, tree):
-            if all(_key(scene, each) != _key(scene, one) for one in quantities):
-                quantities.append(each)
+        for quantity in _quantities(scene, tree):
+            if all(_key(scene, quantity) != _key(scene, one) for one in quantities):
+                quantities.append(quantity)
     names = _named(scene, quantities)
-    bold = {names[_key(scene, each)] for each in quantities if _is_vector(each)}
+    bold = {names[_key(scene, quantity)] for quantity in quantities if _is_vector(quantity)}
     shown = [_in_bold(values.laid(_replaced(scene, each, names)), bold) for each in trees]
     return shown, words("where ", listed(_definitions(scene, quantities, names, bold)))
 
@@ -185,13 +185,13 @@ def _is_vector(tree: Expression) -> bool:
 def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
     """A letter for each quantity, by its words; those of one kind have one letter, numbered."""
     groups: dict[str, list[Expression]] = {}
-    for each in quantities:
-        if _key(scene, each) not in scene.denoted:
-            groups.setdefault(_kind(each), []).append(each)
+    for quantity in quantities:
+        if _key(scene, quantity) not in scene.denoted:
+            groups.setdefault(_kind(quantity), []).append(quantity)
     for kind, group in groups.items():
         for each, name in zip(group, _free(scene, kind, group), strict=True):
             scene.denoted[_key(scene, each)] = name
-    return {_key(scene, each): scene.denoted[_key(scene, each)] for each in quantities}
+    return {_key(scene, quantity): scene.denoted[_key(scene, quantity)] for quantity in quantities}
 
 
 def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
@@ -243,7 +243,7 @@ def _in_bold(shown: Any, bold: set[str]) -> Any:
     if is_dataclass(shown) and not isinstance(shown, type):
         return replace(
             shown,
-            **{each.name: _in_bold(getattr(shown, each.name), bold) for each in fields(shown)},
+            **{field.name: _in_bold(getattr(shown, field.name), bold) for field in fields(shown)},
         )
     return shown
 
@@ -304,7 +304,7 @@ def _before_and_after(scene: Scene, quantities: Sequence[Expression]) -> Words |
     """``the speeds of P immediately before and immediately after the impact``."""
     if len(quantities) != 2:
         return None
-    one, other = (part(scene, each) for each in quantities)
+    one, other = (part(scene, quantity) for quantity in quantities)
     if not (one.kind and one.kind == other.kind and one.body == other.body and one.when):
         return None
     if one.when == other.when or not other.when or one.tail:

@@ -37,9 +37,9 @@ def acute_letters(problem: Problem) -> frozenset[str]:
             found += [node for node in walk(sphere.velocity) if is_ratio(node)]
     runs = [wall.along for wall in problem.walls]
     runs += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
-    found += [each for each in runs if isinstance(each, Expression) and not _has_axes(each)]
+    found += [run for run in runs if isinstance(run, Expression) and not _has_axes(run)]
     names = frozenset().union(*(letters(each) for each in found)) - named_letters(problem)
-    return frozenset(each for each in names if not _wide(problem, each))
+    return frozenset(name for name in names if not _wide(problem, name))
 
 
 def is_ratio(tree: Expression) -> bool:

@@ -35,7 +35,7 @@ def to_markdown(question: Question) -> str:
 
 def said(words: Words) -> str:
     """Words with their mathematics in LaTeX."""
-    return "".join(_piece(each) for each in words)
+    return "".join(_piece(word) for word in words)
 
 
 def _piece(each: Piece) -> str:

@@ -194,7 +194,7 @@ def alike(each: Sequence[Noun]) -> bool:
 
 def times_until(scene: Scene, trees: Sequence[Expression]) -> tuple[Words, list[Words]] | None:
     """Times that are counted from one start: its words, and what ends each; None for others."""
-    said = [_time_parts(scene, each) for each in trees]
+    said = [_time_parts(scene, tree) for tree in trees]
     starts = [each[0] for each in said if each is not None and each[0]]
     if len(starts) < len(trees) or len(set(starts)) > 1 or len(trees) < 2:
         return None
@@ -323,7 +323,7 @@ def ends(scene: Scene, tree: Expression) -> tuple[Expression, Expression] | None
 def _is_somewhere(scene: Scene, tree: Expression) -> bool:
     """Whether a tree is the place of a body, or a named point."""
     if isinstance(tree, Name):
-        return any(tree.name == each.name for each in scene.problem.points)
+        return any(tree.name == point.name for point in scene.problem.points)
     return isinstance(tree, Quantity) and tree.kind == "position"
 
 
@@ -352,9 +352,9 @@ def somewhere(scene: Scene, tree: Expression) -> Words:
     if isinstance(tree, Quantity):
         return _placed(scene, tree, "position").words()
     if isinstance(tree, Pair):
-        for each in scene.problem.points:
-            if each.position == tree:
-                return (Named(each.name),)
+        for point in scene.problem.points:
+            if point.position == tree:
+                return (Named(point.name),)
     return values.point(tree)
 
 
@@ -581,7 +581,7 @@ def line(scene: Scene, tree: Expression) -> Noun:
 
 
 def _angle(scene: Scene, tree: Quantity) -> Noun:
-    one, other = (line(scene, each) for each in tree.arguments)
+    one, other = (line(scene, argument) for argument in tree.arguments)
     if one.kind == other.kind != "" and one.body != other.body and one.when == other.when:
         return Noun(
             words("the angle between ", of_bodies(one.kind, (one.body, other.body))), one.when
@@ -593,7 +593,7 @@ def _angle(scene: Scene, tree: Quantity) -> Noun:
     if not one.kind:
         return _pair("the angle between ", one, " and ", other)
     apart = one.when and other.when and not same_event(one.when, other.when)
-    if apart or any(_is_between(each) for each in tree.arguments):
+    if apart or any(_is_between(argument) for argument in tree.arguments):
         return Noun(words("the angle between ", one.words(), " and ", other.words()))
     return Noun(
         words("the angle that ", one.head, " makes with ", other.head), one.when or other.when
@@ -708,7 +708,7 @@ def place(scene: Scene, tree: Quantity) -> Noun:
 
 def _has_size(scene: Scene) -> bool:
     """Whether a sphere's centre has to be told from the sphere."""
-    return any(each.radius is not None for each in scene.problem.spheres)
+    return any(sphere.radius is not None for sphere in scene.problem.spheres)
 
 
 def _time(scene: Scene, tree: Quantity) -> Noun:
@@ -745,9 +745,11 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
 
 def _distance(scene: Scene, tree: Quantity) -> Noun:
     one, other = tree.arguments
-    spheres = {each.name for each in scene.problem.spheres}
+    spheres = {sphere.name for sphere in scene.problem.spheres}
     bodies = [
-        each.name for each in tree.arguments if isinstance(each, Name) and each.name in spheres
+        argument.name
+        for argument in tree.arguments
+        if isinstance(argument, Name) and argument.name in spheres
     ]
     if len(bodies) == 2:
         centres = "the centres of " if _has_size(scene) else ""
@@ -771,7 +773,7 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _dot(scene: Scene, tree: Quantity) -> Noun:
-    one, other = (_vector(scene, each) for each in tree.arguments)
+    one, other = (_vector(scene, argument) for argument in tree.arguments)
     return _pair("the scalar product of ", one, " and ", other)
 
 

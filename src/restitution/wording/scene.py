@@ -92,7 +92,7 @@ class Scene:
 
     def timed(self) -> bool:
         """Whether time is counted from the start, and not from the first impact."""
-        return any(each.position is not None for each in self.problem.spheres)
+        return any(sphere.position is not None for sphere in self.problem.spheres)
 
 
 def scene_of(problem: Problem) -> Scene:
@@ -115,7 +115,7 @@ def _taken(problem: Problem) -> frozenset[str]:
             taken |= set(step.in_terms_of or ())
     bodies: tuple[Sphere | Wall | Point, ...]
     bodies = (*problem.spheres, *problem.walls, *problem.points)
-    return frozenset(taken | {each.name for each in bodies})
+    return frozenset(taken | {body.name for body in bodies})
 
 
 def bodies_of(event: Event) -> tuple[str, ...]:
@@ -133,7 +133,7 @@ def is_letter_fact(relation: Relation) -> bool:
 
 def _placed(problem: Problem) -> bool:
     """Whether it matters where things are, so that a size not told is negligible."""
-    if any(each.position is not None for each in problem.spheres):
+    if any(sphere.position is not None for sphere in problem.spheres):
         return True
     nodes = (node for tree in trees(problem) for node in walk(tree))
     return any(isinstance(node, Quantity) and node.kind in _PLACED for node in nodes)
@@ -241,12 +241,12 @@ def happening(scene: Scene, number: int, subject: str | None = None) -> Words:
             verb = " hits " if scene.is_wall(second) else " collides with "
             pair = {first, second}
             before = sum(
-                isinstance(each, Impact) and {each.first, each.second} == pair
-                for each in scene.events[: number - 1]
+                isinstance(event, Impact) and {event.first, event.second} == pair
+                for event in scene.events[: number - 1]
             )
             total = sum(
-                isinstance(each, Impact) and {each.first, each.second} == pair
-                for each in scene.events
+                isinstance(event, Impact) and {event.first, event.second} == pair
+                for event in scene.events
             )
             time = f" for the {ordinal(before + 1)} time" if total > 1 else ""
             return words(_spoken(first, subject), verb, Named(second), time)

@@ -38,7 +38,7 @@ def spheres_told(scene: Scene) -> Iterator[Sentence]:
     spheres = scene.problem.spheres
     if not spheres:
         return
-    small = "small " if scene.places and all(each.radius is None for each in spheres) else ""
+    small = "small " if scene.places and all(sphere.radius is None for sphere in spheres) else ""
     if len(spheres) == 1:
         (only,) = spheres
         of = [words("mass ", _mass(scene, only))] if only.mass is not None else []
@@ -54,8 +54,8 @@ def spheres_told(scene: Scene) -> Iterator[Sentence]:
 
 def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[Sentence]:
     kind = f"{count(len(spheres))} {small}smooth uniform spheres"
-    masses = [each.mass for each in spheres]
-    radii = {each.radius for each in spheres if each.radius is not None}
+    masses = [sphere.mass for sphere in spheres]
+    radii = {sphere.radius for sphere in spheres if sphere.radius is not None}
     radius: Any = radii.pop() if len(radii) == 1 else None
     equal = words(" have equal radii")
     if radius is not None:
@@ -73,23 +73,23 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     elif all_told:
         yield sentence(kind, ", ", _masses(scene, spheres), ",", equal, rest)
     else:
-        yield sentence(kind, " ", names(each.name for each in spheres), equal, rest)
+        yield sentence(kind, " ", names(sphere.name for sphere in spheres), equal, rest)
         for group in _by_mass(spheres):
             if group[0].mass is not None:
                 verb = " has mass " if len(group) == 1 else " each have mass "
                 yield sentence(names(s.name for s in group), verb, _mass(scene, group[0]))
     if radii:
-        for each in spheres:
-            if each.radius is not None:
-                told = values.length(scene.style, each.radius)
-                yield sentence("the radius of ", Named(each.name), " is ", told)
+        for sphere in spheres:
+            if sphere.radius is not None:
+                told = values.length(scene.style, sphere.radius)
+                yield sentence("the radius of ", Named(sphere.name), " is ", told)
 
 
 def _by_mass(spheres: tuple[Sphere, ...]) -> list[list[Sphere]]:
     """The spheres in groups of one mass."""
     groups: dict[Any, list[Sphere]] = {}
-    for each in spheres:
-        groups.setdefault(each.mass, []).append(each)
+    for sphere in spheres:
+        groups.setdefault(sphere.mass, []).append(sphere)
     return list(groups.values())
 
 
@@ -147,7 +147,7 @@ def _plain(wall: Wall) -> bool:
 
 
 def _alike(walls: tuple[Wall, ...]) -> bool:
-    return len({each.along for each in walls}) == 1 and values.is_vector(walls[0].along)
+    return len({wall.along for wall in walls}) == 1 and values.is_vector(walls[0].along)
 
 
 def _is(scene: Scene, wall: Wall) -> Words:
@@ -163,8 +163,8 @@ def _points(scene: Scene) -> Sentence:
     return sentence(
         listed(
             [
-                words(Named(each.name), " is ", values.point(each.position))
-                for each in scene.problem.points
+                words(Named(point.name), " is ", values.point(point.position))
+                for point in scene.problem.points
             ]
         )
     )
@@ -271,7 +271,7 @@ def _which_side(problem: Problem, sphere: Sphere, wall: Wall) -> str:
 def locus(problem: Problem, tree: Any) -> Vector | None:
     """The coordinates of a point, given or named."""
     if isinstance(tree, Name):
-        tree = next((each.position for each in problem.points if each.name == tree.name), None)
+        tree = next((point.position for point in problem.points if point.name == tree.name), None)
     found = exact(tree)
     return found if isinstance(found, Vector) else None
 

@@ -84,7 +84,7 @@ def _common_line(scene: Scene) -> bool:
 def _restitution(scene: Scene, number: int, event: Impact) -> Iterator[Sentence]:
     impacts = {n: each for n, each in enumerate(scene.events, 1) if isinstance(each, Impact)}
     value = lay.from_tree(event.e or _E)
-    if len(impacts) > 1 and len({each.e or _E for each in impacts.values()}) == 1:
+    if len(impacts) > 1 and len({impact.e or _E for impact in impacts.values()}) == 1:
         if number == min(impacts):
             noun = "collision" if len(_collisions(scene)) == len(impacts) else "impact"
             yield sentence(f"the coefficient of restitution in each {noun} is ", value)
@@ -170,7 +170,7 @@ def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
 
 def _paths(scene: Scene, event: Impact) -> str:
     """How the two paths lie, as far as the velocities given at the start tell."""
-    speeds: Mapping[str, Any] = {each.name: each.velocity for each in scene.problem.spheres}
+    speeds: Mapping[str, Any] = {sphere.name: sphere.velocity for sphere in scene.problem.spheres}
     if sum(each in bodies_of(one) for one in scene.events for each in bodies_of(event)) > 2:
         return ""
     if values.is_rest(speeds[event.second]):

@@ -100,10 +100,10 @@ def _exact(problem: Problem) -> None:
     """Raise StatementError for data that no statement could hold."""
     bodies: list[Sphere | Wall | Point] = [*problem.spheres, *problem.walls, *problem.points]
     for body in bodies:
-        for each in fields(body):
-            value = getattr(body, each.name)
+        for field in fields(body):
+            value = getattr(body, field.name)
             if not isinstance(value, Expression | str | Place | None):
-                message = f"the {each.name} of {body.name} is not an exact number: {value!r}"
+                message = f"the {field.name} of {body.name} is not an exact number: {value!r}"
                 raise StatementError(message)
 
 
@@ -205,8 +205,8 @@ def _runs(part: Part) -> list[_Run]:
     lets = tuple(one for each in runs for one in each.lets if not has_quantity(one.expression))
     unknown = tuple(one for each in runs for one in each.unknown)
     runs = [
-        replace(each, lets=tuple(one for one in each.lets if one not in lets), unknown=())
-        for each in runs
+        replace(run, lets=tuple(one for one in run.lets if one not in lets), unknown=())
+        for run in runs
     ]
     first = next((n for n, each in enumerate(runs) if each.asks), len(runs) - 1)
     runs[first] = replace(runs[first], lets=(*lets, *runs[first].lets), unknown=unknown)
@@ -217,10 +217,10 @@ def _run_of(label: str | None, event: Any, steps: Sequence[Any]) -> _Run:
     return _Run(
         event,
         label,
-        tuple(each for each in steps if isinstance(each, Let)),
+        tuple(step for step in steps if isinstance(step, Let)),
         tuple(one for each in steps if isinstance(each, Given) for one in each.relations),
         tuple(one for each in steps if isinstance(each, Unknown) for one in each.letters),
-        tuple(each for each in steps if isinstance(each, Find | Show)),
+        tuple(step for step in steps if isinstance(step, Find | Show)),
     )
 
 
@@ -238,9 +238,9 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     if run.unknown:
         sentences.append(_not_known(run))
     given = [
-        each
-        for each in run.relations
-        if run.label is not None or not is_letter_fact(each) or letters_of(each) & lets
+        relation
+        for relation in run.relations
+        if run.label is not None or not is_letter_fact(relation) or letters_of(relation) & lets
     ]
     asked = _asked(scene, run.asks)
     if asked is not None and given and (asked.lead or len(asked.entries) == 1):
@@ -308,11 +308,11 @@ _MOST_TOGETHER = 55
 def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     if not asks:
         return None
-    if all(isinstance(each, Find) and not each.in_terms_of for each in asks):
+    if all(isinstance(ask, Find) and not ask.in_terms_of for ask in asks):
         items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
         if len(items) <= 2 and len(_sentences(items)) == 1:
             return Listing((), (("", sentence("find ", listed(items))),))
-        return Listing(("Find",), tuple(("", each) for each in items))
+        return Listing(("Find",), tuple(("", item) for item in items))
     if len(asks) == 1:
         (only,) = asks
         if isinstance(only, Show):
@@ -320,27 +320,27 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
         items = groups(scene, only)
         if len(items) > 2 or len(_sentences(items)) > 1:
             lead = words("Find, ", in_terms(only), ",")
-            return Listing(lead, tuple(("", each) for each in items))
+            return Listing(lead, tuple(("", item) for item in items))
     entries: list[Sentence] = []
-    for each in asks:
-        if isinstance(each, Show):
-            entries.append(sentence(shown(scene, each)))
+    for ask in asks:
+        if isinstance(ask, Show):
+            entries.append(sentence(shown(scene, ask)))
         else:
-            parts = _sentences(groups(scene, each))
-            entries += [sentence(_found(items, in_terms(each))) for items in parts]
-    return Listing((), tuple(("", each) for each in entries))
+            parts = _sentences(groups(scene, ask))
+            entries += [sentence(_found(items, in_terms(ask))) for items in parts]
+    return Listing((), tuple(("", entry) for entry in entries))
 
 
 def _sentences(items: Sequence[Words]) -> list[list[Words]]:
     """Items as they can stand together in a sentence; one with a clause of its own is alone."""
     out: list[list[Words]] = []
     room = 0
-    for each in items:
-        size = _MOST_WORDS if len(items) > 1 and _has_clause(each) else number_of_words(each)
+    for item in items:
+        size = _MOST_WORDS if len(items) > 1 and _has_clause(item) else number_of_words(item)
         if not out or size > room:
             out.append([])
             room = _MOST_WORDS
-        out[-1].append(each)
+        out[-1].append(item)
         room -= size
     return out
 
@@ -397,7 +397,7 @@ def _retold(draft: _Draft, sentences: Iterator[Sentence]) -> _Draft:
 def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     """The opening, with **i** and **j** and coordinates explained where they are used."""
     opening = drafts[0].opening
-    said = [each.blocks for each in drafts]
+    said = [draft.blocks for draft in drafts]
     i, j = lay.Bold("i"), lay.Bold("j")
     points = _contains(said, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
     axes: list[Sentence] = []
@@ -430,5 +430,5 @@ def _contains(said: Any, wanted: Any) -> bool:
     if isinstance(said, tuple | list):
         return any(_contains(each, wanted) for each in said)
     if is_dataclass(said) and not isinstance(said, type):
-        return any(_contains(getattr(said, each.name), wanted) for each in fields(said))
+        return any(_contains(getattr(said, field.name), wanted) for field in fields(said))
     return False

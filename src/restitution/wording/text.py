@@ -32,12 +32,12 @@ def to_text(question: Question, columns: int = 80) -> str:
         blocks.append(wrapped(" ".join(map(said, question.intro)), columns))
     for part in question.parts:
         blocks += _part(part, columns)
-    return "\n\n".join("\n".join(each) for each in blocks)
+    return "\n\n".join("\n".join(block) for block in blocks)
 
 
 def said(words: Words) -> str:
     """Words on one line; mathematics is held together by no-break spaces."""
-    return "".join(_piece(each) for each in words)
+    return "".join(_piece(word) for word in words)
 
 
 def _piece(each: Piece) -> str:

@@ -40,7 +40,7 @@ def opening(question: Question) -> str:
 
 def said(words: Words) -> str:
     """Words with their mathematics."""
-    return "".join(_piece(each) for each in words)
+    return "".join(_piece(word) for word in words)
 
 
 def _piece(each: Piece) -> str:

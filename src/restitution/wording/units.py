@@ -57,7 +57,7 @@ _UNITS = {
 
 
 def _rank(dimensions: Sequence[Dimension]) -> int:
-    rows = [list(map(QQ, each)) for each in dimensions]
+    rows = [list(map(QQ, dimension)) for dimension in dimensions]
     return int(DomainMatrix(rows, (len(rows), len(NONE)), QQ).rank())
 
 
@@ -108,7 +108,7 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
         ]
     for wall in problem.walls:
         places = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
-        said += [(LENGTH, each) for each in places]
+        said += [(LENGTH, place) for place in places]
     said += [(LENGTH, point.position) for point in problem.points]
     for _, step in problem.steps():
         if isinstance(step, Kick):
@@ -120,9 +120,9 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
                 if isinstance(relation, Compare):
                     dimension = dimension_of_any(relation.operands)
                     said += [
-                        (dimension, each)
-                        for each in relation.operands
-                        if dimension is not None and not has_quantity(each)
+                        (dimension, operand)
+                        for operand in relation.operands
+                        if dimension is not None and not has_quantity(operand)
                     ]
     for dimension, value in said:
         if isinstance(value, Expression):

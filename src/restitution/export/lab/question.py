@@ -75,7 +75,7 @@ def _rounded(impact: Mapping[str, Any], figures: int, near: float | None) -> _Hi
     wall = impact.get("wall")
     if wall is not None:
         wall = a_name({"name": wall}, "a wall")
-    names = tuple(a_name(each, "a sphere") for each in spheres)
+    names = tuple(a_name(sphere, "a sphere") for sphere in spheres)
     if len(names) != (1 if wall else 2) or len({*names, wall}) < 2:
         raise StatementError("an impact is that of two spheres, or of one and a wall")
     masses = [a_number(s.get("mass"), f"the mass of {n}") for n, s in zip(names, spheres)]

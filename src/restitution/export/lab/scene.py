@@ -108,8 +108,8 @@ def read_scene(told: object) -> Scene:
         start, end = (a_pair(wall.get(key), f"the {key} of {name}") for key in ("start", "end"))
         read_walls.append(Wall(name, start=start, end=end))
         coefficients[name] = a_number(wall.get("e", 1), f"e of {name}")
-    for each in pairs:
-        first, second, e = _pair_of_bodies(each)
+    for pair in pairs:
+        first, second, e = _pair_of_bodies(pair)
         coefficients[first, second] = a_number(e, f"e of {first} and {second}")
     seconds = a_number(scene.get("seconds", 10), "the duration")
     if not 0 < seconds <= LONGEST:

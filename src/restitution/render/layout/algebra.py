@@ -147,7 +147,7 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
         return Relation(sides, (SIGNS.get(value.rel_op, value.rel_op),))
     if isinstance(value, sympy.And | sympy.Or):
         word = " and " if isinstance(value, sympy.And) else " or "
-        return Phrase(tuple(from_sympy(each, degrees=degrees) for each in value.args), word)
+        return Phrase(tuple(from_sympy(argument, degrees=degrees) for argument in value.args), word)
     return Words(str(value))
 
 
@@ -184,7 +184,7 @@ def _from_expression(value: Expr) -> Layout:
     if isinstance(value, sympy.atan | sympy.asin) and _is_turned(value.args[0]):
         return negative(function(_NAMES[name], _from_expression(exact.tidy(-value.args[0]))))
     if name in _NAMES and value.args:
-        arguments = [_from_expression(each) for each in value.args]
+        arguments = [_from_expression(argument) for argument in value.args]
         if len(arguments) == 1:
             return function(_NAMES[name], arguments[0])
         return function(_NAMES[name], Phrase(tuple(arguments), ", "))
@@ -229,18 +229,18 @@ def plain_number(value: Ratio) -> Layout:
 
 def _from_sum(value: Add) -> Layout:
     terms = sorted(value.args, key=_term_order)
-    others = [each for each in terms if each.free_symbols]
-    numbers = [each for each in terms if not each.free_symbols]
+    others = [term for term in terms if term.free_symbols]
+    numbers = [term for term in terms if not term.free_symbols]
     if others and numbers and not _numbers_first(others):
         terms = others + numbers
-    positive = [each for each in terms if not _is_negative(each)]
+    positive = [term for term in terms if not _is_negative(term)]
     if positive and _is_negative(terms[0]):
         if not _is_negative(terms[-1]) and len(terms) > 2 and len(value.free_symbols) == 1:
             terms.reverse()
         else:
             terms.remove(positive[0])
             terms.insert(0, positive[0])
-    return total([_from_expression(each) for each in terms])
+    return total([_from_expression(term) for term in terms])
 
 
 def _is_negative(term: Expr) -> bool:
@@ -250,15 +250,15 @@ def _is_negative(term: Expr) -> bool:
 
 def _numbers_first(others: list[Expr]) -> bool:
     """``1 + e``, ``1 − tan²α``, ``1 + k``; but ``k² + k + 1``, ``t + 1``, ``t² + 2t + 3``."""
-    letters = set().union(*[each.free_symbols for each in others])
-    if any(each.has(*DIRECT) for each in others):
+    letters = set().union(*[other.free_symbols for other in others])
+    if any(other.has(*DIRECT) for other in others):
         return True
     if any(_class(each) == "coefficient" for each in letters):
         return True
     return all(
-        (each / each.as_coeff_Mul()[0]).is_Symbol
-        and _class(next(iter(each.free_symbols))) == "ratio"
-        for each in others
+        (other / other.as_coeff_Mul()[0]).is_Symbol
+        and _class(next(iter(other.free_symbols))) == "ratio"
+        for other in others
     )
 
 
@@ -496,7 +496,7 @@ def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:
     if isinstance(base, Add):
         if base.has(*DIRECT):
             return (6, 1, str(base))
-        classes = {_class(each) for each in base.free_symbols}
+        classes = {_class(symbol) for symbol in base.free_symbols}
         plain = all(
             abs(p) <= 1
             for term in base.args
@@ -504,7 +504,7 @@ def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:
             if p.is_number
         )
         if classes <= {"coefficient", "ratio"} and plain:
-            minuses = sum(_is_negative(each) for each in base.args)
+            minuses = sum(_is_negative(argument) for argument in base.args)
             # (1 + e)k, but k(1 − 2k)
             place = 1.0 if "coefficient" in classes else 2.2
             return (place, minuses, _alphabet_of(base), str(base))

@@ -61,9 +61,9 @@ def display_set(values: Any, name: Any, *, angle: bool = False) -> Layout:
     """A range: exact and, where an end needs it, with ends to 3 significant figures."""
     said = from_set(values, name, degrees=angle)
     ends = _ends(values)
-    if not any(_rounded(each, angle) for each in ends):
+    if not any(_rounded(end, angle) for end in ends):
         return said
-    if any(each.free_symbols for each in ends):
+    if any(end.free_symbols for end in ends):
         return said
     return Phrase((said, Brackets(_set_decimals(values, as_layout(name), angle))))
 
@@ -210,7 +210,9 @@ def _set_decimals(values: Any, subject: Layout, angle: bool) -> Layout:
 
 def _replaced(layout: Layout, table: dict[Layout, Layout]) -> Layout:
     if isinstance(layout, Relation):
-        return Relation(tuple(table.get(each, each) for each in layout.operands), layout.signs)
+        return Relation(
+            tuple(table.get(operand, operand) for operand in layout.operands), layout.signs
+        )
     if isinstance(layout, Phrase):
-        return Phrase(tuple(_replaced(each, table) for each in layout.items), layout.separator)
+        return Phrase(tuple(_replaced(item, table) for item in layout.items), layout.separator)
     return layout

@@ -42,7 +42,7 @@ def from_set(values: Any, name: Any, *, degrees: bool = False) -> Layout:
         return _from_union(values, subject, degrees)
     if isinstance(values, sympy.Complement) and isinstance(values.args[1], sympy.FiniteSet):
         whole, holes = values.args
-        missing = [Relation((subject, end(each)), ("≠",)) for each in holes.args]
+        missing = [Relation((subject, end(argument)), ("≠",)) for argument in holes.args]
         return Phrase((from_set(whole, subject, degrees=degrees), *missing), ", ")
     if values is S.EmptySet:
         return Phrase((Words("no"), subject))
@@ -72,7 +72,7 @@ def _from_union(values: Any, subject: Layout, degrees: bool) -> Layout:
         case = from_set(part, subject, degrees=degrees)
         if holes:
             missing = [
-                Relation((subject, from_sympy(each, degrees=degrees)), ("≠",)) for each in holes
+                Relation((subject, from_sympy(hole, degrees=degrees)), ("≠",)) for hole in holes
             ]
             case = Phrase((case, *missing), ", ")
         cases.append(case)

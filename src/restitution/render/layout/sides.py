@@ -12,7 +12,7 @@ from restitution.render.layout.statements import from_tree
 
 def equation(*sides: Any) -> Relation:
     """Sides with ``=`` between them; each a layout, a SymPy expression or a number."""
-    return Relation(tuple(as_layout(each) for each in sides), ("=",) * (len(sides) - 1))
+    return Relation(tuple(as_layout(side) for side in sides), ("=",) * (len(sides) - 1))
 
 
 def relation(first: Any, *rest: Any) -> Relation:

@@ -195,7 +195,7 @@ def _from_polar(node: trees.Polar, events: EventNames) -> Layout:
 
 
 def _from_quantity(node: trees.Quantity, events: EventNames) -> Layout:
-    arguments = [from_tree(each, events) for each in node.arguments]
+    arguments = [from_tree(argument, events) for argument in node.arguments]
     if node.kind == "time" and isinstance(node.stage, int) and node.stage in events.times:
         return events.times[node.stage]
     main = _quantity(node.kind, node.arguments, arguments)
