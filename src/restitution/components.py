@@ -521,11 +521,11 @@ def model(
     final: dict[sp.Symbol, sp.Expr] = {}
     unknowns = _Named(roles, branch, sample, final, set(taken) | set(names.values()))
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
-    told = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
-    _letter_values(told)
-    frames = _Frames(told, names, turned, ACUTE if acute else DIRECTION)
-    told.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
-    return told
+    built = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
+    _letter_values(built)
+    frames = _Frames(built, names, turned, ACUTE if acute else DIRECTION)
+    built.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
+    return built
 
 
 @dataclass(frozen=True)
@@ -555,9 +555,9 @@ def protected_letters(part: Part) -> frozenset[str]:
     return frozenset(names)
 
 
-def _by_values(told: Model, number: int, step: Impact) -> dict[str, Standing]:
+def _by_values(model: Model, number: int, step: Impact) -> dict[str, Standing]:
     """Values for letters where a place on a circle is to be found: roots of roots else."""
-    story = told.story
+    story = model.story
     wall = story.walls.get(step.second)
     bodies = [b for b in (step.first, step.second) if b in story.spheres]
     if wall is not None:
@@ -565,8 +565,8 @@ def _by_values(told: Model, number: int, step: Impact) -> dict[str, Standing]:
             return {}
     elif step.along is not None or not all(story.tracks[b].places for b in bodies):
         return {}
-    final = told.branch.story
-    if all(_in_asked_letters(told, body) for body in bodies):
+    final = model.branch.story
+    if all(_in_asked_letters(model, body) for body in bodies):
         return {}  # the place itself is sought
     return {
         body: Standing(
@@ -582,78 +582,78 @@ def _tidied(v: Vector) -> Vector:
     return Vector(tidy(v.x), tidy(v.y))
 
 
-def _in_asked_letters(told: Model, body: str) -> bool:
+def _in_asked_letters(model: Model, body: str) -> bool:
     """Whether a sphere is still on its first path, with a length to be found in its place."""
-    track = told.story.tracks[body]
+    track = model.story.tracks[body]
     if len(track.velocities) > 1 or not track.places:
         return False
-    letters = {told.unknowns.letter(name) for name in told.unknowns.roles}
+    letters = {model.unknowns.letter(name) for name in model.unknowns.roles}
     _, where, _ = track.places[-1]
     inside = {s for x in where for s in sp.sympify(x, strict=True).free_symbols}
-    return inside <= letters and bool(inside & set(told.final))
+    return inside <= letters and bool(inside & set(model.final))
 
 
-def _letter_values(told: Model) -> None:
+def _letter_values(model: Model) -> None:
     """What the solution says of the letters."""
-    for name, value in told.branch.values.items():
+    for name, value in model.branch.values.items():
         if not name.startswith("_"):
-            told.final[told.unknowns.letter(name)] = tidy(sp.sympify(value, strict=True))
+            model.final[model.unknowns.letter(name)] = tidy(sp.sympify(value, strict=True))
 
 
 def _in_letters(
-    told: Model,
+    model: Model,
     happening: Happening,
     names: Mapping[tuple[int, str], str],
     turned: frozenset[int],
     angle: Role,
 ) -> Happening:
     """An impact with letters for the components after it that it changes."""
-    story, put = told.story, told.final
+    story, put = model.story, model.final
     number, step = happening.number, happening.step
     assert isinstance(step, Impact)
-    frame = _frame(told, number, step, happening, put)
+    frame = _frame(model, number, step, happening, put)
     if number in turned and frame.axis is None:
-        frame = _at_an_angle(told, frame, angle)
-    told.frames[number] = frame
+        frame = _at_an_angle(model, frame, angle)
+    model.frames[number] = frame
     after: dict[str, Vector] = {}
     for body in (step.first, step.second):
         if body not in story.spheres:
             continue
         symbol = sp.Symbol(names[number, body], real=True)
-        final = told.branch.story.velocity(body, number)
+        final = model.branch.story.velocity(body, number)
         direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
-        value = told.presentable(tidy(component(final, direction)))
-        told.components[number, body] = Component(symbol, body, number, value)
-        told.final[symbol] = value
+        value = model.presentable(tidy(component(final, direction)))
+        model.components[number, body] = Component(symbol, body, number, value)
+        model.final[symbol] = value
         with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
-            told.sample[symbol.name] = at(value, told.sample)
-        across = told.before(number, body)[1]
+            model.sample[symbol.name] = at(value, model.sample)
+        across = model.before(number, body)[1]
         after[body] = Vector(
             component(Vector(symbol, across), Vector(frame.n.x, frame.t.x)),
             component(Vector(symbol, across), Vector(frame.n.y, frame.t.y)),
         )
     e = sp.sympify(happening.e, strict=True)
-    u1 = told.before(number, step.first)[0]
-    v = told.components[number, step.first].symbol
+    u1 = model.before(number, step.first)[0]
+    v = model.components[number, step.first].symbol
     found = frame.by_values or frame.angle is not None
     if found and frame.wall is not None and story.normal_found(frame.wall):
         # A wall at an angle has the direction by which that angle is measured.
         normal = frame.n if frame.angle is None else -frame.t.turned_left()
         story.turn_wall(frame.wall, normal)
     if step.second in story.walls:
-        told.laws.append(Law("restitution", number, v + e * u1))
+        model.laws.append(Law("restitution", number, v + e * u1))
         push = -(frame.n * (v - u1))
         mass: str | None = step.first
         oriented = -frame.n
     else:
         u2 = tidy(component(happening.before[step.second], frame.n))
-        w = told.components[number, step.second].symbol
+        w = model.components[number, step.second].symbol
         m1, m2 = story.mass(step.first), story.mass(step.second)
-        told.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))
-        told.laws.append(Law("restitution", number, w - v - e * (u1 - u2)))
+        model.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))
+        model.laws.append(Law("restitution", number, w - v - e * (u1 - u2)))
         push = frame.n * (m2 * (w - u2))
         mass = None
-        oriented = frame.n if told.sign(u1 - u2) >= 0 else -frame.n
+        oriented = frame.n if model.sign(u1 - u2) >= 0 else -frame.n
     return replace(
         happening,
         after=after,
@@ -666,14 +666,14 @@ def _in_letters(
 
 
 def _frame(
-    told: Model, number: int, step: Impact, happening: Happening, put: Mapping[sp.Symbol, sp.Expr]
+    model: Model, number: int, step: Impact, happening: Happening, put: Mapping[sp.Symbol, sp.Expr]
 ) -> Frame:
-    wall = step.second if step.second in told.story.walls else None
+    wall = step.second if step.second in model.story.walls else None
     c = happening.centres
     assert c is not None
-    letters = {told.unknowns.letter(name) for name in told.unknowns.roles}
+    letters = {model.unknowns.letter(name) for name in model.unknowns.roles}
     by_values = False
-    final = told.branch.story.happenings[number - 1]
+    final = model.branch.story.happenings[number - 1]
     if (
         not (sp.sympify(c.x, strict=True).free_symbols | sp.sympify(c.y, strict=True).free_symbols)
         <= letters
@@ -697,32 +697,32 @@ def _frame(
         t = Vector(-n.y, n.x)
     u = happening.before[step.first]
     if wall is not None:
-        if told.sign(u.dot(n)) > 0:
+        if model.sign(u.dot(n)) > 0:
             n = -n
-        if told.sign(u.dot(t)) < 0 and not _of_either_sign(tidy(u.dot(t))):
+        if model.sign(u.dot(t)) < 0 and not _of_either_sign(tidy(u.dot(t))):
             t = -t
-    elif axis is None and told.sign((u - happening.before[step.second]).dot(n)) < 0:
+    elif axis is None and model.sign((u - happening.before[step.second]).dot(n)) < 0:
         n, t = -n, -t
     return Frame(number, wall, n, t, axis, by_values)
 
 
-def _at_an_angle(told: Model, frame: Frame, role: Role) -> Frame:
+def _at_an_angle(model: Model, frame: Frame, role: Role) -> Frame:
     """The same frame with a letter for the angle between its line, or the wall, and **i**."""
-    unknowns = told.unknowns
+    unknowns = model.unknowns
     name = next(n for n in ("theta", "phi", "psi", "delta", "beta") if n not in unknowns.roles)
     unknowns.roles = {**unknowns.roles, name: role}
     theta = role.symbol(name)
     line = frame.n if frame.wall is None else frame.t
     value = sp.atan(tidy(line.y / line.x))
-    if told.sign(line.x) < 0:
-        value += sp.pi if told.sign(line.y) >= 0 else -sp.pi
-    told.final[theta] = tidy_angle(value)
-    told.sample[name] = told.number(value)
+    if model.sign(line.x) < 0:
+        value += sp.pi if model.sign(line.y) >= 0 else -sp.pi
+    model.final[theta] = tidy_angle(value)
+    model.sample[name] = model.number(value)
     along = Vector(sp.cos(theta), sp.sin(theta))
     across = Vector(-along.y, along.x)
     if frame.wall is None:
         return replace(frame, n=along, t=across, by_values=False, angle=theta)
-    side = told.sign(frame.n.dot(Vector(-line.y, line.x)))
+    side = model.sign(frame.n.dot(Vector(-line.y, line.x)))
     n = across if side > 0 else -across
     return replace(frame, n=n, t=along, by_values=False, angle=theta)
 

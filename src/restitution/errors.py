@@ -44,8 +44,8 @@ class RestitutionError(Exception):
     def __reduce__(
         self,
     ) -> tuple[type[RestitutionError], tuple[str, int | None, int | None], dict[str, Any]]:
-        told = {"fixes": self.fixes} if self.fixes else {}
-        return type(self), (self.message, self.line, self.column), told
+        state = {"fixes": self.fixes} if self.fixes else {}
+        return type(self), (self.message, self.line, self.column), state
 
 
 class StatementError(RestitutionError):

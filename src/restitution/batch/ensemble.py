@@ -159,9 +159,9 @@ def ensemble(
     total = len(cases) if isinstance(cases, Sized) else None
     run = _Run(function, seed, drawn, executor, count)
     try:
-        with progress_bar(total, "cases", progress) as told:
+        with progress_bar(total, "cases", progress) as report:
             for done in run.work():
-                told(done)
+                report(done)
     except KeyboardInterrupt:
         run.stopped = "Ctrl-C"
         raise EnsembleInterrupt(run.result(total)) from None

@@ -155,8 +155,8 @@ def _common_shape(shapes: list[tuple[int, ...]]) -> tuple[int, ...]:
     try:
         return np.broadcast_shapes(*rows)
     except ValueError:
-        told = ", ".join(f"{name} {shape}" for name, shape in zip(_NAMES, shapes))
-        raise StatementError(f"the shapes do not fit each other: {told}") from None
+        listed_shapes = ", ".join(f"{name} {shape}" for name, shape in zip(_NAMES, shapes))
+        raise StatementError(f"the shapes do not fit each other: {listed_shapes}") from None
 
 
 def _room(
@@ -290,8 +290,8 @@ def _blame(data: Sequence[_Array], shape: tuple[int, ...]) -> NoReturn:
             place = [int(k) for k in at]
             if place and rows is not ...:
                 place[0] += rows.start
-            told = f"row {', '.join(map(str, place))}: " if place else ""
-            raise ImpossibleError(told + reason)
+            row = f"row {', '.join(map(str, place))}: " if place else ""
+            raise ImpossibleError(row + reason)
     raise AssertionError("no row is impossible")
 
 

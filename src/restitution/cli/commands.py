@@ -563,9 +563,9 @@ def _summary(problem: Problem) -> str:
         for step in steps
         if isinstance(step, Find | Show)
     )
-    said = ", ".join(counted(number, noun) for number, noun in counts if number)
+    parts = ", ".join(counted(number, noun) for number, noun in counts if number)
     question = f"{counted(asked, 'item')} asked" if asked else "nothing is asked"
-    return f"reads well: {said}; {question}" if said else f"reads well: {question}"
+    return f"reads well: {parts}; {question}" if parts else f"reads well: {question}"
 
 
 def _complete_example(incomplete: str) -> list[str]:

@@ -58,8 +58,8 @@ def parse(text: bytes) -> Problem:
     except Exception:
         if debugging():
             raise
-        said = f"internal error: the text could not be read; {REPORT}"
-        raise UnsupportedError(said) from None
+        message = f"internal error: the text could not be read; {REPORT}"
+        raise UnsupportedError(message) from None
 
 
 def pointed(file: str, text: bytes, error: RestitutionError) -> Iterator[str]:
@@ -96,26 +96,26 @@ def _lines(text: bytes) -> list[str]:
     return lines.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def hint(text: bytes, told: RestitutionError | Note) -> Iterator[str]:
+def hint(text: bytes, error: RestitutionError | Note) -> Iterator[str]:
     """The line of which something is told as it would be with the likeliest cure."""
-    if not told.fixes or told.line is None:
+    if not error.fixes or error.line is None:
         return
     from restitution.mending import mended
 
     lines = _lines(text)
-    after = mended("\n".join(lines), told.fixes[0]).split("\n")
+    after = mended("\n".join(lines), error.fixes[0]).split("\n")
     # A cure may begin a line, or join two: what stands below keeps its distance from the end.
-    below = len(lines) - max(edit.end_line for edit in told.fixes[0].edits if _near(edit, told))
-    others = len({edit.line for edit in told.fixes[0].edits} - {told.line})
-    for line in after[told.line - 1 : len(after) - below]:
+    below = len(lines) - max(edit.end_line for edit in error.fixes[0].edits if _near(edit, error))
+    others = len({edit.line for edit in error.fixes[0].edits} - {error.line})
+    for line in after[error.line - 1 : len(after) - below]:
         if len(line) <= _SHOWN:
             yield f"  fix | {printable(line)}"
     if others:
         yield f"      | and in {counted(others, 'other line')}"
 
 
-def _near(edit: Edit, told: RestitutionError | Note) -> bool:
-    return edit.line <= (told.line or 1) <= edit.end_line
+def _near(edit: Edit, error: RestitutionError | Note) -> bool:
+    return edit.line <= (error.line or 1) <= edit.end_line
 
 
 _SHOWN = 72

@@ -65,7 +65,7 @@ SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels e
 
 def before_and_after(
     motion: Motion,
-    said: Sayings,
+    sayings: Sayings,
     number: int,
     panels: Sequence[When] = ("before", "after"),
     *,
@@ -77,7 +77,7 @@ def before_and_after(
     That of a ``question`` has velocities as the statement gives them, and no values by which it is
     drawn; it says so where it is not ``to_scale``.
     """
-    view = replace(_view(motion, said, number), question=question)
+    view = replace(_view(motion, sayings, number), question=question)
     to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.found)
     scale, drawings = _fitted(view, panels)
     boxes = [each.box() for each in drawings]
@@ -99,7 +99,7 @@ def before_and_after(
     lowered = _with_axes(shapes, labels, frames[0]) if _needs_axes(view) else 0.0
     return Scene(
         describe.title(motion, number, panels),
-        describe.question(motion, number, said, to_scale=to_scale)
+        describe.question(motion, number, sayings, to_scale=to_scale)
         if question
         else describe.description(motion, number, panels),
         (0.0, -lowered - FRAME, WIDTH, height + FRAME),
@@ -128,21 +128,21 @@ def _fitted(view: View, panels: Sequence[When]) -> tuple[float, list[Drawing]]:
         longest *= 0.93
 
 
-def _view(motion: Motion, said: Sayings, number: int) -> View:
+def _view(motion: Motion, sayings: Sayings, number: int) -> View:
     happening = motion.story.happenings[number - 1]
     step = happening.step
     if isinstance(step, Kick):
         body = Body(step.body, Vector(0.0, 0.0), None)
-        return View(motion, said, number, "blow", (body,), RIGHT, UP)
+        return View(motion, sayings, number, "blow", (body,), RIGHT, UP)
     assert isinstance(step, Impact)
     n, t = axes(motion, number)
     if motion.told.frames[number].wall is not None:
         body = Body(step.first, n * RADIUS, -n)
-        return View(motion, said, number, "wall", (body,), n, t)
+        return View(motion, sayings, number, "wall", (body,), n, t)
     assert happening.centres is not None
     c = direction(floats(happening.oriented()))
     bodies = Body(step.first, -c * RADIUS, c), Body(step.second, c * RADIUS, -c)
-    return View(motion, said, number, "spheres", bodies, n, t)
+    return View(motion, sayings, number, "spheres", bodies, n, t)
 
 
 def _panel(view: View, when: When, scale: float) -> Drawing:

@@ -95,16 +95,16 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
         name = Label(written, body.centre, ("centre",), 0.0, size, fixed=True)
     given = view.motion.told.story.spheres[body.name].mass
     if given is not None:
-        laid = lay.as_layout(given)
-        left, _, right, _ = outline(laid).box
+        layout = lay.as_layout(given)
+        left, _, right, _ = outline(layout).box
         size = max(2.1, min(2.6, 1.2 * RADIUS / (right - left)))
-        mass = Label(laid, body.centre, ("centre",), 0.0, size, fixed=True)
+        mass = Label(layout, body.centre, ("centre",), 0.0, size, fixed=True)
         if _fits(mass):
             if name.fixed:
                 name = replace(name, at=body.centre + UP * (0.5 + _height(name) / 2))
                 mass = replace(mass, at=body.centre - UP * (0.5 + _height(mass) / 2))
         else:
-            mass = Label(laid, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)
+            mass = Label(layout, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)
         drawing.labels.append(mass)
     drawing.labels.append(name)
 

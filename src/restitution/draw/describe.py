@@ -33,11 +33,11 @@ def title(motion: Motion, number: int, panels: Sequence[When]) -> str:
     """``Before and after: A hits B``."""
     step = motion.story.happenings[number - 1].step
     if isinstance(step, Kick):
-        told = f"{step.body} receives an impulse"
+        heading = f"{step.body} receives an impulse"
     else:
         assert isinstance(step, Impact)
-        told = f"{step.first} hits {step.second}"
-    return f"{' and '.join(panels).capitalize()}: {told}"
+        heading = f"{step.first} hits {step.second}"
+    return f"{' and '.join(panels).capitalize()}: {heading}"
 
 
 def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
@@ -73,11 +73,11 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
     return " ".join(sentences)
 
 
-def question(motion: Motion, number: int, said: Sayings, *, to_scale: bool) -> str:
+def question(motion: Motion, number: int, sayings: Sayings, *, to_scale: bool) -> str:
     """What the statement gives of one event, and nothing that follows from it."""
     sentences = [_setting(motion, number)]
     for body in _bodies(motion, number):
-        words = said.of(body, state_after(motion, body, number - 1))
+        words = sayings.of(body, state_after(motion, body, number - 1))
         if math.hypot(*motion.before(number, body)) < _NEAR:
             sentences.append(f"{body} is at rest.")
         elif words.size is not None:

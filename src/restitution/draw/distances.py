@@ -61,30 +61,30 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
     if plan.scale is None:
         return []
     found: list[Distance] = []
-    said: set[str] = set()
+    labelled: set[str] = set()
     for wanted in _wanted(plan, story):
         if len(found) == _MOST:
             break
-        if wanted.what in said:
+        if wanted.what in labelled:
             continue
         start, end = wanted.start + wanted.off, wanted.end + wanted.off
         if length(end - start) < _SHORTEST or not _has_room(start, end, plan, found):
             continue
-        laid = _laid(wanted.size, branch)
-        if laid is None:
+        layout = _laid(wanted.size, branch)
+        if layout is None:
             continue
         if not plan.in_line and any(
-            laid == each.label and _alike(each, start, end) for each in found
+            layout == each.label and _alike(each, start, end) for each in found
         ):
             continue
-        said.add(wanted.what)
+        labelled.add(wanted.what)
         leads: tuple[tuple[Vector, Vector], ...] = ()
         if length(wanted.off) > 1e-9:
             beyond = unit(wanted.off)
             leads = tuple(
                 (p + beyond * 2, p + wanted.off + beyond) for p in (wanted.start, wanted.end)
             )
-        found.append(Distance(start, end, laid, leads))
+        found.append(Distance(start, end, layout, leads))
     return found
 
 
@@ -93,10 +93,10 @@ def _laid(size: Any, branch: Branch) -> Layout | None:
     value = plain(size, [branch.sample])
     if any(symbol.name.startswith("_") for symbol in value.free_symbols):
         return None
-    laid = lay.from_sympy(value)
-    if len(to_text(laid)) > _SHORT:
+    layout = lay.from_sympy(value)
+    if len(to_text(layout)) > _SHORT:
         return None
-    return laid if value.free_symbols else lay.Phrase((laid, lay.Words("m")))
+    return layout if value.free_symbols else lay.Phrase((layout, lay.Words("m")))
 
 
 def _alike(one: Distance, start: Vector, end: Vector) -> bool:

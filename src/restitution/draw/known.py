@@ -62,17 +62,17 @@ class Known:
             return None
         if any(symbol.name.startswith("_") for symbol in value.free_symbols):
             return None
-        laid = lay.from_sympy(value)
+        layout = lay.from_sympy(value)
         if value.free_symbols:
             if not is_short(value):  # 0.634u, where its exact form is long
                 number, rest = value.as_independent(*value.free_symbols)
                 if not rest.is_Symbol:
                     return None
-                laid = lay.product(lay.decimal_number(number), lay.from_sympy(rest))
-            return laid if len(to_text(laid)) <= _SHORT else None
-        if len(to_text(laid)) > 4:
-            laid = lay.decimal_number(value)
-        return lay.Phrase((laid, Words("m s⁻¹")))
+                layout = lay.product(lay.decimal_number(number), lay.from_sympy(rest))
+            return layout if len(to_text(layout)) <= _SHORT else None
+        if len(to_text(layout)) > 4:
+            layout = lay.decimal_number(value)
+        return lay.Phrase((layout, Words("m s⁻¹")))
 
     def angle(self, body: str, stop: Stop, *, before: bool) -> Layout | None:
         """The angle of a velocity with a wall (with a round one: with the radius), if it is short.
@@ -87,23 +87,23 @@ class Known:
                 return None
             size = _angle(self.motion.story, body, stop, before)
             return None if size is None else given[0].shown(size)
-        told = [
+        known = [
             self.motion.story,
             self.branch.numbers,
             *(moved for _, moved in self.motion.free if moved is not None),
         ]
-        sizes = [size for story in told if (size := _angle(story, body, stop, before)) is not None]
-        if len(sizes) < len(told) or sizes[0] < _SAME:
+        sizes = [size for story in known if (size := _angle(story, body, stop, before)) is not None]
+        if len(sizes) < len(known) or sizes[0] < _SAME:
             return None
         letters = [name for name, role in self.part.roles.items() if role.kind == "angle"]
         for turned in (False, True):
             wanted = [math.pi / 2 - size if turned else size for size in sizes]
             for name in letters:
-                values = [_letter(story, name, stop.number) for story in told]
+                values = [_letter(story, name, stop.number) for story in known]
                 if all(v is not None and abs(v - w) < _SAME for v, w in zip(values, wanted)):
-                    laid = lay.letter(name)
-                    rest = lay.total([Degrees(Number("90")), lay.negative(laid)])
-                    return rest if turned else laid
+                    layout = lay.letter(name)
+                    rest = lay.total([Degrees(Number("90")), lay.negative(layout)])
+                    return rest if turned else layout
             if all(abs(size - sizes[0]) < _SAME for size in sizes):
                 # The same for all letters, if any could be varied.
                 varied = len(sizes) > 2 or self.branch.sample != self.motion.numbers

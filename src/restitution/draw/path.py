@@ -179,10 +179,10 @@ class _Drawing:
 
     def corners(self) -> None:
         """The angles at which walls meet, where they are given by angles."""
-        told = {each.name: each.along for each in self.values.solution.problem.walls}
+        directions = {each.name: each.along for each in self.values.solution.problem.walls}
         for wall in self.plan.walls:
             for other in self.plan.walls:
-                one, two = told.get(wall.name), told.get(other.name)
+                one, two = directions.get(wall.name), directions.get(other.name)
                 if other.name not in wall.corners or wall.name > other.name:
                     continue
                 tree = _between(one, two)
@@ -293,8 +293,8 @@ class _Drawing:
         )
         if leg.after and (crowded or _unchanged(self.plan, leg)):
             return
-        laid = self.values.speed(leg.body, leg.after)
-        if laid is None:
+        layout = self.values.speed(leg.body, leg.after)
+        if layout is None:
             return
         across = leg.direction.turned_left()
         onward = next(
@@ -309,7 +309,7 @@ class _Drawing:
         across = -across if down else across
         spots = [start + (end - start) * share for share in (0.5, 0.4, 0.62, 0.3, 0.75)]
         sides = (*sides_towards(across)[:3], *sides_towards(-across)[:3])
-        self.labels.append(Label(laid, spots[0], sides, gap=1.0, moves=tuple(spots[1:])))
+        self.labels.append(Label(layout, spots[0], sides, gap=1.0, moves=tuple(spots[1:])))
 
     # --- bodies ---------------------------------------------------------------------------
 
@@ -384,14 +384,14 @@ class _Drawing:
                 if leg is before and self._alternate(body, stop):
                     continue
                 ray = leg.direction if leg is after else -leg.direction
-                laid = self.values.angle(body, stop, before=leg is before)
+                layout = self.values.angle(body, stop, before=leg is before)
                 if stop.kind == "circle":
                     reference = -stop.normal
                 else:
                     reference = along if ray.dot(along) >= 0 else -along
                     if not self._on_wall(stop.contact + reference * 2):
                         continue  # struck in a corner
-                drawn |= self._angle(centre, reference, ray, laid, leg)
+                drawn |= self._angle(centre, reference, ray, layout, leg)
             if stop.kind == "circle" and drawn:
                 inside = any(r.name == stop.wall and r.inside for r in self.plan.rounds)
                 wall = next(r for r in self.plan.rounds if r.name == stop.wall)
@@ -401,10 +401,10 @@ class _Drawing:
                 self.shapes.append(Line("across", centre - along * 9, centre + along * 9))
 
     def _angle(
-        self, corner: Vector, reference: Vector, ray: Vector, laid: Layout | None, leg: Leg
+        self, corner: Vector, reference: Vector, ray: Vector, layout: Layout | None, leg: Leg
     ) -> bool:
         turn = abs(math.atan2(reference.cross(ray), reference.dot(ray)))
-        if laid is None or turn < 0.02:
+        if layout is None or turn < 0.02:
             return False
         if abs(turn - math.pi / 2) < _NEAR:
             self.shapes.append(RightAngle(corner, reference, ray))
@@ -417,7 +417,7 @@ class _Drawing:
         middle = (low + high) / 2
         way = Vector(math.cos(middle), math.sin(middle))
         self.labels.append(
-            Label(laid, corner + way * radius, sides_towards(way), gap=0.7, size=2.7)
+            Label(layout, corner + way * radius, sides_towards(way), gap=0.7, size=2.7)
         )
         return True
 

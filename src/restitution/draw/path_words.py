@@ -82,32 +82,32 @@ def description(plan: Plan, values: Known) -> str:
     for stop in plan.stops:
         names = list(stop.centres)
         if stop.kind == "spheres":
-            said = f"{names[0]} strikes {names[1]}"
+            sentence = f"{names[0]} strikes {names[1]}"
         elif stop.kind == "kick":
-            said = f"{names[0]} receives an impulse"
+            sentence = f"{names[0]} receives an impulse"
         elif stop.kind == "arrival":
             point = next(
                 (n for n, p in plan.points.items() if length(p - stop.contact) < _NEAR), stop.wall
             )
-            said = f"{names[0]} comes to {point or 'a point'}"
+            sentence = f"{names[0]} comes to {point or 'a point'}"
         else:
-            said = f"{names[0]} strikes the wall {stop.wall}"
-        said = f"{stop.number}: {said}"
+            sentence = f"{names[0]} strikes the wall {stop.wall}"
+        sentence = f"{stop.number}: {sentence}"
         if stop.kind == "wall":
             before = values.angle(names[0], stop, before=True)
             after = values.angle(names[0], stop, before=False)
             if before is not None:
-                said += f" at {to_text(before)} to it"
+                sentence += f" at {to_text(before)} to it"
             if after is not None:
-                said += f" and leaves at {to_text(after)} to it"
+                sentence += f" and leaves at {to_text(after)} to it"
         speeds = [
             f"{name} moves at {to_text(speed)}"
             for name in names
             if stop.kind != "arrival" and (speed := values.speed(name, stop.number)) is not None
         ]
         if speeds:
-            said += f"; afterwards {listed(speeds)}"
-        sentences.append(said)
+            sentence += f"; afterwards {listed(speeds)}"
+        sentences.append(sentence)
     if plan.scale is None:
         sentences.append("Angles are true, lengths are free")
     if plan.side_by_side:

@@ -389,9 +389,9 @@ def _measure(tree: Expression) -> Layout:
     return lay.from_tree(tree)
 
 
-def has_letters(laid: Layout) -> bool:
+def has_letters(layout: Layout) -> bool:
     """Whether a label has letters in it, and so its unit with them."""
-    return any(character.isalpha() for character in to_text(laid))
+    return any(character.isalpha() for character in to_text(layout))
 
 
 def supplement(label: Layout) -> Layout:
@@ -414,15 +414,15 @@ def speaks_of_vectors(problem: Problem, apart_from: tuple[type[Step], ...] = ())
     ``apart_from`` are kinds of steps that do not count.
     """
     rest = Pair(Number(Fraction(0)), Number(Fraction(0)))
-    told = [sphere.velocity for sphere in problem.spheres if sphere.velocity != rest]
+    directions = [sphere.velocity for sphere in problem.spheres if sphere.velocity != rest]
     for _, step in problem.steps():
         if not isinstance(step, apart_from):
-            told += trees_of_step(step)
+            directions += trees_of_step(step)
         if isinstance(step, Find) and any(
             isinstance(item.expression, Quantity)
             and item.expression.kind in ("velocity", "direction", "momentum")
             for item in step.items
         ):
             return True
-    nodes = [node for tree in told if isinstance(tree, Expression) for node in walk(tree)]
+    nodes = [node for tree in directions if isinstance(tree, Expression) for node in walk(tree)]
     return any(isinstance(node, Pair) or node == Unit("j") for node in nodes)

@@ -208,23 +208,23 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
 
     A velocity that the statement gives has components as given.
     """
-    told, number, name = view.motion.told, view.number, body.name
+    model, number, name = view.motion.told, view.number, body.name
     given = _given(view, body, when)
     if view.kind == "blow":
-        v = told.happening(number).before[name] if given is None else given
+        v = model.happening(number).before[name] if given is None else given
         return (None, None) if given is None and when == "after" else (v.x, v.y)
-    frame = told.frames[number]
-    along, across = told.before(number, name)
+    frame = model.frames[number]
+    along, across = model.before(number, name)
     if given is not None and (when == "after" or _is_hidden(view, along)):
         along = tidy(given.dot(frame.n))
         across = tidy(given.dot(frame.t)) if _is_hidden(view, across) else across
     elif when == "after":
-        step = told.happening(number).step
+        step = model.happening(number).step
         assert isinstance(step, Impact)
-        rebound = -told.happening(number).e * along
-        along = told.components[number, name].symbol
+        rebound = -model.happening(number).e * along
+        along = model.components[number, name].symbol
         if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
-            e = told.happening(number).e
+            e = model.happening(number).e
             along = rebound if e.free_symbols and _laid(rebound) is not None else along
     return _by_now(view, along), _by_now(view, across)
 
@@ -261,11 +261,11 @@ def _is_hidden(view: View, x: Any) -> bool:
 def _laid(x: Any) -> Layout | None:
     if not is_short(x):
         return None
-    laid = lay.from_sympy(x)
-    if len(to_text(laid)) > LONGEST_LABEL:
+    layout = lay.from_sympy(x)
+    if len(to_text(layout)) > LONGEST_LABEL:
         return None
-    left, _, right, _ = outline(laid).box
-    return laid if right - left <= _WIDEST else None
+    left, _, right, _ = outline(layout).box
+    return layout if right - left <= _WIDEST else None
 
 
 def _directed(

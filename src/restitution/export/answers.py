@@ -75,13 +75,13 @@ def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
     for part, item in solution.items():
         if label is None or part.part.label == label:
             unit = units.of(item)
-            said, beside = tuple(_said(item, unit)), tuple(_rejected(item, unit))
-            equal = is_equal(item) and bool(said) and isinstance(said[0], _Said)
-            if len(said) == 1 and isinstance(said[0], _Said):
-                said = (replace(said[0], unit=""),)
+            pieces, beside = tuple(_said(item, unit)), tuple(_rejected(item, unit))
+            equal = is_equal(item) and bool(pieces) and isinstance(pieces[0], _Said)
+            if len(pieces) == 1 and isinstance(pieces[0], _Said):
+                pieces = (replace(pieces[0], unit=""),)
             else:
                 unit = ""
-            yield _Line(part.part.label, item.text, said, equal, unit, beside)
+            yield _Line(part.part.label, item.text, pieces, equal, unit, beside)
 
 
 def _said(item: ItemResult, unit: str) -> Iterator[str | _Said]:
@@ -174,16 +174,16 @@ def _text(title: str | None, lines: list[_Line]) -> str:
     """A line for each item; those of one value aligned at their signs and units."""
     made = [title, ""] if title else []
     asked = {line: f"{_label(line)}{line.asked}" for line in lines}
-    told = {line: _joined(line.said, str, _plain) for line in lines}
+    texts = {line: _joined(line.said, str, _plain) for line in lines}
     first = _room(asked[line] for line in lines if line.equal)
-    second = _room(told[line] for line in lines if line.unit)
+    second = _room(texts[line] for line in lines if line.unit)
     for line in lines:
         left = asked[line]
         if line.equal:
             left += " " * max(0, first - width(left))
-        text = f"{left}{_sign(line)}{told[line]}"
+        text = f"{left}{_sign(line)}{texts[line]}"
         if line.unit:
-            text += " " * max(0, second - width(told[line])) + f"  {line.unit}"
+            text += " " * max(0, second - width(texts[line])) + f"  {line.unit}"
         text += _joined(line.beside, str, _plain)
         made.append(text.replace(NO_BREAK, " "))
     return "\n".join(made) + "\n"
@@ -218,10 +218,10 @@ _IN_LATEX = {"⁻¹": r"\textsuperscript{$-1$}", "⁻²": r"\textsuperscript{$-2
 
 
 def _words_in_latex(text: str) -> str:
-    said: str = escape_latex(text).replace(NO_BREAK, "~")
+    latex: str = escape_latex(text).replace(NO_BREAK, "~")
     for power, written in _IN_LATEX.items():
-        said = said.replace(power, written)
-    return said
+        latex = latex.replace(power, written)
+    return latex
 
 
 def _html(title: str | None, lines: list[_Line]) -> str:
@@ -256,12 +256,12 @@ def _whole(
     line: _Line, words: Callable[[str], str], mathematics: Callable[[Layout, str], str]
 ) -> str:
     """All that is said in a line, on one line."""
-    said = _joined(line.said, words, mathematics) + words(_behind(line.unit))
-    return said + _joined(line.beside, words, mathematics)
+    text = _joined(line.said, words, mathematics) + words(_behind(line.unit))
+    return text + _joined(line.beside, words, mathematics)
 
 
 def _joined(
-    said: tuple[str | _Said, ...],
+    pieces: tuple[str | _Said, ...],
     words: Callable[[str], str],
     mathematics: Callable[[Layout, str], str],
 ) -> str:
@@ -269,5 +269,5 @@ def _joined(
         words(each)
         if isinstance(each, str)
         else mathematics(each.layout, each.text) + words(_behind(each.unit))
-        for each in said
+        for each in pieces
     )

@@ -85,9 +85,14 @@ def derivations(explanation: Explanation) -> dict[str | None, Object]:
     return {part.label: stored(of_part(part.derivation, part.label)) for part in explanation.parts}
 
 
-def with_derivations(content: Object, told: Mapping[str | None, Object] | None = None) -> Object:
+def with_derivations(
+    content: Object, derivations_of_parts: Mapping[str | None, Object] | None = None
+) -> Object:
     """The object with a ``derivation`` in each part, null where none is told."""
-    parts = [{**each, "derivation": (told or {}).get(each["part"])} for each in content["parts"]]
+    parts = [
+        {**each, "derivation": (derivations_of_parts or {}).get(each["part"])}
+        for each in content["parts"]
+    ]
     return {**content, "parts": parts}
 
 

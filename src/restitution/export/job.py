@@ -233,8 +233,10 @@ def serve(job: Job) -> Reply:
         case Writing("json"):
             explained = _explained(solution, job.task, job.limit)
             if job.task.working:
-                told = {} if explained.value is None else contract.derivations(explained.value)
-                found = contract.with_derivations(found, told)
+                derivations = (
+                    {} if explained.value is None else contract.derivations(explained.value)
+                )
+                found = contract.with_derivations(found, derivations)
             found["warnings"] += explained.why_not
             return Reply(
                 contract.to_json(found) + "\n",

@@ -66,14 +66,14 @@ def outline(problem: Problem) -> Object:
     same with every stage told by its number (null where that cannot be). A relation ``left =
     right`` has ``left``, ``sign`` and ``right``, staged too.
     """
-    told = _Told(problem)
+    steps = _Told(problem)
     return {
         "title": problem.title,
         "parts": [part.label for part in problem.parts],
         "spheres": [_sphere(sphere) for sphere in problem.spheres],
         "walls": [_wall(wall) for wall in problem.walls],
         "points": [point.name for point in problem.points],
-        "steps": list(told.steps()),
+        "steps": list(steps.steps()),
     }
 
 
@@ -271,13 +271,13 @@ class _Told:
     def _stage(self, quantity: Quantity) -> Any:
         if isinstance(quantity.stage, AtTime):
             return quantity.stage
-        told = quantity.stage
-        last = told if isinstance(told, int) else self._now
+        stage = quantity.stage
+        last = stage if isinstance(stage, int) else self._now
         own: Sequence[int] = range(1, last + 1)
         if len(quantity.arguments) == 1 and isinstance(quantity.arguments[0], Name):
             own = [n for n in self._bodies.get(quantity.arguments[0].name, []) if n <= last]
         latest = own[-1] if own else 0
-        return max(latest - 1, 0) if told == "before" else latest
+        return max(latest - 1, 0) if stage == "before" else latest
 
 
 def _letters(letters: Sequence[str] | None) -> str | None:

@@ -111,10 +111,10 @@ def shown(
     drawn: Object = {**(pictures or {"pictures_error": undrawn}), "figure": figured}
     early(Pieces(worded, **drawn, working=_without_steps(solution, names or {})))
     explanation, unexplained = clock.piece("working", _WORKING, lambda: explain(solution))
-    told: list[Object] | None = None
+    shown_parts: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        told, untold = clock.piece(
+        shown_parts, untold = clock.piece(
             "working", 1.0, lambda: _worked(solution, explanation, names or {})
         )
         unexplained = unexplained or untold
@@ -127,7 +127,7 @@ def shown(
     pieces = Pieces(
         worded,
         **drawn,
-        working=told if told is not None else _without_steps(solution, names or {}),
+        working=shown_parts if shown_parts is not None else _without_steps(solution, names or {}),
         working_error=unexplained,
         latex=latex,
         motion=motion,
@@ -278,8 +278,8 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
     if condition is None:
         return value
     # The words stand outside the mathematics, so that a line may end between them.
-    said = (each if isinstance(each, str) else tree(to_mathml(each)) for each in condition)
-    return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *said]]
+    pieces = (each if isinstance(each, str) else tree(to_mathml(each)) for each in condition)
+    return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *pieces]]
 
 
 def _step(step: Step) -> Object:

@@ -376,8 +376,8 @@ def _unit(
         leave_out = source.fix(at, end, "")
         raise source.error(unit_refused(unit), at, leave_out)
     place = source.place(at)
-    said = f"'{unit}' was read as a product of letters; no units are typed (all is in SI)"
-    warnings.append(Note(said, place.line, place.column, (source.fix(at, end, ""),)))
+    message = f"'{unit}' was read as a product of letters; no units are typed (all is in SI)"
+    warnings.append(Note(message, place.line, place.column, (source.fix(at, end, ""),)))
     return None
 
 
@@ -630,12 +630,12 @@ def _unknown(source: Source, run: str, names: Mapping[str, str], at: int) -> Sta
     """What to say of a run of letters at an offset, and what was probably meant."""
     known = (*WORDS, *MEANT)
     if run[0].isupper() and not (len(run) > 3 and near(run.lower(), known, cutoff=0.9)):
-        said, meant = unknown_name(run, names), meant_name(run, names)
+        message, meant = unknown_name(run, names), meant_name(run, names)
     else:
         meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
-        said = f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
+        message = f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
     fixes = [source.fix(at, at + len(run), meant)] if meant else []
-    return source.error(said, at, *fixes)
+    return source.error(message, at, *fixes)
 
 
 def _spaced(run: str) -> str | None:

@@ -266,12 +266,12 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         typed = reading.text(left.first, right.last)
         quotient = left.value
         other = Binary("/", quotient.left, Binary("*", quotient.right, right.value))
-        said = (
+        message = (
             f"'{typed}' was read as ({write_expression(quotient)}) {_bracketed(right.value)}; "
             f"if you mean all of it below the line, write {write_expression(other)}"
         )
         fix = reading.fix(left.first, right.last, write_expression(other))
-        reading.warnings.append(Note(said, left.place.line, left.place.column, (fix,)))
+        reading.warnings.append(Note(message, left.place.line, left.place.column, (fix,)))
     bare = node.children[2]
     if (
         isinstance(below, Tree)
@@ -282,11 +282,11 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         and isinstance(bare, Tree)
         and bare.data == "group"
     ):
-        said = (
+        message = (
             f"'{reading.text(left.first, right.last)}' was read as "
             f"{write_expression(product)}; a function without brackets takes one factor"
         )
-        reading.warnings.append(Note(said, left.place.line, left.place.column))
+        reading.warnings.append(Note(message, left.place.line, left.place.column))
     return product
 
 
@@ -498,22 +498,22 @@ def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
     run = None if ended else _run_at(reading, token)
     meant = _meant(reading, run or typed, token, previous, expected)
     if meant:
-        said, instead = meant
+        message, instead = meant
         begin = _run_start(reading, token) if run else token.start_pos or 0
         end = begin + len(run) if run else token.end_pos or 0
         fixes = [source.fix(begin, end, instead)] if instead else []
-        return reading.error(said, source.place(begin), *fixes)
-    said = f"expected {_wanted(expected, previous)}"
+        return reading.error(message, source.place(begin), *fixes)
+    message = f"expected {_wanted(expected, previous)}"
     if previous is not None:
-        said += f" after '{reading.text(previous, previous) or previous}'"
+        message += f" after '{reading.text(previous, previous) or previous}'"
     if not ended:
-        said += f", not '{typed}'"
+        message += f", not '{typed}'"
     before = _run_at(reading, previous) if previous is not None else None
     for each in (run, before):
         if each:
-            said += f" ('{each}' was read as {' '.join(each)})"
+            message += f" ('{each}' was read as {' '.join(each)})"
             break
-    return reading.error(said, place)
+    return reading.error(message, place)
 
 
 def _run_at(reading: Reading, token: Token) -> str | None:

@@ -237,7 +237,7 @@ def meant_name(name: str, names: Mapping[str, str]) -> str | None:
 def unknown_name(name: str, names: Mapping[str, str]) -> str:
     """What to say of a name that no line declares."""
     meant = meant_name(name, names)
-    said = f"unknown name '{name}': no sphere, wall or point is called that"
+    message = f"unknown name '{name}': no sphere, wall or point is called that"
     if meant is None and 0 < len(names) <= 6:
-        return f"{said}; there {'is only' if len(names) == 1 else 'are'} {', '.join(names)}"
-    return said + (f"; did you mean '{meant}'?" if meant else "")
+        return f"{message}; there {'is only' if len(names) == 1 else 'are'} {', '.join(names)}"
+    return message + (f"; did you mean '{meant}'?" if meant else "")

@@ -699,14 +699,14 @@ def _number(value: Any, name: str) -> float:
 
 def _both(periodic: Any) -> tuple[bool, bool]:
     """What is said for x and y, or for both."""
-    said = [periodic] * 2 if isinstance(periodic, bool | np.bool_) else periodic
+    axes = [periodic] * 2 if isinstance(periodic, bool | np.bool_) else periodic
     if (
-        not isinstance(said, tuple | list)
-        or len(said) != 2
-        or not all(isinstance(each, bool | np.bool_) for each in said)
+        not isinstance(axes, tuple | list)
+        or len(axes) != 2
+        or not all(isinstance(each, bool | np.bool_) for each in axes)
     ):
         raise StatementError(f"periodic is True, False or a pair of them, not {periodic!r}")
-    return bool(said[0]), bool(said[1])
+    return bool(axes[0]), bool(axes[1])
 
 
 def _whole(number: Any, name: str, least: int = 1) -> int:

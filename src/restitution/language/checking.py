@@ -101,18 +101,18 @@ def mistakes(problem: Problem, more_events: int = 0) -> Iterator[StatementError]
     ``more_events`` may be told beside those of the problem, in lines that cannot be read yet.
     """
     kinds: dict[str, str] = {}
-    bodies_told: list[Sphere | Wall | Point] = [
+    bodies_declared: list[Sphere | Wall | Point] = [
         *problem.spheres,
         *problem.walls,
         *problem.points,
     ]
-    for body in bodies_told:
+    for body in bodies_declared:
         if body.name in kinds:
             yield _error(f"'{body.name}' is the name of a {kinds[body.name]} already", body.place)
         kinds.setdefault(body.name, _kind(body))
-    told = len(problem.events) + more_events
+    event_count = len(problem.events) + more_events
     named = frozenset(step.letter for _, step in problem.steps() if isinstance(step, Let))
-    bodies = _Bodies(kinds, told, named)
+    bodies = _Bodies(kinds, event_count, named)
     for sphere in problem.spheres:
         for value, what in ((sphere.mass, "mass"), (sphere.radius, "radius")):
             yield from _scalar(bodies, value, what)
@@ -272,15 +272,15 @@ def _vector(
         )
         return
     if not angle and isinstance(value, Expression) and _is_number(bodies, value):
-        said = f"expected a vector after '{what}', such as 3i - 4j"
+        message = f"expected a vector after '{what}', such as 3i - 4j"
         if not has_quantity(value):
             size = write_expression(value)
             along = write_expression(Binary("*", value, Unit("i")))
-            said = (
+            message = (
                 f"expected a vector after '{what}', and {size} has no direction: write "
                 f"'{what} {along}' where it is along i, or '{what} {size} at 30°'"
             )
-        yield _error(said, _place_of(value))
+        yield _error(message, _place_of(value))
     yield from _in(bodies, value, _NOTHING)
 
 
@@ -403,25 +403,25 @@ def _name(
     elif kind not in allowed:
         of_vectors = kind == "sphere" and isinstance(parent, Quantity) and parent.kind in KINDS
         if isinstance(parent, Polar) and parent.origin is node and kind == "wall":
-            said = f"to measure an angle to a wall, write 'to {node.name}'"
+            message = f"to measure an angle to a wall, write 'to {node.name}'"
         elif of_vectors and isinstance(parent, Quantity):
-            said = (
+            message = (
                 f"'{parent.kind}' takes no sphere itself: perhaps velocity({node.name}); "
                 f"it is written {KINDS[parent.kind].usage}"
             )
         elif isinstance(parent, Quantity):
             wanted = " or a ".join(sorted(allowed)) or "vector"
-            said = f"'{node.name}' is the name of a {kind}: '{parent.kind}' takes a {wanted}"
+            message = f"'{node.name}' is the name of a {kind}: '{parent.kind}' takes a {wanted}"
         elif parent is None and kind == "sphere":
-            said = (
+            message = (
                 f"'{node.name}' is the name of a sphere: write which quantity, "
                 f"such as velocity({node.name})"
             )
         else:
-            said = (
+            message = (
                 f"'{node.name}' is the name of a {kind} and cannot stand for a letter or a vector"
             )
-        mistake = _error(said, node.place)
+        mistake = _error(message, node.place)
         if of_vectors and node.place is not None:
             line, column = node.place.line, node.place.column
             edit = Edit(line, column, line, column + len(node.name), f"velocity({node.name})")
@@ -449,7 +449,7 @@ def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:
             )
     if isinstance(node.stage, int):
         if node.stage > bodies.events:
-            told = f"{bodies.events} {'event is' if bodies.events == 1 else 'events are'} told"
-            yield _error(f"there is no event {node.stage}: {told}", node.place)
+            count = f"{bodies.events} {'event is' if bodies.events == 1 else 'events are'} told"
+            yield _error(f"there is no event {node.stage}: {count}", node.place)
         elif node.stage == 0 and record is not None and record.of_an_event:
             yield _error(f"events are numbered from 1: there is no {node.kind} at 0", node.place)

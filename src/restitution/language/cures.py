@@ -208,8 +208,8 @@ def _into_the_event(text: str, line: Line, within: MistakeWithin) -> Fix | None:
         Edit(own, 1, own + 1, 1, ""),
     )
     then = mended(text, Fix("", edits))
-    told = at.line - (at.line > own)
-    if within(then, told, told) is not None:
+    number = at.line - (at.line > own)
+    if within(then, number, number) is not None:
         return None
     return Fix(f"Write 'along {match['d']}' on the line of the impact", edits)
 

@@ -55,19 +55,19 @@ def doubts(problem: Problem, text: str) -> Iterator[Note]:
     yield from _axes(problem)
 
 
-def _note(place: Place | None, said: str, *fixes: Fix) -> Note:
-    return Note(said, *line_and_column(place), fixes)
+def _note(place: Place | None, message: str, *fixes: Fix) -> Note:
+    return Note(message, *line_and_column(place), fixes)
 
 
 # --- degrees without a sign -------------------------------------------------------------------
 
 
 def _radians(problem: Problem, text: str) -> Iterator[Note]:
-    said: set[Place | None] = set()
+    noted: set[Place | None] = set()
     for angle in _angles(problem):
         for term in _terms(angle):
-            if isinstance(term, Number) and term.value > _TURN and term.place not in said:
-                said.add(term.place)
+            if isinstance(term, Number) and term.value > _TURN and term.place not in noted:
+                noted.add(term.place)
                 number = write_expression(term)
                 yield _note(
                     term.place,

@@ -397,7 +397,7 @@ def _refusal(reading: _Reading, measured: Measured, slot: Slot) -> StatementErro
     clash = sorted(letters_of(unit) & reading.letters & _SYMBOLS)
     if clash:
         are = "is a letter" if len(clash) == 1 else "are letters"
-        said = (
+        message = (
             f"'{unit}' cannot be a unit here, as {' and '.join(clash)} {are} of this statement: "
             f"leave out '{unit}' (all is in SI)"
         )
@@ -405,17 +405,17 @@ def _refusal(reading: _Reading, measured: Measured, slot: Slot) -> StatementErro
         return None
     elif known.dimension is None:
         wanted = f"{slot.what} is in {si[1]}" if si else f"{slot.what or 'this'} has no unit"
-        said = f"the unit '{unit}' is not read: {wanted}; {_RULE}"
+        message = f"the unit '{unit}' is not read: {wanted}; {_RULE}"
         fixes = []
         if unit == "ms" and dimension == SPEED:
-            said = f"'ms' is no unit of {slot.what}: did you mean 'm/s'?"
+            message = f"'ms' is no unit of {slot.what}: did you mean 'm/s'?"
             fixes = [_instead(measured, " m/s")]
     elif dimension is None or dimension not in NAMES:
-        said = f"no units are typed (all is in SI): leave out '{unit}'"
+        message = f"no units are typed (all is in SI): leave out '{unit}'"
     elif known.dimension == dimension and not slot.angle:
         if not slot.mixed or known.factor == 1:
             return None
-        said = (
+        message = (
             f"'{unit}' stands behind one term of a sum and not behind the others: write it behind "
             "each, or behind brackets"
         )
@@ -423,9 +423,9 @@ def _refusal(reading: _Reading, measured: Measured, slot: Slot) -> StatementErro
     else:
         noun = NAMES[known.dimension][0]
         wanted = "takes ° or rad" if slot.angle else f"is in {si[1]}" if si else "has no unit"
-        said = f"'{unit}' is a unit of {noun}, and {slot.what} {wanted}"
+        message = f"'{unit}' is a unit of {noun}, and {slot.what} {wanted}"
         fixes = []
-    mistake = StatementError(said, *_place_of_unit(measured))
+    mistake = StatementError(message, *_place_of_unit(measured))
     mistake.fixes = tuple(fixes)
     return mistake
 
@@ -472,5 +472,5 @@ def _converted(reading: _Reading, measured: Measured, value: Expression) -> None
         stretch = (start.line, start.column, *measured.stretch[2:])
         fixes = (Fix(f"Write {written}", (Edit(*stretch, written),)),)
     si = NAMES[measure(measured.unit).dimension or NONE][1]
-    said = f"{typed} {measured.unit} was read as {written} {si}"
-    reading.notes.append(Note(said, *_place_of_unit(measured), fixes))
+    message = f"{typed} {measured.unit} was read as {written} {si}"
+    reading.notes.append(Note(message, *_place_of_unit(measured), fixes))

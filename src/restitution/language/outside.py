@@ -95,7 +95,9 @@ _TABLE: tuple[tuple[str, str], ...] = (
 @cache
 def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     """The table, compiled when the first mistake is met."""
-    return tuple((re.compile(rf"(?<![\w'’])(?:{words})(?![\w'’])"), said) for words, said in _TABLE)
+    return tuple(
+        (re.compile(rf"(?<![\w'’])(?:{words})(?![\w'’])"), message) for words, message in _TABLE
+    )
 
 
 def outside(source: Source) -> StatementError | None:
@@ -103,9 +105,11 @@ def outside(source: Source) -> StatementError | None:
     text = source.plain
     start = len(text) - len(text.lstrip())
     text = text[:start] + text[start : start + 1].lower() + text[start + 1 :]  # ``Gravity = …``
-    found = [(match, said) for pattern, said in _patterns() if (match := pattern.search(text))]
+    found = [
+        (match, message) for pattern, message in _patterns() if (match := pattern.search(text))
+    ]
     if not found:
         return None
-    match, said = min(found, key=lambda each: each[0].start())
+    match, message = min(found, key=lambda each: each[0].start())
     typed = " ".join(source.text[match.start() : match.end()].split())
-    return source.error(f"'{typed}' is outside the model: {said}", match.start())
+    return source.error(f"'{typed}' is outside the model: {message}", match.start())

@@ -328,15 +328,15 @@ def _tell(story: _Story, line: Line) -> None:
     _add(story, line, *_understood(line, story.names, story.events))
 
 
-def _add(story: _Story, line: Line, reading: Reading, said: Any) -> None:
+def _add(story: _Story, line: Line, reading: Reading, value: Any) -> None:
     """Add what a line says to the story."""
     place = line.source.place(line.start)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
     story.doubts.extend(reading.warnings)
     story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)
-    if isinstance(said, _Said):
-        for name in said.names:
-            _declare(story, said, name)
+    if isinstance(value, _Said):
+        for name in value.names:
+            _declare(story, value, name)
         if len(story.bodies) > MAX_BODIES:
             raise StatementError(
                 f"a statement has at most {MAX_BODIES} spheres, walls and points",
@@ -344,13 +344,13 @@ def _add(story: _Story, line: Line, reading: Reading, said: Any) -> None:
                 place.column,
             )
         return
-    if isinstance(said, Event):
+    if isinstance(value, Event):
         story.events += 1
         if story.events > MAX_EVENTS:
             raise StatementError(
                 f"a statement tells at most {MAX_EVENTS} events", place.line, place.column
             )
-    story.parts[-1][2].append(said)
+    story.parts[-1][2].append(value)
 
 
 def _understood(line: Line, names: Mapping[str, str], events: int = 0) -> tuple[Reading, Any]:
@@ -378,10 +378,10 @@ def _tell_part(story: _Story, line: Line, place: Place) -> None:
     text = line.rest.strip()
     match = _LABEL.fullmatch(text)
     if not match:
-        said = "expected one word as a label after 'part'" + (
+        message = "expected one word as a label after 'part'" + (
             f", not '{text[:40]}'" if text else ""
         )
-        mistake = StatementError(said, place.line, place.column)
+        mistake = StatementError(message, place.line, place.column)
         labelled = _LABELLED.match(line.source.text)
         if labelled is not None:
             mistake.fixes = (line.source.fix(*labelled.span("gap"), "\n", "Begin a line"),)
@@ -404,15 +404,15 @@ _SPHERE_FIELDS = {
 _WALL_FIELDS = {"ALONG": "along", "THROUGH": "through", "RADIUS": "radius"}
 
 
-def _declare(story: _Story, said: _Said, token: Token) -> None:
+def _declare(story: _Story, declaration: _Said, token: Token) -> None:
     """Add what a line says of one body to what is known of it."""
     name, place = str(token), _place(token)
     known = story.names.get(name)
-    if known != said.kind:
+    if known != declaration.kind:
         raise _error(f"'{name}' is the name of a {known} already", place)
     body = story.bodies.get(name)
     if body is None:
-        match said.kind:
+        match declaration.kind:
             case "sphere":
                 body = Sphere(name, place=place)
             case "wall":
@@ -420,7 +420,7 @@ def _declare(story: _Story, said: _Said, token: Token) -> None:
             case _:
                 body = Point(name, None, place=place)
     changes: dict[str, Any] = {}
-    for key, value, where in said.properties:
+    for key, value, where in declaration.properties:
         line = story.said.get((name, key))
         if line is not None:
             raise _error(f"the {_PROPERTY[key]} of {name} was given already, in line {line}", where)
@@ -593,16 +593,16 @@ def _look_for_a_share(reading: Reading, quantity: Span, number: Span) -> None:
     tree = quantity.value
     if not isinstance(tree, Expression) or dimension_of_any([tree]) in (None, NONE):
         return
-    said = f"{typed} was read as {write_expression(number.value)}, a number in SI"
+    message = f"{typed} was read as {write_expression(number.value)}, a number in SI"
     whole = _whole_of(tree, reading.events)
     fixes: tuple[Fix, ...] = ()
     if whole is not None:
         meant = f"{typed} of {whole}"
-        said += f": did you mean {meant}?"
+        message += f": did you mean {meant}?"
         fixes = (reading.fix(number.first, number.last, meant),)
     else:
-        said += f": {typed} of what?"
-    reading.warnings.append(Note(said, number.place.line, number.place.column, fixes))
+        message += f": {typed} of what?"
+    reading.warnings.append(Note(message, number.place.line, number.place.column, fixes))
 
 
 def _whole_of(tree: Expression, events: int) -> str | None:
@@ -663,12 +663,12 @@ def _look_for_a_unit(reading: Reading, item: Span) -> None:
     if whole is None or dimension in (None, NONE):
         return
     typed = reading.text(item.first, item.last)
-    said = f"a percentage needs a ratio, and {typed} is in {NAMES[dimension][1]}"
+    message = f"a percentage needs a ratio, and {typed} is in {NAMES[dimension][1]}"
     meant = f"{typed}/{whole}"
     fix = reading.fix(item.first, item.last, meant)
     place = item.place
     reading.warnings.append(
-        Note(f"{said}: did you mean {meant}?", place.line, place.column, (fix,))
+        Note(f"{message}: did you mean {meant}?", place.line, place.column, (fix,))
     )
 
 

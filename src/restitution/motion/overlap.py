@@ -48,7 +48,7 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
     contacts = [(hit.time, {hit.first, hit.second}) for hit in motion.impacts]
     contacts += [(at.time, {at.body, at.target}) for at in motion.reached if at.target]
     moment = AT_ONCE * (motion.end - motion.start)
-    told = [
+    pairs = [
         each
         for each in found
         if each.end > motion.start + moment  # what begins in contact may part
@@ -57,7 +57,7 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
             for time, names in contacts
         )
     ]
-    return sorted(told, key=lambda each: each.start)
+    return sorted(pairs, key=lambda each: each.start)
 
 
 def _of_spheres(tracks: Sequence[Track], tolerance: float) -> Iterator[Overlap]:

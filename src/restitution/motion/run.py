@@ -496,8 +496,8 @@ class Run:
         end = float(self._kind.time(self._end))
         spheres, impacts = counted(len(self.table.spheres), "sphere"), counted(count, "impact")
         lines = [f"Motion of {spheres} from 0 to {end:.6g} s, {impacts}"]
-        told = range(count) if count <= 12 else [*range(8), None, *range(count - 3, count)]
-        for n in told:
+        rows = range(count) if count <= 12 else [*range(8), None, *range(count - 3, count)]
+        for n in rows:
             if n is None:
                 lines.append(f"  … {count - 11} more")
                 continue

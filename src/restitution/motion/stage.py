@@ -128,8 +128,8 @@ def _trimmed(motion: Motion, stopped: str | None, stage: Stage) -> Attempt:
         else:
             return Attempt(motion, math.inf, _meeting(overlap.first, overlap.second, stage))
     if stopped is not None:
-        told = f"It ends before {stopped}, which the question does not tell."
-        motion = replace(motion, notes=(*motion.notes, told))
+        caption = f"It ends before {stopped}, which the question does not tell."
+        motion = replace(motion, notes=(*motion.notes, caption))
     lost = (start - motion.start) / span + (motion.end - end) / span
     return Attempt(_cut(motion, start, end), cost + 30 * lost)
 
@@ -199,16 +199,16 @@ def _performed(stage: Stage, *, short: bool) -> tuple[Motion, str | None]:
     if short:
         for line in lines:
             _shorten(line, 2 * stage.radius * scale + 3)
-    told = [event for _, event in numbered(stage)]
+    events = [event for _, event in numbered(stage)]
     motion = Motion(
         tracks,
-        tuple(each for each in told if isinstance(each, Struck)),
+        tuple(each for each in events if isinstance(each, Struck)),
         (*(_as_wall(line, scale) for line in lines), *_circles(given)),
         start,
         end,
         tuple(_notes(stage, tracks)),
-        tuple(each for each in told if isinstance(each, Blow)),
-        tuple(each for each in told if isinstance(each, Reached)),
+        tuple(each for each in events if isinstance(each, Blow)),
+        tuple(each for each in events if isinstance(each, Reached)),
         dict(given.points),
     )
     return motion, stopped

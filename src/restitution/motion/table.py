@@ -255,13 +255,13 @@ def _ball(sphere: Sphere, kind: Arithmetic) -> Ball:
 def _shape(wall: Wall, kind: Arithmetic) -> tuple[Face | Ring, tuple[Vector, ...]]:
     """Where a wall is, with the points at which it ends."""
     name = wall.name
-    told = {each for each in _SHAPES for part in each if getattr(wall, part) is not None}
-    if len(told) > 1:
+    shapes = {each for each in _SHAPES for part in each if getattr(wall, part) is not None}
+    if len(shapes) > 1:
         raise StatementError(
             f"the wall {name} is told in two ways: it is a segment (start, end), a whole line "
             "(along, through) or a circle (centre, radius)"
         )
-    for parts in told or {_SHAPES[0]}:
+    for parts in shapes or {_SHAPES[0]}:
         for part in parts:
             if getattr(wall, part) is None:
                 raise MissingError(f"where the wall {name} is was not given: say Wall(…, {part}=…)")

@@ -106,12 +106,12 @@ def _no(reason: str) -> UnsupportedError:
 
 def _add(found: list[Told], new: Sequence[Told]) -> None:
     """Adds motions; one that another part has had already gets its label too."""
-    for told in new:
-        same = next((k for k, each in enumerate(found) if _alike(each.motion, told.motion)), None)
+    for motion in new:
+        same = next((k for k, each in enumerate(found) if _alike(each.motion, motion.motion)), None)
         if same is None:
-            found.append(told)
-        elif told.labels[0] not in found[same].labels:
-            found[same] = replace(found[same], labels=(*found[same].labels, *told.labels))
+            found.append(motion)
+        elif motion.labels[0] not in found[same].labels:
+            found[same] = replace(found[same], labels=(*found[same].labels, *motion.labels))
 
 
 def _alike(one: Motion, other: Motion) -> bool:
@@ -129,16 +129,16 @@ def _all_numbers(motion: Motion) -> Iterator[float]:
 
 
 def _told(solution: Solution, part: PartSolution, branch: Branch) -> Iterator[Told]:
-    told = values.motion(solution, part, branch)
+    numbers = values.motion(solution, part, branch)
     own = len(part.part.events)
-    since = len(told.story.happenings) - own
+    since = len(numbers.story.happenings) - own
     timed = not any(
         name.startswith("_t_") and name not in branch.values for name in part.roles
     )  # a time that is free is chosen here, with the places
-    masses = {name: _mass(told.story, told.numbers, name) for name in told.story.spheres}
+    masses = {name: _mass(numbers.story, numbers.numbers, name) for name in numbers.story.spheres}
     known = {name: mass for name, mass in masses.items() if mass is not None}
-    for motion, events in staged(told.story, known, since, timed=timed):
-        yield Told((part.part.label,), part, branch, told, motion, events, known)
+    for motion, events in staged(numbers.story, known, since, timed=timed):
+        yield Told((part.part.label,), part, branch, numbers, motion, events, known)
 
 
 def _mass(story: Story, numbers: Mapping[str, Any], name: str) -> float | None:

@@ -327,8 +327,8 @@ def wall_lines(
             near = -own[0].normal
             along = near.turned_left()
             if name in given.segments or wall.along is not None:
-                told = floats(story.wall_direction(Name(name)))
-                along = -along if along.dot(told) < 0 else along
+                direction = floats(story.wall_direction(Name(name)))
+                along = -along if along.dot(direction) < 0 else along
         else:
             along = unit(floats(story.wall_direction(Name(name))))
             near = along.turned_left()

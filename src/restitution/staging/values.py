@@ -90,15 +90,15 @@ class Motion:
 
 def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
     """One part by one of its solutions, in numbers that satisfy all that is given."""
-    told = model(solution.problem, part.part, branch, part.roles, protected_letters(part.part))
+    model_ = model(solution.problem, part.part, branch, part.roles, protected_letters(part.part))
     named = frozenset(lets_of(solution.problem, part.part)) - protected_letters(part.part)
     roles = {name: role for name, role in part.roles.items() if name not in named}
     pleasant, values, story = _representative(branch, roles)
     numbers = dict(values)
-    for key, name in told.unknowns.names.items():
-        numbers[name] = values.get(f"_{key}", told.sample.get(name))
-    for (number, body), component in told.components.items():
-        n = told.frames[number].n
+    for key, name in model_.unknowns.names.items():
+        numbers[name] = values.get(f"_{key}", model_.sample.get(name))
+    for (number, body), component in model_.components.items():
+        n = model_.frames[number].n
         try:
             direction = Vector(at(n.x, numbers), at(n.y, numbers))
             numbers[component.symbol.name] = story.happenings[number - 1].after[body].dot(direction)
@@ -113,7 +113,7 @@ def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
         for name in branch.values
         if len(part.branches) > 1 and name in roles and not name.startswith("_")
     )
-    return Motion(told, numbers, story, free, found)
+    return Motion(model_, numbers, story, free, found)
 
 
 def drawn_for(

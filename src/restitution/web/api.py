@@ -119,11 +119,11 @@ def routes() -> list[Route]:
 async def refused(request: Request, error: Exception) -> Response:
     """A request that the framework refuses."""
     assert isinstance(error, HTTPException)
-    kind, said = {
+    kind, message = {
         404: ("not found", f"there is nothing at {request.url.path}"),
         405: ("method", f"{request.url.path} does not take {request.method}"),
     }.get(error.status_code, ("malformed", error.detail))
-    return refusal(error.status_code, kind, said, error.headers or {})
+    return refusal(error.status_code, kind, message, error.headers or {})
 
 
 async def failed(request: Request, error: Exception) -> Response:
@@ -153,8 +153,8 @@ def _reading(read: Callable[[str], Made]) -> Callable[[Request], Awaitable[Respo
         staff: Staff = request.app.state.staff
 
         async def reply() -> Made:
-            told = await asked(request, "statement", {}, staff.settings)
-            made = staff.clerks.run(read, told["statement"], limit=_CHECKING)
+            about = await asked(request, "statement", {}, staff.settings)
+            made = staff.clerks.run(read, about["statement"], limit=_CHECKING)
             return await _while_wanted(request, made)
 
         return await _answered(request, reply)
@@ -186,8 +186,8 @@ async def _explain(request: Request) -> Response:
     task = _EXPLAINING
 
     async def reply() -> Made | _Begun:
-        told = await asked(request, task.about, {"early": bool}, staff.settings)
-        statement = told[task.about]
+        about = await asked(request, task.about, {"early": bool}, staff.settings)
+        statement = about[task.about]
         early = staff.desk / hashlib.sha256(statement.encode()).hexdigest()
 
         async def once() -> Made:
@@ -197,7 +197,7 @@ async def _explain(request: Request) -> Response:
                 early.unlink(missing_ok=True)
 
         made = staff.replies.get((task.function.__name__, statement), once)
-        if not told.get("early"):
+        if not about.get("early"):
             return await _while_wanted(request, made)
         rest = asyncio.ensure_future(_while_wanted(request, made))
         began = time.monotonic()
@@ -227,8 +227,8 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
         if error.details:
             _log.error("%s\n%s", error, error.details)
         message, late = f"internal error: {error}", False
-    told = (about, task.function, message, late, others)
-    return await staff.clerks.run(work.given_up, *told, limit=_CHECKING)
+    job = (about, task.function, message, late, others)
+    return await staff.clerks.run(work.given_up, *job, limit=_CHECKING)
 
 
 async def _answered(request: Request, reply: Callable[[], Awaitable[Made | _Begun]]) -> Response:

@@ -55,8 +55,8 @@ async def asked(
             raise RefusedError(400, "malformed", f'"{name}" has to be {_NAMES[wanted]}')
     length = len(found["statement"]) if about == "statement" else 0
     if length > settings.longest:
-        said = f"a statement has at most {settings.longest} characters, this one {length}"
-        raise RefusedError(413, "too large", said)
+        message = f"a statement has at most {settings.longest} characters, this one {length}"
+        raise RefusedError(413, "too large", message)
     return found
 
 
@@ -67,8 +67,8 @@ async def _body(request: Request, settings: Settings) -> bytes:
     """The body, read no further than it may be long."""
     largest = settings.largest
     too_large = RefusedError(413, "too large", f"a request has at most {largest} bytes")
-    told = request.headers.get("content-length", "0")
-    if not told.isdecimal() or int(told[:20]) > largest:
+    length = request.headers.get("content-length", "0")
+    if not length.isdecimal() or int(length[:20]) > largest:
         raise too_large
     body = bytearray()
     try:

@@ -86,7 +86,7 @@ async def _made(staff: Staff, name: str) -> Made:
 
 
 def _table() -> bytes:
-    told = [
+    rows = [
         {
             "name": name,
             "title": examples.title(name),
@@ -96,4 +96,4 @@ def _table() -> bytes:
         for topic, names in TOPICS.items()
         for name in names
     ]
-    return json.dumps({"examples": told}, ensure_ascii=False).encode()
+    return json.dumps({"examples": rows}, ensure_ascii=False).encode()

@@ -69,7 +69,7 @@ def guarded(app: ASGIApp, hosts: Collection[str]) -> ASGIApp:
     return serve
 
 
-def host_name(told: str) -> str:
+def host_name(host: str) -> str:
     """The name in a Host header, without its port and the brackets of an IPv6 address."""
-    name = told.rsplit(":", 1)[0] if told.rpartition(":")[2].isdecimal() else told
+    name = host.rsplit(":", 1)[0] if host.rpartition(":")[2].isdecimal() else host
     return name.strip("[]").rstrip(".").lower()

@@ -169,8 +169,8 @@ def _tried(make: Callable[[], contract.Object]) -> Made:
 
 def _failed(error: RestitutionError) -> Made:
     """What is well asked, but of which nothing can be made."""
-    said = _json({"error": contract.mistakes(error)[0]}, error.kind == TimeLimitError.kind)
-    return replace(said, status=422)
+    reply = _json({"error": contract.mistakes(error)[0]}, error.kind == TimeLimitError.kind)
+    return replace(reply, status=422)
 
 
 def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:

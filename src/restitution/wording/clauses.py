@@ -86,9 +86,9 @@ def clauses(scene: Scene, relations: Sequence[Relation]) -> list[Words]:
         taken = _velocities(scene, rest)
         if len(taken) > 1:
             bodies = [each.body for each, _ in taken]
-            told = listed([value for _, value in taken])
+            values_ = listed([value for _, value in taken])
             both = words(of_bodies(taken[0][0].kind, bodies), " ", taken[0][0].when)
-            out.append(words(both, " are ", told, " respectively"))
+            out.append(words(both, " are ", values_, " respectively"))
             rest = rest[len(taken) :]
         else:
             out.append(clause(scene, rest.pop(0)))
@@ -262,8 +262,8 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             way = line(scene, other)
             angle = words("at an angle " if _is_letter(right) else "at an angle of ")
             to = way.head if same_event(when, way.when) else way.words()
-            told = words(" is moving ", angle, values.laid(right), " to ", to)
-            return words(leading(when), Named(body), told)
+            phrase = words(" is moving ", angle, values.laid(right), " to ", to)
+            return words(leading(when), Named(body), phrase)
     return None
 
 

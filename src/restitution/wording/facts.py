@@ -90,10 +90,10 @@ def told(sentences: Sequence[Sentence], facts: Sequence[Fact]) -> tuple[list[Sen
     return out, [each for each in pending if not each.nature]
 
 
-def _where(said: Sentence, facts: Sequence[Fact]) -> Sentence:
+def _where(sentence: Sentence, facts: Sequence[Fact]) -> Sentence:
     if not facts:
-        return said
-    *front, last = said
+        return sentence
+    *front, last = sentence
     assert isinstance(last, str)
     return words(*front, last.removesuffix("."), ", where ", listed(_phrases(facts)), ".")
 
@@ -110,25 +110,25 @@ def _phrases(facts: Sequence[Fact]) -> list[Words]:
     return out + [fact.said for fact in facts if not fact.nature]
 
 
-def _said_acute(said: Sentence) -> frozenset[str]:
+def _said_acute(sentence: Sentence) -> frozenset[str]:
     """The letters that a sentence calls acute angles already."""
     return frozenset().union(
         *(
             letters_in(each)
-            for before, each in pairwise(said)
+            for before, each in pairwise(sentence)
             if isinstance(before, str) and before.endswith("acute angle ")
         )
     )
 
 
-def letters_in(said: Any) -> frozenset[str]:
+def letters_in(value: Any) -> frozenset[str]:
     """The letters in a row of pieces, by their canonical names."""
-    if isinstance(said, lay.Letter):
-        return frozenset((f"{said.name}_{said.subscript}" if said.subscript else said.name,))
-    if isinstance(said, tuple):
-        return frozenset().union(*(letters_in(each) for each in said))
-    if is_dataclass(said):
-        return frozenset().union(*(letters_in(getattr(said, f.name)) for f in fields(said)))
+    if isinstance(value, lay.Letter):
+        return frozenset((f"{value.name}_{value.subscript}" if value.subscript else value.name,))
+    if isinstance(value, tuple):
+        return frozenset().union(*(letters_in(each) for each in value))
+    if is_dataclass(value):
+        return frozenset().union(*(letters_in(getattr(value, f.name)) for f in fields(value)))
     return frozenset()
 
 

@@ -62,8 +62,8 @@ class Noun:
 
     def words(self) -> Words:
         """The whole phrase."""
-        said = words(self.head, " ", self.when) if self.when else self.head
-        return words(said, ", ", self.where) if self.where else said
+        phrase = words(self.head, " ", self.when) if self.when else self.head
+        return words(phrase, ", ", self.where) if self.where else phrase
 
 
 # What is said of one body, in the singular and of several.
@@ -194,11 +194,11 @@ def alike(each: Sequence[Noun]) -> bool:
 
 def times_until(scene: Scene, trees: Sequence[Expression]) -> tuple[Words, list[Words]] | None:
     """Times that are counted from one start: its words, and what ends each; None for others."""
-    said = [_time_parts(scene, tree) for tree in trees]
-    starts = [each[0] for each in said if each is not None and each[0]]
+    phrases = [_time_parts(scene, tree) for tree in trees]
+    starts = [each[0] for each in phrases if each is not None and each[0]]
     if len(starts) < len(trees) or len(set(starts)) > 1 or len(trees) < 2:
         return None
-    return starts[0], [each[1] for each in said if each is not None]
+    return starts[0], [each[1] for each in phrases if each is not None]
 
 
 def until(last: Sequence[Words]) -> Words:
@@ -362,10 +362,10 @@ def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
     """The energy of which a part is lost; that just before needs no moment."""
     number = _event(scene, lost)
     start = 0 if lost.kind == "total_energy_lost" else number - 1
-    said = noun(scene, whole)
+    phrase = noun(scene, whole)
     if not whole.arguments and len(scene.events) == 1 and scene.stage(whole.stage, None) == start:
-        return said.head
-    return said.words()
+        return phrase.head
+    return phrase.words()
 
 
 def lost_where(scene: Scene, lost: Quantity) -> Words:

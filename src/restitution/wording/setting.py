@@ -44,9 +44,9 @@ def spheres_told(scene: Scene) -> Iterator[Sentence]:
         of = [words("mass ", _mass(scene, only))] if only.mass is not None else []
         if only.radius is not None:
             of.append(words("radius ", values.length(scene.style, only.radius)))
-        told = words(", of ", listed(of), ",") if of else ""
+        radius = words(", of ", listed(of), ",") if of else ""
         yield sentence(
-            f"a {small}smooth uniform sphere ", Named(only.name), told, f" moves {_PLANE}"
+            f"a {small}smooth uniform sphere ", Named(only.name), radius, f" moves {_PLANE}"
         )
         return
     yield from _several(scene, spheres, small)
@@ -61,16 +61,16 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     if radius is not None:
         equal = words(" each have radius ", values.length(scene.style, radius))
     rest = f" and move {_PLANE}"
-    all_told = all(each is not None for each in masses)
-    if all_told and len(set(masses)) == 1:
-        told = words(kind, " ", names(s.name for s in spheres), ", each of mass ")
+    all_given = all(each is not None for each in masses)
+    if all_given and len(set(masses)) == 1:
+        phrase = words(kind, " ", names(s.name for s in spheres), ", each of mass ")
         mass = _mass(scene, spheres[0])
         if radius is not None:
             size = words(" and radius ", values.length(scene.style, radius))
-            yield sentence(told, mass, size, f", move {_PLANE}")
+            yield sentence(phrase, mass, size, f", move {_PLANE}")
         else:
-            yield sentence(told, mass, ",", equal, rest)
-    elif all_told:
+            yield sentence(phrase, mass, ",", equal, rest)
+    elif all_given:
         yield sentence(kind, ", ", _masses(scene, spheres), ",", equal, rest)
     else:
         yield sentence(kind, " ", names(sphere.name for sphere in spheres), equal, rest)
@@ -81,8 +81,8 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     if radii:
         for sphere in spheres:
             if sphere.radius is not None:
-                told = values.length(scene.style, sphere.radius)
-                yield sentence("the radius of ", Named(sphere.name), " is ", told)
+                phrase = values.length(scene.style, sphere.radius)
+                yield sentence("the radius of ", Named(sphere.name), " is ", phrase)
 
 
 def _by_mass(spheres: tuple[Sphere, ...]) -> list[list[Sphere]]:
@@ -95,7 +95,7 @@ def _by_mass(spheres: tuple[Sphere, ...]) -> list[list[Sphere]]:
 
 def _masses(scene: Scene, spheres: tuple[Sphere, ...]) -> Words:
     """``A of mass 2 kg and B of mass 3 kg``, ``A and B each of mass m, and C of mass km``."""
-    told = [
+    phrases = [
         words(
             names(each.name for each in group),
             " of mass " if len(group) == 1 else " each of mass ",
@@ -103,7 +103,7 @@ def _masses(scene: Scene, spheres: tuple[Sphere, ...]) -> Words:
         )
         for group in _by_mass(spheres)
     ]
-    return listed(told, "and" if len(told) == len(spheres) else ", and")
+    return listed(phrases, "and" if len(phrases) == len(spheres) else ", and")
 
 
 def _mass(scene: Scene, sphere: Sphere) -> Words:
@@ -131,8 +131,8 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
         shape = "circular wall" if wall.centre is not None else "wall"
         kind = f"a fixed smooth vertical {shape} "
         if wall.centre is not None:
-            told = words(" has its centre at ", values.point(wall.centre), " and radius ")
-            yield sentence(kind, Named(wall.name), told, values.length(scene.style, wall.radius))
+            phrase = words(" has its centre at ", values.point(wall.centre), " and radius ")
+            yield sentence(kind, Named(wall.name), phrase, values.length(scene.style, wall.radius))
         elif wall.start is not None:
             ends = words(" runs from ", values.spot(wall.start), " to ", values.spot(wall.end))
             yield sentence(kind, Named(wall.name), ends)
@@ -151,12 +151,12 @@ def _alike(walls: tuple[Wall, ...]) -> bool:
 
 
 def _is(scene: Scene, wall: Wall) -> Words:
-    told: list[Words] = []
+    phrases: list[Words] = []
     if wall.along is not None:
-        told.append(words("is ", values.lies_along(scene.style, wall.along)))
+        phrases.append(words("is ", values.lies_along(scene.style, wall.along)))
     if wall.through is not None:
-        told.append(words("passes through ", values.point(wall.through)))
-    return listed(told)
+        phrases.append(words("passes through ", values.point(wall.through)))
+    return listed(phrases)
 
 
 def _points(scene: Scene) -> Sentence:
@@ -175,24 +175,24 @@ def _points(scene: Scene) -> Sentence:
 
 def start(scene: Scene) -> Iterator[Sentence]:
     """Where the spheres are at first, and how they move."""
-    told: list[Words] = []
+    phrases: list[Words] = []
     resting: list[str] = []
     for sphere in scene.problem.spheres:
         if values.is_rest(sphere.velocity) and sphere.position is None:
             resting.append(sphere.name)
         elif sphere.velocity is not None or sphere.position is not None:
-            told.append(_state(scene, sphere))
+            phrases.append(_state(scene, sphere))
     if resting:
         verb = " is at rest" if len(resting) == 1 else " are at rest"
-        told.append(words(names(resting), verb))
-    if not told:
+        phrases.append(words(names(resting), verb))
+    if not phrases:
         return
     moment = words(before(scene), " ")
-    if len(told) <= 2:
-        broken = any(isinstance(one, str) and ", " in one for one in words(told[0]))
-        yield sentence(moment, listed(told, ", and" if broken else "and"))
+    if len(phrases) <= 2:
+        broken = any(isinstance(one, str) and ", " in one for one in words(phrases[0]))
+        yield sentence(moment, listed(phrases, ", and" if broken else "and"))
         return
-    *front, last = told
+    *front, last = phrases
     out: list[Any] = []
     for each in front:
         out += [each, "; "]

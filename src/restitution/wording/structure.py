@@ -46,7 +46,7 @@ class Listing:
         if not self.lead:
             return self.entries
         *front, (number, last) = self.entries
-        return (*((head, (*said, ",")) for head, said in front), (number, (*last, ".")))
+        return (*((head, (*phrase, ",")) for head, phrase in front), (number, (*last, ".")))
 
 
 Block: TypeAlias = Paragraph | Listing

@@ -145,7 +145,7 @@ def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Blo
     for block in blocks:
         if isinstance(block, Listing):
             entries = tuple(
-                (number(count + n), said) for n, (_, said) in enumerate(block.entries, 1)
+                (number(count + n), entry) for n, (_, entry) in enumerate(block.entries, 1)
             )
             count += len(entries)
             block = replace(block, entries=entries)
@@ -250,29 +250,29 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     motion = [each for each in given if not is_letter_fact(each)]
     sentences += [_statement(each) for each in clauses(scene, motion)]
     if len(motion) < len(given):
-        said = [clause(scene, each) for each in given if is_letter_fact(each)]
-        sentences.append(sentence("it is given that ", listed(said)))
+        clauses_ = [clause(scene, each) for each in given if is_letter_fact(each)]
+        sentences.append(sentence("it is given that ", listed(clauses_)))
     blocks: list[Block] = [Paragraph(tuple(sentences))] if sentences else []
     if asked is not None:
         blocks.append(asked)
     return now, blocks
 
 
-def _statement(said: Words) -> Sentence:
+def _statement(phrase: Words) -> Sentence:
     """A clause as a sentence, which does not begin with mathematics."""
-    first = said[0]
-    return sentence(said if isinstance(first, str | Named) else ("it is given that ", said))
+    first = phrase[0]
+    return sentence(phrase if isinstance(first, str | Named) else ("it is given that ", phrase))
 
 
 def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing | None:
     """What is asked with what is given for it: ``Given that k = 3, find …``; None if too long."""
     motion = clauses(scene, [each for each in given if not is_letter_fact(each)])
     of_letters = [clause(scene, each) for each in given if is_letter_fact(each)]
-    told_each = [
+    sentences_of_each = [
         *of_letters,
         *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
     ]
-    lead = words("Given that ", listed(told_each), ", ")
+    lead = words("Given that ", listed(sentences_of_each), ", ")
     longest = max(number_of_words(entry) for _, entry in asked.entries)
     if number_of_words(lead) + longest > _MOST_TOGETHER:
         return None
@@ -282,12 +282,12 @@ def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing |
     return replace(asked, entries=((number, words(lead, _lower(only))),))
 
 
-def _lower(said: Words) -> Words:
+def _lower(phrase: Words) -> Words:
     """Words that no longer begin a sentence."""
-    first = said[0]
+    first = phrase[0]
     if isinstance(first, str):
-        return (first[:1].lower() + first[1:], *said[1:])
-    return said
+        return (first[:1].lower() + first[1:], *phrase[1:])
+    return phrase
 
 
 def _not_known(run: _Run) -> Sentence:
@@ -371,10 +371,10 @@ def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
         for each in (Paragraph(draft.opening), *draft.rest)
         if isinstance(each, Paragraph)
     ]
-    told_each, left = facts.told(
+    sentences_of_each, left = facts.told(
         [one for each in paragraphs for one in each.sentences], facts.facts_of(scene)
     )
-    sentences = iter(told_each)
+    sentences = iter(sentences_of_each)
     out = [_retold(draft, sentences) for draft in drafts]
     if left:
         extra = sentence("it is given that ", listed([fact.said for fact in left]))
@@ -397,12 +397,12 @@ def _retold(draft: _Draft, sentences: Iterator[Sentence]) -> _Draft:
 def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     """The opening, with **i** and **j** and coordinates explained where they are used."""
     opening = drafts[0].opening
-    said = [draft.blocks for draft in drafts]
+    blocks = [draft.blocks for draft in drafts]
     i, j = lay.Bold("i"), lay.Bold("j")
-    points = _contains(said, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
+    points = _contains(blocks, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
     axes: list[Sentence] = []
-    if points or _contains(said, lambda x: x in (i, j)):
-        turning = _contains(said, lambda x: _has(x, "clockwise"))
+    if points or _contains(blocks, lambda x: x in (i, j)):
+        turning = _contains(blocks, lambda x: _has(x, "clockwise"))
         sense = (", with ", j, " at 90° anticlockwise from ", i) if turning else ()
         axes.append(
             sentence("perpendicular unit vectors ", i, " and ", j, " lie in the plane", sense)
@@ -415,8 +415,8 @@ def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     return (*opening[:end], *axes, *opening[end:])
 
 
-def _has(said: Any, text: str) -> bool:
-    return isinstance(said, str) and text in said
+def _has(value: Any, text: str) -> bool:
+    return isinstance(value, str) and text in value
 
 
 def _bodies_end(scene: Scene) -> int:
@@ -424,11 +424,11 @@ def _bodies_end(scene: Scene) -> int:
     return len(list(spheres_told(scene)))
 
 
-def _contains(said: Any, wanted: Any) -> bool:
-    if wanted(said):
+def _contains(value: Any, wanted: Any) -> bool:
+    if wanted(value):
         return True
-    if isinstance(said, tuple | list):
-        return any(_contains(each, wanted) for each in said)
-    if is_dataclass(said) and not isinstance(said, type):
-        return any(_contains(getattr(said, field.name), wanted) for field in fields(said))
+    if isinstance(value, tuple | list):
+        return any(_contains(each, wanted) for each in value)
+    if is_dataclass(value) and not isinstance(value, type):
+        return any(_contains(getattr(value, field.name), wanted) for field in fields(value))
     return False

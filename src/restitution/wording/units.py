@@ -98,9 +98,9 @@ def style_of(problem: Problem) -> Style:
 
 
 def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
-    said: list[tuple[Dimension, object]] = []
+    data: list[tuple[Dimension, object]] = []
     for sphere in problem.spheres:
-        said += [
+        data += [
             (MASS, sphere.mass),
             (SPEED, sphere.velocity),
             (LENGTH, sphere.position),
@@ -108,23 +108,23 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
         ]
     for wall in problem.walls:
         places = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
-        said += [(LENGTH, place) for place in places]
-    said += [(LENGTH, point.position) for point in problem.points]
+        data += [(LENGTH, place) for place in places]
+    data += [(LENGTH, point.position) for point in problem.points]
     for _, step in problem.steps():
         if isinstance(step, Kick):
-            said.append((IMPULSE, step.impulse))
+            data.append((IMPULSE, step.impulse))
         elif isinstance(step, Impact):
-            said.append((LENGTH, step.offset))
+            data.append((LENGTH, step.offset))
         elif isinstance(step, Given):
             for relation in step.relations:
                 if isinstance(relation, Compare):
                     dimension = dimension_of_any(relation.operands)
-                    said += [
+                    data += [
                         (dimension, operand)
                         for operand in relation.operands
                         if dimension is not None and not has_quantity(operand)
                     ]
-    for dimension, value in said:
+    for dimension, value in data:
         if isinstance(value, Expression):
             yield dimension, value
     for node in (each for tree in trees(problem) for each in walk(tree)):

@@ -91,8 +91,8 @@ def point(tree: Expression) -> Words:
 
 def spot(tree: Expression) -> Words:
     """A point by its name or coordinates alone: ``(0, 0)``."""
-    said = point(tree)
-    return said[1:] if isinstance(tree, Pair) else said
+    phrase = point(tree)
+    return phrase[1:] if isinstance(tree, Pair) else phrase
 
 
 def length(style: Style, tree: Expression) -> Words:

@@ -42,10 +42,10 @@ def words(*parts: Any) -> Words:
 
 def sentence(*parts: Any) -> Sentence:
     """Words with a capital at the beginning and a full stop at the end."""
-    said = words(*parts, ".")
-    if isinstance(said[0], str):
-        return (said[0][:1].upper() + said[0][1:], *said[1:])
-    return said
+    phrase = words(*parts, ".")
+    if isinstance(phrase[0], str):
+        return (phrase[0][:1].upper() + phrase[0][1:], *phrase[1:])
+    return phrase
 
 
 def listed(each: Sequence[Any], link: str = "and") -> Words:
@@ -59,9 +59,9 @@ def listed(each: Sequence[Any], link: str = "and") -> Words:
     return words(*front, f"{before}{link} ", each[-1])
 
 
-def number_of_words(said: Words) -> int:
+def number_of_words(phrase: Words) -> int:
     """How many words are read; a name, or a piece of mathematics, is one."""
-    return sum(len(each.split()) if isinstance(each, str) else 1 for each in said)
+    return sum(len(each.split()) if isinstance(each, str) else 1 for each in phrase)
 
 
 def names(each: Iterable[str]) -> Words:

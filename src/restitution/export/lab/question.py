@@ -44,13 +44,13 @@ class _Hit:
     e: Fraction
 
 
-def question(told: object) -> str:
+def question(data: object) -> str:
     """The statement of a question about one impact, its numbers rounded to be reckoned with.
 
     Raises StatementError where ``told`` is no impact, and ImpossibleError where its bodies do not
     approach one another.
     """
-    impact = an_object(told, "an impact")
+    impact = an_object(data, "an impact")
     true = _rounded(impact, _PLACES, None)
     for figures, near in (*((3, each) for each in _NEAR), (3, None), (6, None), (12, None)):
         hit = _rounded(impact, figures, near)
@@ -211,11 +211,11 @@ def written(x: Fraction) -> str:
 
 def _vector(v: Vector) -> str:
     """A vector in components, as people write it."""
-    told = ""
+    text = ""
     for x, unit in ((v.x, "i"), (v.y, "j")):
         if x == 0:
             continue
         size = "" if abs(x) == 1 else written(abs(x))
-        sign = ("-" if x < 0 else "") if not told else (" - " if x < 0 else " + ")
-        told += f"{sign}{size}{unit}"
-    return told
+        sign = ("-" if x < 0 else "") if not text else (" - " if x < 0 else " + ")
+        text += f"{sign}{size}{unit}"
+    return text

@@ -12,25 +12,25 @@ _LARGEST = 1e6
 _LONGEST_NAME = 12
 
 
-def an_object(told: object, what: str) -> Mapping[str, Any]:
+def an_object(value: object, what: str) -> Mapping[str, Any]:
     """What has properties by name; ``what`` it is, for the error."""
-    if not isinstance(told, Mapping):
+    if not isinstance(value, Mapping):
         raise StatementError(f"{what} is told as an object with its properties by name")
-    return told
+    return value
 
 
-def a_list(told: object, what: str, most: int) -> Sequence[Any]:
+def a_list(value: object, what: str, most: int) -> Sequence[Any]:
     """At most so many of something."""
-    if not isinstance(told, list):
+    if not isinstance(value, list):
         raise StatementError(f"the {what} are a list")
-    if len(told) > most:
-        raise StatementError(f"there are {len(told)} {what}: {most} are the most that are taken")
-    return told
+    if len(value) > most:
+        raise StatementError(f"there are {len(value)} {what}: {most} are the most that are taken")
+    return value
 
 
-def a_name(told: Mapping[str, Any], what: str) -> str:
+def a_name(value: Mapping[str, Any], what: str) -> str:
     """The name of a body, such as statements take."""
-    name = told.get("name")
+    name = value.get("name")
     if not isinstance(name, str) or len(name) > _LONGEST_NAME or not NAME.fullmatch(name):
         raise StatementError(
             f"{what} is named by a capital and then letters or digits, {_LONGEST_NAME} at most"
@@ -38,17 +38,17 @@ def a_name(told: Mapping[str, Any], what: str) -> str:
     return name
 
 
-def a_number(told: object, what: str) -> float:
+def a_number(value: object, what: str) -> float:
     """A number that is not too large to be reckoned with."""
-    if isinstance(told, bool) or not isinstance(told, int | float):
+    if isinstance(value, bool) or not isinstance(value, int | float):
         raise StatementError(f"{what} is a number")
-    if not abs(told) <= _LARGEST:
+    if not abs(value) <= _LARGEST:
         raise StatementError(f"{what} is out of bounds: numbers go up to {_LARGEST:g}")
-    return float(told)
+    return float(value)
 
 
-def a_pair(told: object, what: str) -> tuple[float, float]:
+def a_pair(value: object, what: str) -> tuple[float, float]:
     """Two such numbers: a vector."""
-    if not isinstance(told, list | tuple) or len(told) != 2:
+    if not isinstance(value, list | tuple) or len(value) != 2:
         raise StatementError(f"{what} is a pair of numbers")
-    return a_number(told[0], what), a_number(told[1], what)
+    return a_number(value[0], what), a_number(value[1], what)

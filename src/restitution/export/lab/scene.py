@@ -50,13 +50,13 @@ class Scene:
         return Table(self.spheres, self.walls, self.e, self.coefficients)
 
 
-def simulated(told: object) -> Object:
+def simulated(data: object) -> Object:
     """The motion of a scene for the player: ``{"motion": data, "stopped": why it ended early}``.
 
     Where there can be none: ``{"motion": None, "error": {"kind", "message", "bodies"}}``. Raises
     StatementError where ``told`` is no scene at all.
     """
-    scene = read_scene(told)
+    scene = read_scene(data)
     names = [*(ball.name for ball in scene.spheres), *(wall.name for wall in scene.walls)]
     try:
         table = _with_room(scene)
@@ -70,9 +70,9 @@ def simulated(told: object) -> Object:
             "(inelastic collapse): the motion is shown until then"
         )
     except RestitutionError as error:
-        said = [name for name in names if re.search(rf"\b{name}\b", error.message)]
-        told_of = {"kind": error.kind, "message": error.message, "bodies": said}
-        return {"motion": None, "error": told_of}
+        bodies = [name for name in names if re.search(rf"\b{name}\b", error.message)]
+        refusal = {"kind": error.kind, "message": error.message, "bodies": bodies}
+        return {"motion": None, "error": refusal}
     (motion,) = of_motion(run.motion())["motions"]
     return {"motion": motion, "stopped": stopped}
 
@@ -92,9 +92,9 @@ def _with_room(scene: Scene) -> Table:
         raise
 
 
-def read_scene(told: object) -> Scene:
+def read_scene(data: object) -> Scene:
     """A scene from plain data; raises StatementError that names what is wrong."""
-    scene = an_object(told, "a scene")
+    scene = an_object(data, "a scene")
     spheres = a_list(scene.get("spheres", []), "spheres", MOST_SPHERES)
     walls = a_list(scene.get("walls", []), "walls", MOST_WALLS)
     pairs = a_list(scene.get("pairs", []), "pairs", MOST_PAIRS)
@@ -127,15 +127,15 @@ def read_scene(told: object) -> Scene:
     )
 
 
-def _pair_of_bodies(told: object) -> tuple[str, str, object]:
-    match told:
+def _pair_of_bodies(data: object) -> tuple[str, str, object]:
+    match data:
         case [str(first), str(second), e]:
             return first, second, e
     raise StatementError("e of a pair is told as two names and a number")
 
 
-def _sphere(told: object) -> Sphere:
-    sphere = an_object(told, "a sphere")
+def _sphere(data: object) -> Sphere:
+    sphere = an_object(data, "a sphere")
     name = a_name(sphere, "a sphere")
     return Sphere(
         name,

@@ -100,10 +100,10 @@ def play(
 def to_html(data: dict[str, Any]) -> str:
     """One page that plays the data: style, module and data stand in it."""
     # In JSON a < can only be within a text, where it may be written so.
-    told = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    script = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
     body = (
         '<main id="player"><noscript>This page plays a motion with JavaScript.</noscript></main>\n'
-        f'<script type="application/json" id="motion">{told}</script>\n'
+        f'<script type="application/json" id="motion">{script}</script>\n'
         f'<script type="module">\n{module()}{_START}</script>'
     )
     return page(data["title"] or "Motion", _PAGE + source("player.css"), body)

@@ -60,16 +60,16 @@ def of_solution(
     return of_told(motions(solution, part), solution.problem.title, seconds)
 
 
-def of_told(told: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
+def of_told(motions: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
     """Motions of one problem, with exact values as far as they are short.
 
     Those that would take too many steps to work out are left out, as are, on a machine that is
     too slow, those that are not known after so many ``seconds``; a note says so.
     """
-    made = [_of_told(each, label) for each, label in zip(told, _labels(told), strict=True)]
+    made = [_of_told(each, label) for each, label in zip(motions, _labels(motions), strict=True)]
     try:
         with limited(seconds, _STEPS) as own:
-            for shown, each in zip(made, told, strict=True):
+            for shown, each in zip(made, motions, strict=True):
                 _add_exact(shown, each)
         hurried = own.broken
     except (TimeLimitError, UnsupportedError):
@@ -199,35 +199,37 @@ def _pair(v: Vector) -> list[float]:
 # --- what the solution says of it -----------------------------------------------------------------
 
 
-def _of_told(told: Told, label: str) -> Object:
+def _of_told(motion: Told, label: str) -> Object:
     from restitution.draw.describe import values_of
     from restitution.render.layout import Phrase
     from restitution.render.text import to_text
 
-    made = _motion(told.motion, [event for _, event in told.events], told.masses)
+    made = _motion(motion.motion, [event for _, event in motion.events], motion.masses)
     made["label"] = label
-    words = values_of(_chosen(told))
+    words = values_of(_chosen(motion))
     made["drawn"] = to_text(Phrase(words)) if words else ""
     return made
 
 
-def _add_exact(made: Object, told: Told) -> None:
+def _add_exact(made: Object, motion: Told) -> None:
     """Puts exact values into the data of a motion, as far as they are short."""
-    exact = _Exact(told)
-    for sphere, track in zip(made["spheres"], told.motion.tracks, strict=True):
-        sphere["said"] = [exact.velocity(track.name, stage) for stage in _stages(told, track.name)]
-    for shown, (number, event) in zip(made["events"], told.events, strict=True):
+    exact = _Exact(motion)
+    for sphere, track in zip(made["spheres"], motion.motion.tracks, strict=True):
+        sphere["said"] = [
+            exact.velocity(track.name, stage) for stage in _stages(motion, track.name)
+        ]
+    for shown, (number, event) in zip(made["events"], motion.events, strict=True):
         if isinstance(event, Struck):
             shown["said"] = exact.impact(number, event)
 
 
-def _chosen(told: Told) -> list[Chosen]:
+def _chosen(motion: Told) -> list[Chosen]:
     """The letters at whose values it is shown: those that change anything of it."""
     from restitution.staging.flights import told_places
     from restitution.staging.values import velocities
 
-    numbers = told.numbers
-    spheres = [numbers.story.spheres[name] for name in told.bodies]
+    numbers = motion.numbers
+    spheres = [numbers.story.spheres[name] for name in motion.bodies]
     masses = {
         x for each in spheres if isinstance(each.mass, Expression) for x in letters(each.mass)
     }
@@ -242,10 +244,10 @@ def _chosen(told: Told) -> list[Chosen]:
     return [*free, *(each for each in numbers.found if each not in free)]
 
 
-def _stages(told: Told, body: str) -> list[int]:
+def _stages(motion: Told, body: str) -> list[int]:
     """After which event of the story each piece of a body's motion is."""
-    own = [(event.time, number) for number, event in told.events if body in _bodies(event)]
-    track = next(each for each in told.motion.tracks if each.name == body)
+    own = [(event.time, number) for number, event in motion.events if body in _bodies(event)]
+    track = next(each for each in motion.motion.tracks if each.name == body)
     # Pieces begin at the very numbers that are the times of events.
     return [
         next((n for time, n in reversed(own) if time <= piece.start), 0) for piece in track.pieces
@@ -259,8 +261,8 @@ def _bodies(event: Event) -> tuple[str, ...]:
 class _Exact:
     """Exact values as text, each worked out once; None where there is no short one."""
 
-    def __init__(self, told: Told) -> None:
-        self.told = told
+    def __init__(self, motion: Told) -> None:
+        self.told = motion
         self.known: dict[tuple[str, int], Object | None] = {}
 
     def velocity(self, body: str, stage: int) -> Object | None:
@@ -319,11 +321,11 @@ class _Exact:
         from restitution.solve.forms import plain
 
         try:
-            told = value()
-            if told.count_ops() > _LONG:
+            value_ = value()
+            if value_.count_ops() > _LONG:
                 return None
             # Of either sign in general, perhaps; at the values that are shown it has to be right.
-            found = plain(told, [self.told.branch.sample, self.told.numbers.numbers])
+            found = plain(value_, [self.told.branch.sample, self.told.numbers.numbers])
         except (RestitutionError, ArithmeticError):
             return None
         if any(symbol.name.startswith("_") for symbol in found.free_symbols):
@@ -332,10 +334,10 @@ class _Exact:
         return text if len(text) <= _SHORT else None
 
 
-def _labels(told: Sequence[Told]) -> list[str]:
+def _labels(motions: Sequence[Told]) -> list[str]:
     """What tells the motions of a problem apart; nothing where there is one only."""
-    made = [list(_label(each, told)) for each in told]
-    return [", ".join(words) for words in made] if len(told) > 1 else [""]
+    made = [list(_label(each, motions)) for each in motions]
+    return [", ".join(words) for words in made] if len(motions) > 1 else [""]
 
 
 def _label(one: Told, all_: Sequence[Told]) -> Iterator[str]:

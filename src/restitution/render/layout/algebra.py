@@ -204,9 +204,9 @@ def _from_angle(value: Expr) -> Layout:
         else:
             # SymPy may hold arctan(x) as −arctan(−x): the two signs meet here.
             turned = -term if _is_negative(term) else term
-            laid = _from_expression(turned)
-            laid = negative(laid) if turned != term else laid
-            terms.append((split_sign(laid)[0] == "-", False, laid))
+            layout = _from_expression(turned)
+            layout = negative(layout) if turned != term else layout
+            terms.append((split_sign(layout)[0] == "-", False, layout))
     # 180° − arctan(4/3), 90° + arctan(3/4), 90° − α, but α + 30°
     arcs = value.has(*_INVERSE)
     terms.sort(key=lambda each: (each[0], each[1] != arcs))
@@ -332,8 +332,8 @@ def _from_product(value: Expr) -> Layout:
             rational *= factor
             continue
         if not isinstance(exponent, Rational) or exponent.q > 2:
-            laid = _general_power(base, exponent)
-            other.append(laid)
+            layout = _general_power(base, exponent)
+            other.append(layout)
             continue
         if exponent.q == 2:
             whole, rest = divmod(int(exponent.p), 2)
@@ -351,8 +351,8 @@ def _from_product(value: Expr) -> Layout:
     if rational.p < 0:
         sign = -1
         rational = -rational
-    laid = _assemble(rational, surds, above, below, roots_above, roots_below, other)
-    return negative(laid) if sign < 0 else laid
+    layout = _assemble(rational, surds, above, below, roots_above, roots_below, other)
+    return negative(layout) if sign < 0 else layout
 
 
 def _assemble(
@@ -461,15 +461,15 @@ def _plain_product(bases: Sequence[Expr]) -> Layout:
             rest.append((base, S.One))
     factors: list[Layout] = [] if number == 1 else [Number(str(number))]
     factors.extend(_laid_power(*each) for each in sorted(rest, key=_factor_order))
-    laid = product(*factors) if factors else ONE
-    return laid.inside if isinstance(laid, Brackets) and laid.kind == "()" else laid
+    layout = product(*factors) if factors else ONE
+    return layout.inside if isinstance(layout, Brackets) and layout.kind == "()" else layout
 
 
 def _laid_power(base: Expr, exponent: Expr) -> Layout:
-    laid = _from_expression(base)
+    layout = _from_expression(base)
     if isinstance(base, Add):
-        laid = bracketed(laid)
-    return power(laid, _from_expression(exponent))
+        layout = bracketed(layout)
+    return power(layout, _from_expression(exponent))
 
 
 def _general_power(base: Expr, exponent: Expr) -> Layout:
@@ -477,8 +477,8 @@ def _general_power(base: Expr, exponent: Expr) -> Layout:
         return function("exp", _from_expression(exponent))
     if isinstance(exponent, Rational) and exponent.p == 1:
         return Root(_from_expression(base), int(exponent.q))
-    laid = _from_expression(base)
-    return power(bracketed(laid), _from_expression(exponent))
+    layout = _from_expression(base)
+    return power(bracketed(layout), _from_expression(exponent))
 
 
 def _factor_order(factor: tuple[Expr, Expr]) -> tuple[Any, ...]:

@@ -59,13 +59,13 @@ def display_point(x: Any, y: Any) -> Layout:
 
 def display_set(values: Any, name: Any, *, angle: bool = False) -> Layout:
     """A range: exact and, where an end needs it, with ends to 3 significant figures."""
-    said = from_set(values, name, degrees=angle)
+    layout = from_set(values, name, degrees=angle)
     ends = _ends(values)
     if not any(_rounded(end, angle) for end in ends):
-        return said
+        return layout
     if any(end.free_symbols for end in ends):
-        return said
-    return Phrase((said, Brackets(_set_decimals(values, as_layout(name), angle))))
+        return layout
+    return Phrase((layout, Brackets(_set_decimals(values, as_layout(name), angle))))
 
 
 def _display_sides(value: Any, angle: bool, percentage: bool) -> list[Layout]:
@@ -127,13 +127,13 @@ def _times_letters(number: Layout, rest: Expr) -> Layout:
     """A decimal number, with its sign, times a product of letters."""
     if rest is S.One:
         return number
-    laid = from_sympy(rest)
+    layout = from_sympy(rest)
     sign, size = split_sign(number)
     term: Layout
-    if isinstance(laid, Fraction):
-        term = Fraction(product(size, laid.above), laid.below)
+    if isinstance(layout, Fraction):
+        term = Fraction(product(size, layout.above), layout.below)
     else:
-        term = product(size, laid)
+        term = product(size, layout)
     return negative(term) if sign == "-" else term
 
 
@@ -199,13 +199,13 @@ def _ends(values: Any) -> list[Expr]:
 
 def _set_decimals(values: Any, subject: Layout, angle: bool) -> Layout:
     """The same statement with rounded ends."""
-    said = from_set(values, subject, degrees=angle)
+    layout = from_set(values, subject, degrees=angle)
     table: dict[Layout, Layout] = {}
     for each in _ends(values):
         rounded = _rounded(each, angle)
         if rounded is not None:
             table[from_sympy(each, degrees=angle)] = rounded
-    return _replaced(said, table)
+    return _replaced(layout, table)
 
 
 def _replaced(layout: Layout, table: dict[Layout, Layout]) -> Layout:
